@@ -36,7 +36,7 @@ test-alone: .venv/dev.stamp ## the slow tests that disturb or time processes, on
 	$(MARKED) -n 0 -m "slow and alone" $(call with_mark,alone)
 
 # ALL=1 (each night): also the rooms whose use of other packages the tests of `cli` reach, too.
-PLAIN_ROOMS := model statics elements simulation flow summary pictures report
+PLAIN_ROOMS := core/model core/statics core/elements simulation core/flow core/summary pictures page/report
 PLAIN_TESTS := $(PLAIN_ROOMS:%=tests/%) $(PLAIN_ROOMS:%=vstatics/%) tests/published tests/oracle
 test-oldest: .venv-oldest/stamp ## the fast tests with the oldest versions allowed (Python 3.11)
 	$(OLDEST)/pytest -q -n $(TEST_JOBS) -m "not slow" -p no:cacheprovider \
@@ -78,7 +78,7 @@ site: .venv/dev.stamp ## build the site in site/, to be read from the disk or se
 	$(BIN)/python -m website site
 
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
-	$(BIN)/python -m vstatics.cli.schemas schemas
+	$(BIN)/python -m vstatics.core.cli.schemas schemas
 
 bench: .venv/dev.stamp ## the figures of docs/performance.md but those of boxes (C compiler, 5 minutes)
 	$(BIN)/python benchmarks

@@ -15,7 +15,7 @@ from typing import Any
 
 from common import VSTATICS, options, print_table, spent
 
-from vstatics.jobs.workers import cores
+from vstatics.core.jobs.workers import cores
 from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.boxes.figures.case import box_element_name
 from vstatics.synthesis.boxes.least_form import least_box

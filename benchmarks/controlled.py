@@ -20,7 +20,7 @@ from common import medians, options, print_table, timed
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from vstatics.readers import read
+from vstatics.core.readers import read
 from vstatics.simulation import Motion, Scenario, simulate
 from vstatics.simulation.run import begun
 from vstatics.simulation.scenario.file import read_scenario

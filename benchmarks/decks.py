@@ -30,7 +30,7 @@ from common import (
 from numeric import numeric
 
 from vstatics import load
-from vstatics.writers import deck
+from vstatics.core.writers import deck
 
 COUNT = 1000
 SEED = 7

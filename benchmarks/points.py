@@ -10,7 +10,7 @@ import numpy as np
 from common import medians, options, print_table, timed
 
 from vstatics import Load, Transmission, solve
-from vstatics.readers import loads
+from vstatics.core.readers import loads
 
 CASE = """\
 links: [engine, mid, out]

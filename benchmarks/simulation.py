@@ -16,7 +16,7 @@ from smoothed import Box, Chain
 
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.model.springs import Twist, between
+from vstatics.core.model.springs import Twist, between
 from vstatics.simulation import (
     Capacity,
     Formula,

@@ -12,9 +12,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
+from vstatics.core.statics.matrix import column
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Capacity, Scenario
-from vstatics.statics.matrix import column
 
 Array = np.ndarray[Any, Any]
 

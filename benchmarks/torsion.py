@@ -21,7 +21,7 @@ from common import medians, options, print_table, timed
 from scipy import linalg
 
 from vstatics import Transmission, loads
-from vstatics.cli import main as command
+from vstatics.core.cli import main as command
 from vstatics.torsion.vibration.gear_modes import modes
 
 VARIANTS = 100_000

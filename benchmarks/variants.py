@@ -18,7 +18,7 @@ import numpy as np
 from common import MZKT, Peer, medians, options, print_table, timed
 
 from vstatics import Transmission, load, solve
-from vstatics.statics.results import Results
+from vstatics.core.statics.results import Results
 
 COUNT = 20_000
 CALLS = 10

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from click.testing import CliRunner
 
-from vstatics.cli import main
+from vstatics.core.cli import main
 
 ROOT = Path(__file__).parents[1]
 CASES = ROOT / "cases"

@@ -83,9 +83,9 @@ def frozen() -> None:
 @pytest.fixture
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
-    from vstatics.report.page_pictures import Pictures
+    from vstatics.page.report.page_pictures import Pictures
 
-    monkeypatch.setattr("vstatics.report.material.pictures", lambda *_, **__: Pictures())
+    monkeypatch.setattr("vstatics.page.report.material.pictures", lambda *_, **__: Pictures())
 
 
 @pytest.fixture

@@ -19,7 +19,7 @@ from typing import NamedTuple
 from click.testing import CliRunner
 
 from tests.test_readme import DOCUMENTS, ROOT, blocks, write_file
-from vstatics.cli import main
+from vstatics.core.cli import main
 
 IMAGE = re.compile(
     r"(?:^<!-- picture: (?P<asked>.+) -->\n)?^!\[[^\]]*\]\((?P<file>[^)]+)\)", re.MULTILINE

@@ -17,7 +17,7 @@ import yaml
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
 from vstatics import Transmission, load
-from vstatics.writers.named import mapping
+from vstatics.core.writers.named import mapping
 
 Torque = Callable[[float, float], float]
 """The torque of a drag [N*m] at a speed [rad/s] and a torque at the input [N*m]."""

@@ -28,13 +28,13 @@ import numpy as np
 from tests.commands import CASES, MZKT
 from tests.fuzzed_commands import commands
 from vstatics import VstaticsError, load, solve
-from vstatics.readers import read
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.reading import Reading
-from vstatics.readers.results import read_results
+from vstatics.core.readers import read
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.reading import Reading
+from vstatics.core.readers.results import read_results
+from vstatics.core.writers import listing, named, result_json
 from vstatics.simulation.scenario.file import read_scenario
 from vstatics.simulation.scenario.formula import Formula, read_formula
-from vstatics.summary.duty_file import read_duty
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
 from vstatics.sweep.kept.columns import read_columns
@@ -44,7 +44,7 @@ from vstatics.sweep.variants.subject import Document, VariedScenario
 from vstatics.sweep.variants.table import read_table
 from vstatics.sweep.variants.targets import target
 from vstatics.sweep.variants.variation import read_variation
-from vstatics.writers import listing, named, result_json
+from vstatics.vehicle.duty_file import read_duty
 
 READING_SECONDS, COMMAND_SECONDS = 1.0, 10.0
 """Of the processor, to read and to carry out a command; more is a fault."""

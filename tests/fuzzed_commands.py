@@ -20,7 +20,7 @@ from tests.commands import CASES, vstatics
 from tests.sweep import scenarios
 from tests.synthesis.boxes.listed_boxes import simpson
 from vstatics import VstaticsError, load, solve
-from vstatics.writers import listing, result_json
+from vstatics.core.writers import listing, result_json
 
 LIMIT_SECONDS = 5
 """Of a run, as its option says."""

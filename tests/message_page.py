@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from vstatics.writers.explained import explained, known_ids
+from vstatics.core.writers.explained import explained, known_ids
 
 BEGIN = "## Causes, cures, examples\n"
 

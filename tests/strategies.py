@@ -6,9 +6,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from vstatics.model.parts import Damping
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import (
+from vstatics.core.model.parts import Damping
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import (
     HOUSING,
     Gear,
     Mechanism,

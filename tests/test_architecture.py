@@ -42,15 +42,16 @@ def test_imports_run_one_way() -> None:
 def test_imports_of_sub_rooms_run_one_way() -> None:
     """The docstring of a room names its sub-rooms in their order."""
     for above in ROOMS[:-2]:
-        if (PACKAGE / above).is_dir():
+        if PACKAGE.joinpath(*above.split(".")).is_dir():
             place = {one: number for number, one in enumerate(sub_rooms(above))}
             for name in modules():
-                own = name.split(".")[2:3]
+                depth = above.count(".") + 2
+                own = name.split(".")[depth : depth + 1]
                 if room(name) == above and own and own[0] in place:
                     others = {
-                        to.split(".")[2]
+                        to.split(".")[depth]
                         for to in imported(name)
-                        if to.count(".") > 1 and room(to) == above
+                        if to.count(".") >= depth and to.startswith(f"vstatics.{above}.")
                     }
                     upward = {to for to in others & place.keys() if place[to] > place[own[0]]}
                     assert not upward, f"{name} imports {upward}"
@@ -59,9 +60,11 @@ def test_imports_of_sub_rooms_run_one_way() -> None:
 def test_what_stands_on_a_room_is_tested_with_it() -> None:
     """Pictures take torsion, and torsion takes statics; nothing takes the command line."""
     assert (
-        {"simulation", "pictures", "cli"} <= {*standing_on("torsion")} <= {*standing_on("statics")}
+        {"simulation", "pictures", "core.cli"}
+        <= {*standing_on("torsion")}
+        <= {*standing_on("core.statics")}
     )
-    assert standing_on("cli") == []
+    assert standing_on("core.cli") == []
     assert Path(__file__) in places_of_tests("torsion", above=True)
     assert PACKAGE / "torsion" in places_of_tests("torsion", above=False)
 
@@ -78,7 +81,7 @@ def test_only_the_command_line_and_the_report_draw() -> None:
     """
     for name in modules().keys() - {"vstatics"}:
         if any(room(other) == "pictures" for other in imported(name)):
-            assert room(name) in ("pictures", "report", "cli"), name
+            assert room(name) in ("pictures", "page.report", "core.cli"), name
 
 
 @cache
@@ -89,9 +92,12 @@ def called(path: Path) -> set[str]:
 
 def test_only_the_command_line_prints_and_leaves() -> None:
     for name, path in modules().items():
-        if room(name) not in ("cli", "__main__"):
+        if room(name) not in ("core.cli", "__main__"):
             assert not called(path) & {"print", "sys.exit", "exit"}, name
-            if room(name) not in ("jobs", "start"):  # worker processes end, so does Ctrl-C
+            if room(name) not in (
+                "core.jobs",
+                "core.start",
+            ):  # worker processes end, so does Ctrl-C
                 assert "os._exit" not in called(path), name
 
 
@@ -100,18 +106,18 @@ def test_all_that_is_printed_goes_through_two_modules() -> None:
     printing = {"print", "click.echo", "click.secho", "Console", "sys.stdout.write"}
     printing |= {"sys.stderr.write", "sys.stdout.buffer.write"}
     for name, path in modules().items():
-        if room(name) == "cli" and name not in (
-            "vstatics.cli.frame.files",
-            "vstatics.cli.frame.console",
+        if room(name) == "core.cli" and name not in (
+            "vstatics.core.cli.frame.files",
+            "vstatics.core.cli.frame.console",
         ):
             assert not called(path) & printing, name
 
 
 OF_OTHER_FILES = {
-    "vstatics.jobs.input_files",  # inputs, with a bound
-    "vstatics.jobs.files",  # outputs, and hashes of what is read
-    "vstatics.jobs.page_files",  # outputs
-    "vstatics.jobs.state_files",
+    "vstatics.core.jobs.input_files",  # inputs, with a bound
+    "vstatics.core.jobs.files",  # outputs, and hashes of what is read
+    "vstatics.core.jobs.page_files",  # outputs
+    "vstatics.core.jobs.state_files",
     "vstatics.sweep.variants.subject",  # cases and scenarios
     "vstatics.sweep.variants.table_file",  # tables of variants
 }
@@ -128,7 +134,7 @@ def test_one_module_opens_state_files() -> None:
     acts = ("open", "truncate", "unlink", "remove", "rename", "replace", "rmdir", "mkdir")
     calls = {"open", *(f"os.{act}" for act in acts)}
     for name, path in modules().items():
-        if room(name) in ("jobs", "sweep", "synthesis") and name not in OF_OTHER_FILES:
+        if room(name) in ("core.jobs", "sweep", "synthesis") and name not in OF_OTHER_FILES:
             assert not called(path) & calls, name
             assert not {"pathlib", "shutil"} & imported_names(path), name
 
@@ -144,15 +150,15 @@ def test_a_class_name_is_used_once() -> None:
 
 
 def test_each_module_of_the_solver_has_its_tests() -> None:
-    own = {path.stem for path in (PACKAGE / "statics").glob("*.py")} - {"__init__"}
-    tests = {path.stem for path in (Path(__file__).parent / "statics").glob("test_*.py")}
+    own = {path.stem for path in (PACKAGE / "core" / "statics").glob("*.py")} - {"__init__"}
+    tests = {path.stem for path in (Path(__file__).parent / "core" / "statics").glob("test_*.py")}
     assert {f"test_{name}" for name in own} <= tests
 
 
 def test_folders_of_tests_are_rooms() -> None:
     others = {"published", "oracle", "golden", "bad", "__pycache__"}
     folders = {path.name for path in Path(__file__).parent.iterdir() if path.is_dir()}
-    assert folders - others <= set(ROOMS)
+    assert folders - others <= {name.split(".")[0] for name in ROOMS}
 
 
 def test_slow_tests_are_found_by_their_files() -> None:

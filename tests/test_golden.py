@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, SHIPPED, vstatics
-from vstatics.comparison.numbers import differences
-from vstatics.readers.results import read_results
-from vstatics.tables.quantities import QUANTITIES
+from vstatics.core.comparison.numbers import differences
+from vstatics.core.readers.results import read_results
+from vstatics.core.tables.quantities import QUANTITIES
 
 GOLDEN = Path(__file__).parent / "golden"
 FORMATS = {"lst": "listing", "json": "json"}

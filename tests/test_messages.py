@@ -15,10 +15,10 @@ from click.testing import CliRunner
 from tests import message_page as page
 from tests.commands import ROOT, vstatics
 from tests.rooms import PACKAGE, modules, nodes
-from vstatics import readers
-from vstatics.cli import main
-from vstatics.errors import DOUBTS
-from vstatics.writers.explained import ExplainedMessage, explained, known_ids
+from vstatics.core import readers
+from vstatics.core.cli import main
+from vstatics.core.errors import DOUBTS
+from vstatics.core.writers.explained import ExplainedMessage, explained, known_ids
 
 MAKERS = {"Problem", "of_file", "CaseError", "ReadError", "Message", "Said", "Doubt", "warnings_of"}
 CASE = """\
@@ -69,9 +69,9 @@ def test_the_page_lists_every_id() -> None:
 
 
 HOW_TO_ADD = """
-Each id has three homes. A line `ID | cause | cure` in vstatics/writers/messages/causes.txt, where the cause
-of a warning or note is `-` and stands in DOUBTS of vstatics/errors.py; a case that shows it,
-vstatics/writers/messages/examples/ID.yaml, unless that needs another file or a run; a row of its table in
+Each id has three homes. A line `ID | cause | cure` in vstatics/core/writers/messages/causes.txt, where the cause
+of a warning or note is `-` and stands in DOUBTS of vstatics/core/errors.py; a case that shows it,
+vstatics/core/writers/messages/examples/ID.yaml, unless that needs another file or a run; a row of its table in
 docs/messages.md. Then `make messages` writes the last part of that page."""
 
 
@@ -98,7 +98,7 @@ EXAMPLES = [one for one in map(explained, known_ids()) if one.example]
 
 
 def test_every_example_is_of_an_id() -> None:
-    files = {path.stem for path in (PACKAGE / "writers/messages/examples").iterdir()}
+    files = {path.stem for path in (PACKAGE / "core/writers/messages/examples").iterdir()}
     assert files == {one.id for one in EXAMPLES}
 
 

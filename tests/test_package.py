@@ -457,6 +457,6 @@ def test_nothing_of_it_is_imported_with_the_package() -> None:
     """Start-up time: see docs/architecture.md."""
     import subprocess
 
-    code = "import sys, vstatics; print([m for m in ('rich', 'yaml', 'vstatics.report') if m in sys.modules])"
+    code = "import sys, vstatics; print([m for m in ('rich', 'yaml', 'vstatics.page.report') if m in sys.modules])"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert said.stdout.strip() == "[]"

@@ -134,7 +134,7 @@ def absent(name):
 
 sys.meta_path.insert(0, Finder())
 import vstatics
-from vstatics.model.fatigue import Fatigue
+from vstatics.vehicle.case.fatigue import Fatigue
 scenario = vstatics.load_scenario(sys.argv[1])
 for call in (
     lambda: vstatics.simulate(scenario),
@@ -206,7 +206,7 @@ def test_a_cycle_needs_a_vehicle() -> None:
 
 PUBLIC = [
     (module, name)
-    for module in ("", ".elements", ".torsion", ".simulation", ".synthesis")
+    for module in ("", ".core.elements", ".torsion", ".simulation", ".synthesis")
     for name in importlib.import_module(f"vstatics{module}").__all__
     if name != "__version__"
 ]
@@ -244,7 +244,7 @@ def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
 
 
 def test_the_page_names_every_command() -> None:
-    from vstatics.cli import main
+    from vstatics.core.cli import main
 
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
     lines = (ROOT / "docs/how-to/commands-in-python.md").read_text(encoding="utf-8")

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import click
 import pytest
 
-from vstatics.cli import main
+from vstatics.core.cli import main
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.pieces.found import prepare
 
@@ -234,8 +234,8 @@ def test_every_document_is_reached_from_the_readme() -> None:
 
 
 def test_deck_reference_names_every_field() -> None:
-    from vstatics.readers.deck.text import LISTS, SCALARS
-    from vstatics.tables.quantities import PRINTED
+    from vstatics.core.readers.deck.text import LISTS, SCALARS
+    from vstatics.core.tables.quantities import PRINTED
 
     text = (ROOT / "docs" / "deck.md").read_text(encoding="utf-8")
     named = set(re.findall(r"[A-Z]+", "".join(re.findall(r"`[^`]*`", text))))
@@ -243,8 +243,8 @@ def test_deck_reference_names_every_field() -> None:
 
 
 def test_reference_of_cases_names_every_key() -> None:
-    from vstatics.elements.keys import with_elements
-    from vstatics.model.keys import CASE, ELEMENT, GEAR, LOAD, MECHANISM
+    from vstatics.core.elements.keys import with_elements
+    from vstatics.core.model.keys import CASE, ELEMENT, GEAR, LOAD, MECHANISM
 
     text = FENCE.sub("", (ROOT / "docs" / "cases.md").read_text(encoding="utf-8"))
     named = set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
@@ -253,7 +253,7 @@ def test_reference_of_cases_names_every_key() -> None:
 
 
 def test_units_of_the_reference_are_understood() -> None:
-    from vstatics.readers.named.units import unit
+    from vstatics.core.readers.named.units import unit
 
     text = (ROOT / "docs" / "cases.md").read_text(encoding="utf-8")
     for quantity, units in re.findall(

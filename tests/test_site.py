@@ -18,9 +18,9 @@ from urllib.parse import unquote
 import pytest
 
 import vstatics
-from vstatics.cli import main
-from vstatics.cli.schemas import schemas
-from vstatics.writers.explained import known_ids
+from vstatics.core.cli import main
+from vstatics.core.cli.schemas import schemas
+from vstatics.core.writers.explained import known_ids
 from website import commands, documents, keys, public
 from website.page import KINDS
 

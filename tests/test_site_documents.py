@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from tests.commands import vstatics
-from vstatics.elements.kinds import KINDS
+from vstatics.core.elements.kinds import KINDS
 from website import keys
 from website.documents import ROOT, pages, places
 from website.page import KINDS as KINDS_OF_PAGES

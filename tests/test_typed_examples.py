@@ -11,8 +11,8 @@ from typing import get_args
 import pytest
 
 from tests.test_readme import ROOT, blocks
-from vstatics.statics.result_arrays import GearTable
-from vstatics.tables.quantities import BY_NAME
+from vstatics.core.statics.result_arrays import GearTable
+from vstatics.core.tables.quantities import BY_NAME
 
 PAGES = ("docs/python.md", "docs/how-to/commands-in-python.md", "docs/how-to/python.md")
 

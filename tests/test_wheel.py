@@ -20,8 +20,8 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import ID
-from vstatics.cli.new import TEMPLATES
-from vstatics.extras import EXTRAS, __version__
+from vstatics.core.cli.new import TEMPLATES
+from vstatics.core.extras import EXTRAS, __version__
 from vstatics.pictures import PICTURES
 
 ROOT = Path(__file__).parents[1]
@@ -128,7 +128,7 @@ LESS = {
 IN_ONE_PROCESS = """\
 import json, shlex, sys
 from click.testing import CliRunner
-from vstatics.cli import main
+from vstatics.core.cli import main
 for command in sys.argv[1:]:
     done = CliRunner().invoke(main, shlex.split(command)[1:])
     print(json.dumps([done.exit_code, done.output]))

@@ -14,8 +14,8 @@ from random import Random
 from hypothesis import strategies as st
 
 from tests.oracle.systems import Speeds
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
 
 Links = tuple[int, int, int]
 EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)

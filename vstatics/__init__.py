@@ -18,61 +18,65 @@ array([1.    , 0.9714])
 """
 
 try:
-    import vstatics.start  # noqa: F401 - first: it makes the import of the others safe and fast
+    import vstatics.core.start  # noqa: F401 - first: it makes the import of the others safe and fast
 except KeyboardInterrupt:
     raise SystemExit(130) from None  # before it has done so
 
 # isort: split
+import sys
+from types import ModuleType
 from typing import TYPE_CHECKING
 
-from vstatics.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.extras import HIGHER, __version__, later
-from vstatics.model.parts import Damping, Load
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import load, loads
-from vstatics.statics.matrix import distribution_matrix
-from vstatics.statics.result_arrays import Message
-from vstatics.statics.results import Results
-from vstatics.statics.solve import solve
-from vstatics.statics.state import GearState
+from vstatics.core.errors import CaseError, Place, Problem, ReadError, VstaticsError
+from vstatics.core.extras import HIGHER, __version__, later
+from vstatics.core.model.parts import Damping, Load
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers import load, loads
+from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.solve import solve
+from vstatics.core.statics.state import GearState
 from vstatics.sweep import sweep
 
 if TYPE_CHECKING:
-    from vstatics.checking import check
-    from vstatics.comparison.compare import compare
-    from vstatics.comparison.verdicts import Verdict
-    from vstatics.damage.devices import DeviceDamage, damages
-    from vstatics.damage.rayleigh import RayleighLife, rayleigh_life
-    from vstatics.damage.resize import ResizedShaft, resized, resized_by_ratio
-    from vstatics.elements.drawing import Drawing
-    from vstatics.elements.element import Element, PlanetMass
-    from vstatics.examples import example
-    from vstatics.explain.exercise import exercise
-    from vstatics.explain.explanation import Explanation, explain_gear
-    from vstatics.explain.worksheet import GearExercise
-    from vstatics.flow.power import flows
-    from vstatics.flow.power_flow import GearFlow, PowerFlow
-    from vstatics.model.clutch_dump import ClutchDump
-    from vstatics.model.fatigue import Fatigue
-    from vstatics.model.vehicle import Vehicle
+    from vstatics.core.checking import check
+    from vstatics.core.comparison.compare import compare
+    from vstatics.core.comparison.verdicts import Verdict
+    from vstatics.core.elements import CentralWheel, MeshEfficiency, transmission
+    from vstatics.core.elements.drawing import Drawing
+    from vstatics.core.elements.element import Element, PlanetMass
+    from vstatics.core.examples import example
+    from vstatics.core.explain.exercise import exercise
+    from vstatics.core.explain.explanation import Explanation, explain_gear
+    from vstatics.core.explain.worksheet import GearExercise
+    from vstatics.core.flow.power import flows
+    from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+    from vstatics.core.summary import Summary, summarize
+    from vstatics.core.writers.saving import save
+    from vstatics.page.report import write_report
     from vstatics.pictures.plotting import Picture, plot
-    from vstatics.report import write_report
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.parts import Scenario
-    from vstatics.summary import Summary, summarize
-    from vstatics.summary.operation.cycles import cycle
-    from vstatics.summary.operation.drive_cycle import DriveCycle
-    from vstatics.summary.operation.trace import Trace
     from vstatics.sweep.chunk import Chunk
     from vstatics.sweep.swept import Sweep
     from vstatics.sweep.variants.subject import VariedScenario, load_varied
-    from vstatics.writers.saving import save
+    from vstatics.torsion.clutch.clutch_dump import ClutchDump
+    from vstatics.vehicle.case.fatigue import Fatigue
+    from vstatics.vehicle.case.vehicle import Vehicle
+    from vstatics.vehicle.damage.devices import DeviceDamage, damages
+    from vstatics.vehicle.damage.rayleigh import RayleighLife, rayleigh_life
+    from vstatics.vehicle.damage.resize import ResizedShaft, resized, resized_by_ratio
+    from vstatics.vehicle.operation.cycles import cycle
+    from vstatics.vehicle.operation.drive_cycle import DriveCycle
+    from vstatics.vehicle.operation.trace import Trace
 
 __all__ = [
     "CaseError",
+    "CentralWheel",
     "Chunk",
     "ClutchDump",
     "Damping",
@@ -88,6 +92,7 @@ __all__ = [
     "GearState",
     "Load",
     "Mechanism",
+    "MeshEfficiency",
     "Message",
     "Motion",
     "Picture",
@@ -133,61 +138,65 @@ __all__ = [
     "solve",
     "summarize",
     "sweep",
+    "transmission",
     "write_report",
 ]
 
 _LATER = {
+    "CentralWheel": "vstatics.core.elements",
     "Chunk": "vstatics.sweep.chunk",
-    "ClutchDump": "vstatics.model.clutch_dump",
-    "DeviceDamage": "vstatics.damage.devices",
-    "Drawing": "vstatics.elements.drawing",
-    "DriveCycle": "vstatics.summary.operation.drive_cycle",
-    "Element": "vstatics.elements.element",
-    "Explanation": "vstatics.explain.explanation",
-    "Fatigue": "vstatics.model.fatigue",
-    "GearExercise": "vstatics.explain.worksheet",
-    "GearFlow": "vstatics.flow.power_flow",
+    "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
+    "DeviceDamage": "vstatics.vehicle.damage.devices",
+    "Drawing": "vstatics.core.elements.drawing",
+    "DriveCycle": "vstatics.vehicle.operation.drive_cycle",
+    "Element": "vstatics.core.elements.element",
+    "Explanation": "vstatics.core.explain.explanation",
+    "Fatigue": "vstatics.vehicle.case.fatigue",
+    "GearExercise": "vstatics.core.explain.worksheet",
+    "GearFlow": "vstatics.core.flow.power_flow",
+    "MeshEfficiency": "vstatics.core.elements",
     "Motion": "vstatics.simulation.record.motion",
     "Picture": "vstatics.pictures.plotting",
-    "PlanetMass": "vstatics.elements.element",
-    "PowerFlow": "vstatics.flow.power_flow",
-    "RayleighLife": "vstatics.damage.rayleigh",
-    "ResizedShaft": "vstatics.damage.resize",
+    "PlanetMass": "vstatics.core.elements.element",
+    "PowerFlow": "vstatics.core.flow.power_flow",
+    "RayleighLife": "vstatics.vehicle.damage.rayleigh",
+    "ResizedShaft": "vstatics.vehicle.damage.resize",
     "Scenario": "vstatics.simulation.scenario.parts",
-    "Summary": "vstatics.summary",
+    "Summary": "vstatics.core.summary",
     "Sweep": "vstatics.sweep.swept",
-    "Trace": "vstatics.summary.operation.trace",
+    "Trace": "vstatics.vehicle.operation.trace",
     "VariedScenario": "vstatics.sweep.variants.subject",
-    "Vehicle": "vstatics.model.vehicle",
-    "Verdict": "vstatics.comparison.verdicts",
-    "check": "vstatics.checking",
-    "compare": "vstatics.comparison.compare",
-    "cycle": "vstatics.summary.operation.cycles",
-    "damages": "vstatics.damage.devices",
-    "example": "vstatics.examples",
-    "exercise": "vstatics.explain.exercise",
-    "explain_gear": "vstatics.explain.explanation",
-    "flows": "vstatics.flow.power",
+    "Vehicle": "vstatics.vehicle.case.vehicle",
+    "Verdict": "vstatics.core.comparison.verdicts",
+    "check": "vstatics.core.checking",
+    "compare": "vstatics.core.comparison.compare",
+    "cycle": "vstatics.vehicle.operation.cycles",
+    "damages": "vstatics.vehicle.damage.devices",
+    "example": "vstatics.core.examples",
+    "exercise": "vstatics.core.explain.exercise",
+    "explain_gear": "vstatics.core.explain.explanation",
+    "flows": "vstatics.core.flow.power",
     "load_scenario": "vstatics.simulation.scenario.file",
     "load_varied": "vstatics.sweep.variants.subject",
     "plot": "vstatics.pictures.plotting",
-    "rayleigh_life": "vstatics.damage.rayleigh",
-    "resized": "vstatics.damage.resize",
-    "resized_by_ratio": "vstatics.damage.resize",
-    "save": "vstatics.writers.saving",
+    "rayleigh_life": "vstatics.vehicle.damage.rayleigh",
+    "resized": "vstatics.vehicle.damage.resize",
+    "resized_by_ratio": "vstatics.vehicle.damage.resize",
+    "save": "vstatics.core.writers.saving",
     "simulate": "vstatics.simulation.run",
-    "summarize": "vstatics.summary",
-    "write_report": "vstatics.report",
+    "summarize": "vstatics.core.summary",
+    "transmission": "vstatics.core.elements",
+    "write_report": "vstatics.page.report",
 }
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
 HIGHER.update(
     box_grids="vstatics.synthesis.boxes.grids",
-    by_name="vstatics.tables.names",
-    explanation_grids="vstatics.explain.grids",
-    flow_grids="vstatics.flow.rows",
-    from_dict="vstatics.readers",
+    by_name="vstatics.core.tables.names",
+    explanation_grids="vstatics.core.explain.grids",
+    flow_grids="vstatics.core.flow.rows",
+    from_dict="vstatics.core.readers",
     modes_grids="vstatics.torsion.vibration.grids",
     motion_dataframe="vstatics.simulation.record.columns",
     motion_grids="vstatics.simulation.record.grids",
@@ -195,18 +204,26 @@ HIGHER.update(
     part_numbers="vstatics.sweep.variants.part_numbers",
     plot="vstatics.pictures.plotting",
     plot_motion="vstatics.pictures.plotting",
-    plot_sweep="vstatics.pictures.sweeps.plotting",
-    results_html="vstatics.summary.pretty",
-    summary_grids="vstatics.summary.grids",
-    to_dataframe="vstatics.tables.dataframe",
-    to_json="vstatics.writers.result_json",
-    to_xarray="vstatics.tables.dataset",
+    plot_sweep="vstatics.sweep.pictures.plotting",
+    results_html="vstatics.core.summary.pretty",
+    summary_grids="vstatics.core.summary.grids",
+    to_dataframe="vstatics.core.tables.dataframe",
+    to_json="vstatics.core.writers.result_json",
+    to_xarray="vstatics.core.tables.dataset",
     with_part_numbers="vstatics.sweep.variants.part_numbers",
 )
 """What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 
 
 __getattr__ = later(__name__, _LATER)
+_elements = ModuleType("vstatics.elements", "Gear sets with teeth: names that `vstatics` has, too.")
+_of_elements = ("CentralWheel", "Drawing", "Element", "MeshEfficiency", "PlanetMass")
+vars(_elements)["__getattr__"] = later(
+    "vstatics.elements",
+    dict.fromkeys((*_of_elements, "transmission"), "vstatics.core.elements"),
+)
+sys.modules[_elements.__name__] = _elements
+"""Scripts import these names from where they were first."""
 
 
 def __dir__() -> list[str]:

@@ -1,6 +1,6 @@
 """Run the command line: ``python -m vstatics``."""
 
-from vstatics.cli import entry
+from vstatics.core.cli import entry
 
 if __name__ == "__main__":
     entry()

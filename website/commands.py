@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import click
 
-from vstatics.cli import main
-from vstatics.cli.frame.lazy_group import LazyGroup
+from vstatics.core.cli import main
+from vstatics.core.cli.frame.lazy_group import LazyGroup
 from website.page import Page, anchor, escaped
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from vstatics.examples import example_file
+from vstatics.core.examples import example_file
 from website.page import KINDS, Page, anchor
 
 ROOT = Path(__file__).parents[1]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import yaml
 
 import vstatics
-from vstatics.examples import example_files
+from vstatics.core.examples import example_files
 from website.documents import case_of, gallery_name
 from website.page import Page, escaped
 

@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from vstatics.cli.schemas import schemas
-from vstatics.elements.kinds import KINDS
+from vstatics.core.cli.schemas import schemas
+from vstatics.core.elements.kinds import KINDS
 from website.page import Page, anchor, code, escaped
 
 Schema = Mapping[str, Any]

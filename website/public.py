@@ -10,7 +10,7 @@ from website.page import Page
 
 MODULES = {
     "vstatics": "The calculation",
-    "vstatics.elements": "Teeth and drawn elements",
+    "vstatics.core.elements": "Teeth and drawn elements",
     "vstatics.torsion": "Torsion",
     "vstatics.simulation": "Motion",
     "vstatics.synthesis": "Synthesis",

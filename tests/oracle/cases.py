@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 
 D, S, T = Mechanism, ShiftElement, Transmission
 

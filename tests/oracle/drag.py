@@ -13,7 +13,7 @@ from itertools import product
 
 from tests.oracle.linear import ZERO, exact, sign
 from tests.oracle.systems import Speeds, Torques, ratios
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 
 
 @dataclass(frozen=True)

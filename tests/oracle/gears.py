@@ -26,7 +26,7 @@ from fractions import Fraction
 from tests.oracle.linear import exact
 from tests.oracle.losses import Flow, Signs, Trial, balance, best, every_guess, trials
 from tests.oracle.systems import Speeds, Torques, Values, ratios
-from vstatics.model.transmission import HOUSING, Gear, Mechanism, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission
 
 
 @dataclass(frozen=True)

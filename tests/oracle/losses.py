@@ -15,7 +15,7 @@ from itertools import product
 
 from tests.oracle.linear import ONE, ZERO, exact, sign, times
 from tests.oracle.systems import Speeds, Torques, Values, ratios
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.core.model.transmission import Gear, Transmission
 
 Signs = tuple[int | None, ...]
 

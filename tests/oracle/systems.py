@@ -11,7 +11,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from tests.oracle.linear import ONE, ZERO, Linear, Row, exact, times
-from vstatics.model.transmission import Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 
 Values = tuple[Fraction | None, ...]
 

@@ -24,7 +24,13 @@ from tests.oracle.linear import exact, sign
 from tests.oracle.losses import Trial, admissible_sets, probed_sign, published_sign
 from tests.oracle.systems import Values, mechanism_column
 from tests.trains import is_regular, no_losses, random_train, regular_trains, shown, trains
-from vstatics.model.transmission import Gear, IdleConvention, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.transmission import (
+    Gear,
+    IdleConvention,
+    Mechanism,
+    ShiftElement,
+    Transmission,
+)
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
 PUBLISHED = Path(__file__).parents[1] / "published" / "mzkt7922.json"

@@ -14,10 +14,10 @@ from matplotlib.text import Text
 
 from tests.commands import SHIPPED
 from vstatics import CaseError, load, solve
-from vstatics.model.vehicle import Vehicle
 from vstatics.pictures import drawn_pages
-from vstatics.pictures.sheet.files import settings_of
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
+from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
+from vstatics.vehicle.case.vehicle import Vehicle
 
 KINDS = ("flow", "efficiency", "traction", "sawtooth", "steps")
 VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])

@@ -6,9 +6,9 @@ import pytest
 
 from tests.pictures.drawn import texts, titled
 from vstatics import Transmission, solve
+from vstatics.core.readers import loads
 from vstatics.pictures import picture
-from vstatics.pictures.sheet.style import Style
-from vstatics.readers import loads
+from vstatics.pictures.drawing.style import Style
 
 SPLIT = """\
 links: [engine, turbine, motor, output]

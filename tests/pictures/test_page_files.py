@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 
 from tests.commands import CASES, vstatics
 from vstatics import ReadError, load, solve
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.flow import efficiency
 from vstatics.pictures.plotting import plot
-from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Results
 
 UMDM = CASES / "umdm.yaml"
 

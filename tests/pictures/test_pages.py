@@ -14,7 +14,7 @@ import pytest
 
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.measured import MeasuredPage, measured
-from vstatics.jobs.page_files import further_pages
+from vstatics.core.jobs.page_files import further_pages
 from vstatics.pictures import PICTURES
 
 SCENARIOS = [

@@ -8,12 +8,12 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.pictures.vehicle.cars import box
+from tests.vehicle.pictures.cars import box
 from vstatics import ReadError, load, solve
 from vstatics.pictures import render
+from vstatics.pictures.drawing.labels import title_width
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
-from vstatics.pictures.sheet.labels import title_width
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 TEXT = "{http://www.w3.org/2000/svg}text"
 ONE, OTHER = CASES / "simpson.yaml", CASES / "zf-6hp26.yaml"

@@ -21,8 +21,8 @@ from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import PICTURES, picture, render
-from vstatics.pictures.sheet.files import FORMATS, Format, settings_of
-from vstatics.pictures.sheet.style import POINTS_PER_MILLIMETRE, Style
+from vstatics.pictures.drawing.files import FORMATS, Format, settings_of
+from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
 from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
@@ -137,7 +137,7 @@ def test_a_picture_does_not_ask_for_a_screen() -> None:
     code = (
         "import sys; from vstatics import load, solve\n"
         "from vstatics.pictures import picture\n"
-        "from vstatics.pictures.sheet.style import Style\n"
+        "from vstatics.pictures.drawing.style import Style\n"
         "assert 'matplotlib' not in sys.modules\n"
         f"picture(solve(load({str(CASES / 'umdm.yaml')!r})), 'plan', Style())\n"
         "assert 'matplotlib.pyplot' not in sys.modules"

@@ -6,12 +6,12 @@ import pytest
 
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
-from vstatics.elements import Drawing, Element, transmission
-from vstatics.model.springs import between
+from vstatics.core.elements import Drawing, Element, transmission
+from vstatics.core.model.springs import between
 from vstatics.pictures import picture
+from vstatics.pictures.drawing.gear_state import state_of
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
-from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.style import Style
 
 SPRINGS = [
     Spring(between(1, 2), stiffness=1, name="damper"),

@@ -17,9 +17,9 @@ from typing import Any
 import pytest
 
 import vstatics
-from vstatics.numerics.traced import plain
-from vstatics.statics.result_arrays import ARRAYS, row_names
-from vstatics.statics.results import Results
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.result_arrays import ARRAYS, row_names
+from vstatics.core.statics.results import Results
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.elements.element_cases import (
+from tests.core.elements.element_cases import (
     gear_names,
     has_the_speeds_of_single_meshes,
     link_speeds,
@@ -28,7 +28,7 @@ from tests.elements.element_cases import (
     torque,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
-from vstatics.statics.results import Results
+from vstatics.core.statics.results import Results
 
 SETS = {
     # sun, ring, carrier; teeth of sun, planet, ring; planets

@@ -25,8 +25,8 @@ from tests.torsion.book import scheme
 from tests.torsion.table_3_8 import TABLE_3_8
 from tests.torsion.test_simplification_tables import GEARS
 from tests.torsion.test_table_2_10 import APART, PUBLISHED
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation import simulate
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.parts import Capacity, Scenario, Start

@@ -11,7 +11,7 @@ from __future__ import annotations
 import pytest
 
 from vstatics import Results, solve
-from vstatics.readers import loads
+from vstatics.core.readers import loads
 
 KGF_M = 9.80665
 PS_IN_KW = 75 * KGF_M / 1000

@@ -16,8 +16,8 @@ import pytest
 from tests.simulation.boxes import RPM, held
 from tests.simulation.test_golden import closes
 from tests.torsion.table_3_8 import TABLE_3_8, Line
-from vstatics.model.springs import Spring, Twist, between
-from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.core.model.springs import Spring, Twist, between
+from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.scenario.formula import Formula

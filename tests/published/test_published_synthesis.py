@@ -22,7 +22,7 @@ import pytest
 
 from tests.oracle.combinations import Train, every
 from vstatics import load, solve
-from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
 PAGE = Path(__file__).parents[2] / "docs" / "synthesis-tables.md"

@@ -24,7 +24,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.commands import CASES, vstatics
-from tests.elements.element_cases import efficiencies, link_speeds, ratios, reading, solved, torque
+from tests.core.elements.element_cases import (
+    efficiencies,
+    link_speeds,
+    ratios,
+    reading,
+    solved,
+    torque,
+)
 from tests.oracle.single_meshes import speeds
 from tests.published.umdm_cases import (
     DIRECTIONS,
@@ -40,7 +47,7 @@ from tests.published.umdm_cases import (
     ratio,
     star_case,
 )
-from vstatics.statics.results import Results
+from vstatics.core.statics.results import Results
 
 Speeds = Mapping[str, Mapping[str, float]]
 """Gear, then link."""

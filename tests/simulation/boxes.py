@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, TorqueLaw, constant
 from vstatics.simulation.scenario.parts import Capacity, Scenario, Start

@@ -17,10 +17,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from vstatics.model.parts import damping
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Mechanism, ShiftElement, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.parts import damping
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, TorqueLaw
 from vstatics.simulation.scenario.parts import Capacity, Scenario
 

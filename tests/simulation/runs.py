@@ -10,8 +10,8 @@ from scipy.linalg import null_space
 from tests.simulation.boxes import points
 from tests.simulation.reference import mechanism_column
 from tests.trains import no_losses, random_train
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant
 from vstatics.simulation.scenario.parts import Capacity, Control, Dog, Scenario, Start

@@ -9,10 +9,10 @@ import pytest
 
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
-from vstatics.model.converters import Converter
-from vstatics.model.parts import Friction, OfLoad
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.parts import Friction, OfLoad
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.scenario.formula import Formula

@@ -14,9 +14,9 @@ from scipy.integrate import solve_ivp
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
-from vstatics.errors import CaseError
-from vstatics.model.springs import Spring, between
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import simulate
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Scenario, Start

@@ -13,9 +13,9 @@ from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
 from vstatics import CaseError, Gear, Load, Transmission
-from vstatics.model.laws import PointLaw
-from vstatics.model.parts import Law, ShiftElement
-from vstatics.readers.named.drag_formulas import DragFormula
+from vstatics.core.model.laws import PointLaw
+from vstatics.core.model.parts import Law, ShiftElement
+from vstatics.core.readers.named.drag_formulas import DragFormula
 from vstatics.simulation.scenario.laws import constant
 
 LOAD = Load(100, 20)

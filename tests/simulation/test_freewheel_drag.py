@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 
 WORDS = {("stick", "+"): "overruns", ("+", "stick"): "locks", ("-", "stick"): "locks"}
 WORDS |= {("stick", "-"): "slips", ("+", "-"): "reverses", ("-", "+"): "reverses"}

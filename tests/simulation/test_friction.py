@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.simulation.test_closed_forms import links, run
-from vstatics.errors import CaseError
-from vstatics.model.parts import Friction, OfLoad
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import Friction, OfLoad
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
 from vstatics.simulation.scenario.laws import Points, Resistance, constant
 from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Shift, Start

@@ -26,7 +26,7 @@ from tests.simulation.boxes import (
     second_gear,
 )
 from tests.simulation.reference import start_speeds
-from vstatics.model.transmission import Gear, ShiftElement
+from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.scenario.laws import constant

@@ -20,9 +20,9 @@ from tests.chance import count, seeded
 from tests.simulation.boxes import RPM, held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import ShiftElement
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import ShiftElement
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import simulate
 from vstatics.simulation.bounds import wall_limit
 from vstatics.simulation.scenario.formula import Formula

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
 from tests.simulation.test_golden import closes
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 
 WHEEL = "{links: [w], inertias: {w: 2}, springs: {S: {links: [w, housing], stiffness: 3000%s}}}"

@@ -9,9 +9,9 @@ import pytest
 from tests.chance import count, seeded
 from tests.simulation.runs import random_capacity
 from tests.simulation.test_closed_forms import links, run
-from vstatics.errors import CaseError
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import ShiftElement
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import ShiftElement
 from vstatics.simulation import simulate
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Resistance, TorqueLaw, constant

@@ -8,7 +8,7 @@ import pytest
 from tests.chance import seeded
 from tests.simulation.boxes import held, planetary_set
 from tests.simulation.test_closed_forms import links
-from vstatics.model.transmission import ShiftElement
+from vstatics.core.model.transmission import ShiftElement
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record

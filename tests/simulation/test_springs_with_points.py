@@ -12,10 +12,10 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded
 from tests.simulation.test_closed_forms import links, run
-from vstatics.errors import CaseError
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import ShiftElement
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import ShiftElement
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import simulate
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.scenario.laws import Points, constant

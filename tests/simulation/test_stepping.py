@@ -10,7 +10,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.simulation import begin
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.stepping import SteppedRun

@@ -14,11 +14,11 @@ from scipy.optimize import brentq
 
 from tests.chance import count, generator
 from tests.simulation.test_closed_forms import links
-from vstatics.errors import CaseError
-from vstatics.model.springs import Spring, SpringLimit, between
-from vstatics.model.struts import Strut, StrutCurve
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import Spring, SpringLimit, between
+from vstatics.core.model.struts import Strut, StrutCurve
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import load_scenario, simulate
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import constant

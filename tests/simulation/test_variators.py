@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from vstatics import solve
-from vstatics.readers.named.reader import read_yaml
+from vstatics.core.readers.named.reader import read_yaml
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import read_scenario
 

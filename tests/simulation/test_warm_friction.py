@@ -13,10 +13,10 @@ from tests.chance import count, seeded
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_golden import closes
 from vstatics import loads
-from vstatics.errors import CaseError, ReadError
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.writers.saving import case_data
 from vstatics.simulation.published.tarasik import tarasik
-from vstatics.writers.saving import case_data
 
 PER_PRESSURE = 0.1 * 0.006 * 8
 """``radius area surfaces`` of the pack [m^3]."""

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
-from vstatics.errors import Problem
+from vstatics.core.errors import Problem
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import Expression, read_expression
 from vstatics.sweep.variants.targets import target

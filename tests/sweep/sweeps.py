@@ -16,7 +16,7 @@ import pytest
 
 from tests.commands import ID, environment
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan

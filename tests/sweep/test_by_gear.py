@@ -13,7 +13,7 @@ import vstatics
 from tests.commands import vstatics as run
 from tests.sweep.sweeps import small_pieces
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
-from vstatics.readers import sweep_tables
+from vstatics.core.readers import sweep_tables
 from vstatics.sweep.chunk import STATUS, Chunk
 
 BOX = Transmission(

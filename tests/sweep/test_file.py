@@ -8,7 +8,7 @@ import pytest
 
 from tests.commands import vstatics
 from tests.sweep.sweeps import CASE_TEXT
-from vstatics.errors import ReadError
+from vstatics.core.errors import ReadError
 from vstatics.sweep.file import read_sweep_file
 from vstatics.sweep.options import SweepOptions
 

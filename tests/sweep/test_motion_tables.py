@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tests.sweep.scenarios import SCENARIO, subject
-from vstatics.errors import ReadError
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.core.errors import ReadError
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.parts import Scenario, Start

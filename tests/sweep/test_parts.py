@@ -15,8 +15,8 @@ import vstatics
 from tests.chance import seeded
 from tests.commands import vstatics as run
 from vstatics import solve
-from vstatics.readers import from_dict
-from vstatics.statics.result_arrays import ARRAYS
+from vstatics.core.readers import from_dict
+from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.sweep.chunk import STATUS
 
 PLANETARY = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}

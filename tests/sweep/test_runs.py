@@ -14,8 +14,8 @@ import pytest
 import vstatics
 from tests.commands import CASES
 from tests.sweep.scenarios import CASE, SCENARIO, subject
-from vstatics.errors import ReadError
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import ReadError
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
 from vstatics.sweep import build
 from vstatics.sweep.blocks import calculate

@@ -9,16 +9,16 @@ import pytest
 from scipy.linalg import eigh
 
 from tests.chance import count, generator
-from vstatics import readers
-from vstatics.errors import CaseError
-from vstatics.model.springs import Spring, SpringLimit
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.tables.straight import in_both_units
+from vstatics.core import readers
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import Spring, SpringLimit
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.straight import in_both_units
+from vstatics.core.writers.named import write_yaml
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.vibration.gear_modes import modes
 from vstatics.torsion.vibration.grids import modes_grids
-from vstatics.writers.named import write_yaml
 
 AXLE = """
 masses: {{body: {body} kg, axle: {axle}}}

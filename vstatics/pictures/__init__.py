@@ -3,15 +3,15 @@
 A result, a kind of picture and a style go in; the bytes of a file come out.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
->>> from vstatics.pictures.sheet.style import Style
+>>> from vstatics.pictures.drawing.style import Style
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
 >>> render(solve(case), "plan", "svg", Style())[:5]
 b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`sheet` is what all share. `flow`, `lever`, `schemes`, `run`, `plan`, `vibration`, `vehicle`,
-`boxes` and `sweeps` have the kinds of pictures. A kind is a function
+`drawing` is what all share. `flow`, `lever`, `schemes` and `plan` have kinds of pictures, and `cli`
+the command `vstatics plot`; other annexes have the pictures of their results. A kind is a function
 ``draw(results, style, gears)`` in a module of its own, which is imported when its picture is
 asked for: matplotlib is an extra. `pair` puts two cases on one sheet.
 It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
@@ -26,15 +26,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from vstatics.extras import require
-from vstatics.pictures.sheet.files import Format, files_of, settings_of, written
-from vstatics.pictures.sheet.style import POINTS_PER_MILLIMETRE
-from vstatics.statics.results import Results
+from vstatics.core.extras import require
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
+from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from vstatics.pictures.sheet.style import Style
+    from vstatics.pictures.drawing.style import Style
     from vstatics.simulation.record.motion import Motion
 
 PICTURES = {
@@ -44,14 +44,14 @@ PICTURES = {
     "structure": "vstatics.pictures.schemes.structure",
     "stick": "vstatics.pictures.schemes.stick",
     "efficiency": "vstatics.pictures.flow.efficiency",
-    "modes": "vstatics.pictures.vibration.shapes.modes",
-    "campbell": "vstatics.pictures.vibration.orders.campbell",
-    "response": "vstatics.pictures.vibration.orders.response",
-    "dump": "vstatics.pictures.vibration.dump",
-    "shift": "vstatics.pictures.run.shift",
-    "traction": "vstatics.pictures.vehicle.traction",
-    "sawtooth": "vstatics.pictures.vehicle.sawtooth",
-    "steps": "vstatics.pictures.vehicle.steps",
+    "modes": "vstatics.torsion.pictures.shapes.modes",
+    "campbell": "vstatics.torsion.pictures.orders.campbell",
+    "response": "vstatics.torsion.pictures.orders.response",
+    "dump": "vstatics.torsion.pictures.dump",
+    "shift": "vstatics.simulation.pictures.shift",
+    "traction": "vstatics.vehicle.pictures.traction",
+    "sawtooth": "vstatics.vehicle.pictures.sawtooth",
+    "steps": "vstatics.vehicle.pictures.steps",
 }
 """Kind of picture -> module."""
 OF_RUNS = ("shift", "plan")
@@ -191,7 +191,7 @@ def _run(
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
-    from vstatics.pictures.sheet.words import KINDS, gear_title, title
+    from vstatics.pictures.drawing.words import KINDS, gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
     return title(results.case, ", ".join([style.text(KINDS[kind]), *names]))

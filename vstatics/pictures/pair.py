@@ -8,16 +8,16 @@ from importlib import import_module
 from itertools import zip_longest
 from typing import TYPE_CHECKING, NamedTuple
 
-from vstatics.errors import CaseError, ReadError
-from vstatics.extras import require
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.extras import require
+from vstatics.core.statics.results import Results
 from vstatics.pictures import PICTURES, drawn_pages
-from vstatics.pictures.sheet.files import Format, files_of, settings_of
-from vstatics.statics.results import Results
+from vstatics.pictures.drawing.files import Format, files_of, settings_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from vstatics.pictures.sheet.style import Style
+    from vstatics.pictures.drawing.style import Style
     from vstatics.simulation.record.motion import Motion
 
 LETTERS = "AB"
@@ -50,7 +50,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.pictures.sheet.style import Style
+    >>> from vstatics.pictures.drawing.style import Style
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5, 0.98)], [Gear()])
     >>> both = [PairedCase(name, solve(case)) for name in ("one.yaml", "other.yaml")]
     >>> [drawn] = pair_pages(both, "efficiency", "svg", Style())
@@ -58,7 +58,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     2
     """
     require("plot", "a picture")
-    from vstatics.pictures.sheet.words import KINDS
+    from vstatics.pictures.drawing.words import KINDS
 
     said = f"{style.text(KINDS[kind])}: {', '.join(one.name for one in both)}"
     with settings_of(style):
@@ -67,7 +67,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
 
 
 def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:
-    from vstatics.pictures.sheet.join import LetteredFigure, joined
+    from vstatics.pictures.drawing.join import LetteredFigure, joined
 
     def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
         own = style._replace(width=width, height=height)
@@ -94,7 +94,7 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
 
 def _half(height: float) -> float:
     """Room for a picture where two stand on a page, each with a line over it [pt]."""
-    from vstatics.pictures.sheet.join import LETTER_HEIGHT
+    from vstatics.pictures.drawing.join import LETTER_HEIGHT
 
     return height / 2 - LETTER_HEIGHT
 

@@ -7,24 +7,24 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from vstatics.arguments import refusing
-from vstatics.errors import nearest
-from vstatics.extras import require
-from vstatics.jobs.page_files import replace_pages
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import nearest
+from vstatics.core.extras import require
+from vstatics.core.jobs.page_files import replace_pages
+from vstatics.core.statics.results import Results, expect_one_case
+from vstatics.core.statics.solve import solve
+from vstatics.core.tables.suffixes import format_of, known
+from vstatics.core.texts import Language
 from vstatics.pictures import OF_RUNS, PICTURES, misplaced, pages, picture, render
-from vstatics.pictures.sheet.files import FORMATS, Format
-from vstatics.pictures.sheet.lengths import checked_width
-from vstatics.pictures.sheet.style import (
+from vstatics.pictures.drawing.files import FORMATS, Format
+from vstatics.pictures.drawing.lengths import checked_width
+from vstatics.pictures.drawing.style import (
     PAGE_HEIGHT,
     PAGE_WIDTH,
     POINTS_PER_MILLIMETRE,
     Excitation,
     Style,
 )
-from vstatics.statics.results import Results, expect_one_case
-from vstatics.statics.solve import solve
-from vstatics.tables.suffixes import format_of, known
-from vstatics.texts import Language
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

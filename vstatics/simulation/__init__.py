@@ -8,8 +8,9 @@
    must close. `run` is all of it, `bounds` says how long it may take; `stepping` goes on as it is
    told.
 
-`published` is the method of Tarasik, for comparison. The room needs scipy, an extra. How it all is
-derived: docs/method.md.
+`published` is the method of Tarasik, for comparison. `pictures` draws a run over time, `report` has
+the section of a page, `cli` the command `vstatics simulate`. The annex needs scipy, an extra. How
+it all is derived: docs/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
 >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
@@ -27,10 +28,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vstatics.extras import later
+from vstatics.core.extras import later
 
 if TYPE_CHECKING:
-    from vstatics.model.converters import Converter
+    from vstatics.core.model.converters import Converter
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 
 _LATER = {
     "Capacity": "vstatics.simulation.scenario.parts",
-    "Converter": "vstatics.model.converters",
+    "Converter": "vstatics.core.model.converters",
     "Dog": "vstatics.simulation.scenario.parts",
     "Formula": "vstatics.simulation.scenario.formula",
     "Motion": "vstatics.simulation.record.motion",

@@ -8,10 +8,10 @@ from copy import copy
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, Problem, listed, quoted
-from vstatics.model.parts import ShiftElement
-from vstatics.model.springs import Spring
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.errors import CaseError, Path, Problem, listed, quoted
+from vstatics.core.model.parts import ShiftElement
+from vstatics.core.model.springs import Spring
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.events.commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.impacts import impact

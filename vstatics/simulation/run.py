@@ -8,9 +8,10 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.events.instants import start_instant
@@ -32,7 +33,6 @@ from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
-from vstatics.statics.result_arrays import Message
 
 _END = ("duration",)
 """Where it is told that a run does not come to its end, if nothing else is at fault."""

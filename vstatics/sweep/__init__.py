@@ -8,7 +8,8 @@
 
 `options` become a plan (`build`, `plan`): numbered `variants`, and what is `kept` of them, columns
 and conditions. Its pieces are calculated anywhere (`chunk`, `tasks`) and put together in one of
-the `formats` (`output`), or in Python (`swept`).
+the `formats` (`output`), or in Python (`swept`). `pictures` draws what was written, `cli` has the
+command `vstatics sweep`.
 """
 
 from __future__ import annotations
@@ -16,19 +17,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from vstatics.arguments import naming, refusing, type_and_value
+from vstatics.core.arguments import naming, refusing, type_and_value
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from vstatics.model.transmission import IdleConvention
+    from vstatics.core.model.transmission import IdleConvention
     from vstatics.sweep.swept import Sweep
     from vstatics.sweep.variants.subject import Subject
 
 __all__ = ["sweep"]
 
 
-@refusing(Subject="vstatics.sweep.variants.subject", IdleConvention="vstatics.model.transmission")
+@refusing(
+    Subject="vstatics.sweep.variants.subject", IdleConvention="vstatics.core.model.transmission"
+)
 @naming
 def sweep(  # noqa: PLR0913 (as on the command line)
     case: Subject,
@@ -117,7 +120,7 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     array([[1. , 3.5],
            [1. , 4. ]])
     """
-    from vstatics.extras import require
+    from vstatics.core.extras import require
     from vstatics.sweep import build
     from vstatics.sweep.options import SweepOptions, conflicts
     from vstatics.sweep.swept import Sweep

@@ -12,14 +12,14 @@ from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.statics.gear_steps import spread, steps
-from vstatics.statics.matrix import expected_ratio
-from vstatics.statics.points.parts import alike_rows
-from vstatics.statics.results import Results
-from vstatics.statics.solve import solve
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.gear_steps import spread, steps
+from vstatics.core.statics.matrix import expected_ratio
+from vstatics.core.statics.points.parts import alike_rows
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.solve import solve
 from vstatics.sweep.chunk import (
     CONFLICT,
     DRAGGED,
@@ -39,13 +39,7 @@ from vstatics.sweep.kept.meanings import PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.targets import (
-    OF_MECHANISM,
-    Target,
-    Varied,
-    impossible,
-    own_number,
-)
+from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number
 
 Chosen: TypeAlias = Integers | slice
 """Places of variants in a block."""

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
-from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError, Place, Problem, ReadError, of_file
-from vstatics.extras import require
-from vstatics.model.transmission import IdleConvention, Transmission
-from vstatics.numerics.arrays import Floats, as_floats
-from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.statics.solve import solve
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.errors import CaseError, Place, Problem, ReadError, of_file
+from vstatics.core.extras import require
+from vstatics.core.model.transmission import IdleConvention, Transmission
+from vstatics.core.numerics.arrays import Floats, as_floats
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.statics.solve import solve
+from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.blocks import possible_numbers
 from vstatics.sweep.formats import Format
 from vstatics.sweep.frequencies import OMEGA
@@ -33,7 +34,6 @@ from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
 from vstatics.sweep.variants.table_file import load_table
 from vstatics.sweep.variants.targets import Target, Varied, refusal
 from vstatics.sweep.variants.variation import Variation, read_variation
-from vstatics.tables.written_results import GEAR
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

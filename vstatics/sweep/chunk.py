@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.statics import status
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics import status
+from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.kept.columns import output_headings
 from vstatics.sweep.kept.meanings import GearRows, Tables, WithStatus
-from vstatics.tables.written_results import GEAR
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from vstatics.jobs.piece_file import Account, Noticed
+    from vstatics.core.jobs.piece_file import Account, Noticed
     from vstatics.sweep.plan import SweepPlan
 
 Codes = np.ndarray[Any, np.dtype[np.uint8]]
@@ -94,7 +94,7 @@ class Chunk(NamedTuple):
         CaseError
             If pandas is missing.
         """
-        from vstatics.extras import require
+        from vstatics.core.extras import require
 
         require("pandas", "to_dataframe")
         import pandas as pd

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from vstatics.errors import Place, ReadError, quoted, spoken
-from vstatics.readers.kinds import kind_of
-from vstatics.readers.named import scalars
-from vstatics.readers.named.arithmetic import LONGEST_ARITHMETIC
-from vstatics.readers.named.nodes import (
+from vstatics.core.errors import Place, ReadError, quoted, spoken
+from vstatics.core.readers.kinds import kind_of
+from vstatics.core.readers.named import scalars
+from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC
+from vstatics.core.readers.named.nodes import (
     Found,
     Listing,
     Mapping,
@@ -59,7 +59,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     >>> options.case, options.sample
     ('box.yaml', 100)
     """
-    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     found = decode(data, file, "a sweep")
     root = yaml_tree(found)

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vstatics.extras import require
-from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.statics.matrix import column
-from vstatics.statics.status import CONFLICT
+from vstatics.core.extras import require
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.matrix import column
+from vstatics.core.statics.status import CONFLICT
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.asked import TABLES as ASKED
 from vstatics.simulation.record.motion import EventKind, Motion
 from vstatics.simulation.record.rows import Kind

@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple, get_args
 
-from vstatics.errors import Place, Problem, ReadError
-from vstatics.model.transmission import IdleConvention
+from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.model.transmission import IdleConvention
 from vstatics.sweep.formats import FORMATS
 from vstatics.sweep.variants.samples import METHODS
 

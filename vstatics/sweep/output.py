@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.extras import build
-from vstatics.jobs import piece_file
-from vstatics.jobs.alone import Alone, Workers
-from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.piece_file import Account, Copy, Noticed
+from vstatics.core.extras import build
+from vstatics.core.jobs import piece_file
+from vstatics.core.jobs.alone import Alone, Workers
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.core.jobs.piece_file import Account, Copy, Noticed
 from vstatics.sweep import chunk, tasks
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text

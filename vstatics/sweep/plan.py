@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.columns import OutputColumns, output_headings
 from vstatics.sweep.kept.expressions import Expression

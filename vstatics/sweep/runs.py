@@ -7,8 +7,8 @@ from contextlib import suppress
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.jobs.piece_file import Noticed
+from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.jobs.piece_file import Noticed
 from vstatics.simulation.record.asked import TABLES
 from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED, Chunk, joined, rows_of
 from vstatics.sweep.kept.asked import asked_rows

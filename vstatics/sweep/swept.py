@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from vstatics.errors import CaseError, listed
-from vstatics.extras import AnyPicture, higher, require
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.core.errors import CaseError, listed
+from vstatics.core.extras import AnyPicture, higher, require
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.tables.written_results import GEAR, WrittenSweep
 from vstatics.sweep.chunk import STATUS, Chunk, joined
 from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan, rounded
 from vstatics.sweep.tasks import SweepTask, calculate
 from vstatics.sweep.units import units_of
 from vstatics.sweep.variants.numbered import VariantGrid
-from vstatics.tables.written_results import GEAR, WrittenSweep
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -8,10 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.jobs import piece_file
-from vstatics.jobs.alone import Workers
-from vstatics.jobs.piece_file import Account, Copy
-from vstatics.jobs.workers import workers
+from vstatics.core.jobs import piece_file
+from vstatics.core.jobs.alone import Workers
+from vstatics.core.jobs.piece_file import Account, Copy
+from vstatics.core.jobs.workers import workers
 from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text

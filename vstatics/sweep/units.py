@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from vstatics.model.shape import STRAIGHT, UNIT_OF
-from vstatics.model.transmission import Transmission
-from vstatics.readers.expressions.evaluation import LAST
-from vstatics.readers.expressions.grammar import Applied
+from vstatics.core.model.shape import STRAIGHT, UNIT_OF
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.expressions.evaluation import LAST
+from vstatics.core.readers.expressions.grammar import Applied
+from vstatics.core.tables.quantities import BY_NAME, UNITS
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.expressions import Node
 from vstatics.sweep.kept.meanings import Selection
@@ -14,7 +15,6 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Target, Varied
-from vstatics.tables.quantities import BY_NAME, UNITS
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
 """Functions whose value is in the unit of what they are of."""

@@ -2,7 +2,8 @@
 
 A number of planetary sets goes in, schemes come out (`structures`); a scheme becomes a case, whose
 shift elements are tried (`gears`), whose `ratios` are fitted to those that are wanted, and whose
-wheels get `teeth`. `boxes` finds whole gearboxes at once.
+wheels get `teeth`. `boxes` finds whole gearboxes at once. `pictures` draws those that were found,
+`report` has their page, and `cli` the commands `vstatics synth ...`.
 
 >>> from vstatics.synthesis import SetScheme, StructureSearch, combinations, find_teeth
 >>> from vstatics.synthesis import fit, scheme_case, schemes
@@ -24,7 +25,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vstatics.extras import later
+from vstatics.core.extras import later
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.box import BoxSearch

@@ -4,9 +4,10 @@ A gear is a `TorsionalSystem` of bodies, of elastic and of rigid devices, each w
 it has in the structural-distribution matrix: that is `system`. `vibration` has its natural modes,
 without damping and with it, of many variants, and what follows from measured ones. `reduction`
 has all on one link, then as masses and springs there, then as fewer of them. In `forced` the gear
-vibrates under torques, in `random` under those that are
-random, in `clutch` the clutch is dumped. `answers` is what is told of all. The room
-needs scipy, an extra.
+vibrates under torques, in `random` under random ones, in `clutch` the clutch is dumped.
+`answers` has what is reported of all of them. `pictures` draws modes, Campbell diagrams and
+responses, `report` has the section of a page, and `cli` the commands `vstatics torsion ...`.
+The annex needs scipy, an extra.
 
 >>> from vstatics import Spring, Transmission, torsion
 >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")
@@ -22,7 +23,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from vstatics.extras import later
+from vstatics.core.extras import later
 
 if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import DumpTorque, dump

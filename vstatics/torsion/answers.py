@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.tables.answer import Flat, Sometimes, document
+from vstatics.core.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 from vstatics.torsion.random.random_vibration import Excitation, GearRandom
 from vstatics.torsion.reduction.reduced_values import GearReduction

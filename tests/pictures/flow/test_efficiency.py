@@ -9,9 +9,9 @@ from tests.pictures.drawn import texts, titled
 from tests.pictures.test_pictures import overlaps
 from vstatics import Gear, Mechanism, Transmission, load, solve
 from vstatics.pictures import picture
+from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.flow.efficiency import draw, loss_shares
-from vstatics.pictures.sheet.files import settings_of
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 
 def test_shares_of_losses_make_up_what_the_efficiency_lacks() -> None:

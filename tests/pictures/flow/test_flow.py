@@ -21,16 +21,16 @@ from matplotlib.transforms import Bbox
 from tests.chance import some
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
-from vstatics.flow.circulation import Node
-from vstatics.flow.power import flows
-from vstatics.flow.power_flow import GearFlow, PowerFlow
-from vstatics.model.parts import Load
+from vstatics.core.flow.circulation import Node
+from vstatics.core.flow.power import flows
+from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+from vstatics.core.model.parts import Load
+from vstatics.core.readers.named.reader import read_yaml
 from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.svg import SVG
 from vstatics.pictures.flow.picture import placed
 from vstatics.pictures.flow.places import FlowLayout, Line, Stub
-from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.svg import SVG
-from vstatics.readers.named.reader import read_yaml
 
 SOME = ("zf-8hp70.yaml", "mercedes-9g.yaml", "toyota-p410.yaml", "self-locking.yaml")
 """A loop, two of them, several inputs and outputs, a gear locked by friction."""

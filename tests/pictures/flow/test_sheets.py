@@ -12,11 +12,11 @@ from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.drawn import texts, titled
 from tests.pictures.flow.test_flow import in_rows
 from vstatics import Results, load, loads, solve
-from vstatics.flow.power import flows
+from vstatics.core.flow.power import flows
 from vstatics.pictures import pages, picture
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, WIDE_MARGIN, Style
 from vstatics.pictures.flow.chain import is_chain
 from vstatics.pictures.flow.graph import graph
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, WIDE_MARGIN, Style
 
 DRIVELINE = CASES / "driveline-8hp70.yaml"
 CHAIN = """

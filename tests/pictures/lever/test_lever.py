@@ -21,15 +21,15 @@ from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.test_pictures import overlaps
 from vstatics import Results, load, loads, solve
 from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.labels import Segment
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.lever.gear import in_gear
 from vstatics.pictures.lever.joined import LeverRoute, routes
 from vstatics.pictures.lever.order import ordered
 from vstatics.pictures.lever.picture import each
 from vstatics.pictures.lever.places import LeverPage, page_of
 from vstatics.pictures.lever.points import levers, shafts
-from vstatics.pictures.sheet.files import settings_of
-from vstatics.pictures.sheet.labels import Segment
-from vstatics.pictures.sheet.style import Style
 
 NAMES = [path.name for path in SHIPPED]
 DRAWN = [name for name in NAMES if name != "moskvich-start.yaml"]

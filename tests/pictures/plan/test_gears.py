@@ -19,10 +19,10 @@ import pytest
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS, texts
 from vstatics import Results, load, solve
+from vstatics.core.readers import loads
 from vstatics.pictures import pages, picture
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.plan.rays import plans
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, Style
-from vstatics.readers import loads
 from vstatics.simulation.record.motion import Energy, Motion
 
 NAMES = [path.name for path in SHIPPED if path.name not in (*WITHOUT_PLAN, *WITHOUT_TWO_GEARS)]

@@ -18,8 +18,8 @@ from tests.commands import CASES, SHIPPED
 from tests.pictures.drawn import WITHOUT_PLAN, titled
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
 from vstatics.pictures import picture
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.rays import KinematicPlan, plans
-from vstatics.pictures.sheet.style import Style
 
 NAMES = [path.name for path in SHIPPED]
 

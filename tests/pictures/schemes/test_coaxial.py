@@ -17,19 +17,19 @@ from tests.chance import count, seeded
 from tests.pictures.measured import measured
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.elements import Drawing, Element, transmission
-from vstatics.elements.drawing import drawing_of
-from vstatics.model.springs import between
+from vstatics.core.elements import Drawing, Element, transmission
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.model.springs import between
+from vstatics.page.report.page_pictures import HALF
 from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.files import settings_of, written
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.sheet.files import settings_of, written
-from vstatics.pictures.sheet.style import Style
-from vstatics.report.page_pictures import HALF
 from vstatics.synthesis import box_is_planar
 
 SVG = "{http://www.w3.org/2000/svg}"

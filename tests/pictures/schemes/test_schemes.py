@@ -10,15 +10,15 @@ from matplotlib.figure import Figure
 
 import vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.elements.drawing import drawing_of
-from vstatics.elements.group import group_of
-from vstatics.elements.kinds import KINDS, Simple
-from vstatics.errors import CaseError
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.group import group_of
+from vstatics.core.elements.kinds import KINDS, Simple
+from vstatics.core.errors import CaseError
 from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.gear_state import state_of
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import scheme_of, scheme_state
 from vstatics.pictures.schemes.sets import section_of
-from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.style import Style
 
 SHIPPED = Path(__file__).parents[3] / "cases"
 PAIRS = """\

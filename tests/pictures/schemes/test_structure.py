@@ -22,13 +22,13 @@ from tests.chance import seeded, some
 from tests.pictures.schemes.test_coaxial import SVG, Line, bridges, crossings, lines_of, touch
 from tests.pictures.schemes.test_schemes import PAIRS, overlaps, ring
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.errors import CaseError
-from vstatics.model.springs import between
-from vstatics.numerics.traced import plain
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import between
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.results import Results
 from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
-from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Results
 
 SHIPPED = Path(__file__).parents[3] / "cases"
 CASES = sorted(path for path in SHIPPED.glob("*") if path.is_file())

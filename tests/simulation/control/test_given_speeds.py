@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.simulation.run import simulate
 
 

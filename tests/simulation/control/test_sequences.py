@@ -10,7 +10,7 @@ import pytest
 
 from tests.commands import vstatics
 from tests.simulation.control.written import faults, simulated, steps_of, written
-from vstatics.errors import path_text
+from vstatics.core.errors import path_text
 from vstatics.simulation.run import simulate
 
 REST = """duration: 4

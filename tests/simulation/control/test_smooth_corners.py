@@ -21,7 +21,7 @@ from tests.simulation.control.repository import closed_loops, ramped, tables
 from tests.simulation.control.smooth import integrated, smooth
 from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
 from tests.simulation.control.written import TWO_WHEELS, simulated, written
-from vstatics import readers
+from vstatics.core import readers
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import read_scenario
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from vstatics import readers
-from vstatics.errors import ReadError
+from vstatics.core import readers
+from vstatics.core.errors import ReadError
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import read_scenario

@@ -16,8 +16,8 @@ from scipy.linalg import null_space
 from scipy.optimize import linprog
 
 from tests.simulation.reference import element_column, mechanism_column
-from vstatics.model.transmission import Gear, Mechanism, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.transmission import Gear, Mechanism, Transmission
+from vstatics.core.numerics.arrays import Floats
 
 
 class PlainGear:

@@ -19,7 +19,7 @@ from tests.simulation.boxes import capacity
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 from vstatics.simulation.scenario.parts import Control
 

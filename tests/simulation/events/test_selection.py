@@ -24,9 +24,9 @@ from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
 from tests.trains import random_train
 from vstatics import solve
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.readers import load
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers import load
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
 SHIPPED = sorted([*CASES.glob("*.yaml"), *CASES.glob("*.dat")])

@@ -18,10 +18,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.simulation.test_closed_forms import links, run
-from vstatics.model.parts import Friction
-from vstatics.model.springs import Spring, between
-from vstatics.model.transmission import ShiftElement
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.parts import Friction
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.model.transmission import ShiftElement
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
 
 STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1

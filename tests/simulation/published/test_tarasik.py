@@ -22,9 +22,9 @@ from tests.simulation.boxes import (
     second_gear,
 )
 from tests.simulation.test_golden import happened
-from vstatics.errors import CaseError
-from vstatics.model.converters import Converter
-from vstatics.model.springs import Spring, between
+from vstatics.core.errors import CaseError
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.springs import Spring, between
 from vstatics.simulation import simulate
 from vstatics.simulation.published.tarasik import tarasik
 from vstatics.simulation.published.two_masses import TwoMasses, two_masses

@@ -9,7 +9,7 @@ from tests.chance import count, seeded
 from tests.simulation.control.written import written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.answer import AskedAnswer
 from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Motion

@@ -16,9 +16,9 @@ from scipy.linalg import eigh
 
 from tests.chance import count, seeded
 from tests.simulation.runs import random_run
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record import record
 from vstatics.simulation.record.curves import Curves, drawn_times, ranges
 from vstatics.simulation.record.motion import Motion

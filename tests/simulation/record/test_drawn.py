@@ -12,9 +12,9 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from vstatics.model.parts import ShiftElement
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.core.model.parts import ShiftElement
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.simulation.record import drawn, record
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate

@@ -12,8 +12,8 @@ from tests.chance import count, seeded
 from tests.simulation.boxes import held, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
-from vstatics.model.parts import ShiftElement
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.parts import ShiftElement
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.grids import motion_grids
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.scenario.laws import Resistance, Road, constant

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from vstatics import ReadError, readers, solve
-from vstatics.model.converters import Converter
+from vstatics import ReadError, solve
+from vstatics.core import readers
+from vstatics.core.model.converters import Converter
+from vstatics.core.writers import named
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.file import ScenarioFile, load_scenario, read_scenario
 from vstatics.simulation.scenario.formula import Formula
@@ -16,7 +18,6 @@ from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
 from vstatics.simulation.scenario.programme import newton_metres
 from vstatics.simulation.system.devices import drags
-from vstatics.writers import named
 
 CASE = b"""
 links: [in, front ring, wheel]

@@ -8,7 +8,7 @@ import pickle
 import pytest
 
 from vstatics import ReadError
-from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.simulation.scenario.formula import Formula, read_formula
 
 

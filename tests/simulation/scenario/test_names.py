@@ -9,8 +9,8 @@ import yaml
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated, written
-from vstatics.readers import loads
-from vstatics.writers.named import write_json, write_yaml
+from vstatics.core.readers import loads
+from vstatics.core.writers.named import write_json, write_yaml
 
 SHORT = ("n", "y", "N", "Y")
 TRUTH = re.compile(

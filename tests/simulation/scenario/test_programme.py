@@ -11,10 +11,10 @@ from tests.commands import CASES, vstatics
 from tests.simulation.boxes import held
 from tests.simulation.test_closed_forms import links
 from tests.simulation.test_golden import happened
-from vstatics import readers
-from vstatics.errors import CaseError
-from vstatics.model.parts import OfLoad
-from vstatics.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.core import readers
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.checks import scenario_doubts

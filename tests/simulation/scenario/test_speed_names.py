@@ -10,8 +10,8 @@ import pytest
 from tests.chance import count, seeded
 from tests.simulation.control.written import faults, simulated
 from vstatics import solve
-from vstatics.errors import CaseError, ReadError
-from vstatics.readers import loads
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.readers import loads
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import constant

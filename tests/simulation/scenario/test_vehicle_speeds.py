@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.chance import count, seeded
-from vstatics.errors import ReadError
+from vstatics.core.errors import ReadError
 from vstatics.simulation import load_scenario, simulate
 
 CASE = "{links: [wheel, other], inertias: {wheel: 90, other: 1}}"

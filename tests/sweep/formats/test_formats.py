@@ -17,14 +17,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.sweep.sweeps import plan
-from vstatics.jobs.alone import Alone
-from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.piece_file import Account, Segment
+from vstatics.core.jobs.alone import Alone
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.core.jobs.piece_file import Account, Segment
+from vstatics.core.tables.suffixes import format_of
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import FORMATS, npz, text
 from vstatics.sweep.formats.npz import combined_crc
 from vstatics.sweep.output import Output, description
-from vstatics.tables.suffixes import format_of
 
 NUMBERS = st.floats(allow_nan=True, allow_infinity=True)
 HEADINGS = ('speeds["a, b",1]', "100% {x} ⚙", "it's nan: 1")

@@ -13,22 +13,14 @@ from hypothesis import strategies as st
 from tests.chance import count
 from tests.commands import MZKT
 from tests.strategies import transmissions
-from tests.sweep.asked import (
-    RESULTS,
-    SET,
-    VALUES,
-    VARIED,
-    marked,
-    problem,
-    value,
-)
+from tests.sweep.asked import RESULTS, SET, VALUES, VARIED, marked, problem, value
 from vstatics import Gear, Mechanism, ReadError, Transmission, load, solve
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.statics.result_arrays import ARRAYS
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.tables.names import table_rows
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.variants.targets import Target, target
-from vstatics.tables.names import table_rows
 
 PUBLISHED = json.loads(
     (Path(__file__).parents[2] / "published" / "mzkt7922.json").read_text(encoding="utf-8")

@@ -29,11 +29,11 @@ from tests.sweep.asked import (
     value,
 )
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
-from vstatics.statics.result_arrays import ARRAYS
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.tables.names import table_rows, written
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import read_expression
 from vstatics.sweep.kept.selection import read_where
-from vstatics.tables.names import table_rows, written
 
 # What selections mean
 

@@ -7,16 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
-from tests.sweep.asked import (
-    RESULTS,
-    SET,
-    VALUES,
-    VARIED,
-    marked,
-    number,
-    problem,
-    value,
-)
+from tests.sweep.asked import RESULTS, SET, VALUES, VARIED, marked, number, problem, value
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
 from vstatics.sweep.kept.columns import read_columns
 from vstatics.sweep.kept.expressions import read_expression

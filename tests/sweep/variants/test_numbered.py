@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.sweep.sweeps import CASE, in_parts, variations
-from vstatics.errors import CaseError, Place, Problem, ReadError
+from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.sweep.variants.numbered import VariantGrid, VariantPart, Variants, VariantTable, Zip
 from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.targets import Target

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.sweep.sweeps import in_parts, variations
-from vstatics.errors import CaseError, ReadError
+from vstatics.core.errors import CaseError, ReadError
 from vstatics.sweep.variants import samples
 from vstatics.sweep.variants.samples import METHODS, Method, Sample
 from vstatics.sweep.variants.steps import Steps

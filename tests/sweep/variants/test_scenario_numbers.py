@@ -6,14 +6,14 @@ import pytest
 
 from tests.sweep.scenarios import CASE, subject
 from vstatics import loads
-from vstatics.errors import ReadError
+from vstatics.core.errors import ReadError
+from vstatics.core.writers.workbook import write
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.parts import Capacity
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.variants.subject import Document, VariedScenario
 from vstatics.sweep.variants.variation import read_variation
-from vstatics.writers.workbook import write
 
 
 @pytest.mark.parametrize(

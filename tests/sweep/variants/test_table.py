@@ -24,9 +24,9 @@ from tests.chance import count
 from tests.commands import CASES
 from tests.commands import vstatics as command
 from tests.sweep.sweeps import CASE, in_parts
-from vstatics.errors import Place, ReadError
-from vstatics.jobs.spool import PREFIX, Spool
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import Place, ReadError
+from vstatics.core.jobs.spool import PREFIX, Spool
+from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep.variants import table as tables
 from vstatics.sweep.variants.numbered import VariantPart, VariantTable
 from vstatics.sweep.variants.table import read_table
@@ -298,7 +298,7 @@ def test_the_file_goes_with_its_owner(spooled: Path) -> None:
 
 def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
     program = (
-        "import numpy; from vstatics.jobs.spool import Spool\n"
+        "import numpy; from vstatics.core.jobs.spool import Spool\n"
         "spool = Spool(1); spool.write(numpy.ones((5, 1)))\n"
         "print(spool.take(4, 5))"
     )

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.sweep.sweeps import CASE
-from vstatics.errors import Place, ReadError
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.errors import Place, ReadError
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.targets import target
 from vstatics.sweep.variants.variation import Span, read_variation

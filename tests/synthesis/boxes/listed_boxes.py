@@ -8,11 +8,11 @@ from functools import cache
 from typing import Any
 
 from tests.synthesis.boxes import hand_boxes
+from vstatics.core.tables.answer import plain_data
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
 from vstatics.synthesis.boxes.figures.measured import measured
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
-from vstatics.tables.answer import plain_data
 
 
 @cache

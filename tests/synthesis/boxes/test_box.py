@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.synthesis.boxes.box import BoxSearch, check_box_search, elements_there, engaged_range
 
 EIGHT = (4.70, 3.13, 2.10, 1.67, 1.28, 1.0, 0.84, 0.67, -3.30)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.transmission import Transmission
-from vstatics.readers import read
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers import read
+from vstatics.core.writers import deck
+from vstatics.core.writers.named import mapping, write_json, write_yaml
 from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.figures.case import box_case
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.teeth.layout import teeth_layouts
-from vstatics.writers import deck
-from vstatics.writers.named import mapping, write_json, write_yaml
 
 MEMBERS = ("sun", "carrier", "ring")
 SETS = [(-2.5, "planetary"), (2.5, "double_planet")]

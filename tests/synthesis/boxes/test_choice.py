@@ -21,7 +21,8 @@ from tests.synthesis.boxes.hand_boxes import (
     ZF_8HP_SEARCH,
 )
 from vstatics import solve
-from vstatics.readers import from_dict
+from vstatics.core.readers import from_dict
+from vstatics.core.tables.answer import plain_data, schema
 from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
@@ -35,7 +36,6 @@ from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
-from vstatics.tables.answer import plain_data, schema
 
 FAST = measured(SIMPSON_SEARCH, SIMPSON, 0.98)
 EIGHT = measured(ZF_8HP_SEARCH, ZF_8HP, 0.98)

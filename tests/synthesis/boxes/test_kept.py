@@ -7,8 +7,8 @@ import json
 import pytest
 
 from vstatics import example, solve
-from vstatics.errors import CaseError
-from vstatics.jobs.finished_cases import differing
+from vstatics.core.errors import CaseError
+from vstatics.core.jobs.finished_cases import differing
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.kept import kept_search
 from vstatics.synthesis.boxes.pieces.found import found_in

@@ -10,7 +10,7 @@ import pytest
 
 from tests.commands import CASES
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load, solve
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.synthesis import combinations
 from vstatics.synthesis.gears.kinds import kind_alone
 from vstatics.synthesis.gears.search import CombinationSearch, chosen_elements

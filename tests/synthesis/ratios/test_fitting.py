@@ -14,7 +14,7 @@ from tests.chance import generator
 from tests.commands import CASES
 from tests.synthesis.ratios.test_formula import FILES, entangled
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
-from vstatics.explain.bodies import on_own_links
+from vstatics.core.explain.bodies import on_own_links
 from vstatics.synthesis.ratios.fitting import Fit, fit
 from vstatics.synthesis.ratios.least_squares import minimize
 

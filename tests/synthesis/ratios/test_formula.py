@@ -12,9 +12,9 @@ import pytest
 
 from tests.commands import CASES, SHIPPED
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, load, solve
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.transmission import SpeedOf
-from vstatics.summary.sensitivity import sensitivities
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.transmission import SpeedOf
+from vstatics.core.summary.sensitivity import sensitivities
 from vstatics.synthesis.ratios.arrays import ratio_arrays, reach
 from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
 

@@ -12,6 +12,7 @@ import pytest
 
 from tests.oracle import schemes as oracle
 from tests.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
+from vstatics.core.tables.answer import plain_data
 from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.estimate import estimate
 from vstatics.synthesis.structures.growth import (
@@ -24,7 +25,6 @@ from vstatics.synthesis.structures.growth import (
     weights,
 )
 from vstatics.synthesis.structures.json_lines import lines
-from vstatics.tables.answer import plain_data
 
 Row = tuple[int, ...]
 SMALL = [

@@ -14,11 +14,11 @@ import pytest
 from tests.commands import CASES
 from tests.oracle import teeth as oracle
 from vstatics import load, solve
-from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.elements.element import Element
-from vstatics.elements.teeth import doubts
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.elements.drawing import Drawing, drawing_of
+from vstatics.core.elements.element import Element
+from vstatics.core.elements.teeth import doubts
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.synthesis.teeth.finding import FoundTeeth, find_teeth
 from vstatics.synthesis.teeth.layout import teeth_layouts
 from vstatics.synthesis.teeth.limits import TeethLimits

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.torsion.clutch.engagement import engagement
 
 FACTORS = {

@@ -11,7 +11,7 @@ from hypothesis import given
 from tests.chance import seeded
 from tests.torsion.systems import branched, chain, matrices, with_planetary_set
 from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
-from vstatics.model.parts import RAD_PER_RPM
+from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.forced.torque_table import read_torque_table

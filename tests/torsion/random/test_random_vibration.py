@@ -13,10 +13,10 @@ from scipy.integrate import quad, quad_vec
 from tests.chance import count, seeded
 from tests.torsion.systems import Array, matrices
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
-from vstatics.model.converters import Converter
-from vstatics.model.fatigue import Fatigue
+from vstatics.core.model.converters import Converter
 from vstatics.torsion import modes, random_vibration
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
+from vstatics.vehicle.case.fatigue import Fatigue
 
 ROAD = Correlation(1e-4, ((1.0, 0.3, 0.8),), 10.0)
 """R(l) = 1e-4 exp(-.3 l) cos(.8 l) m^2, at 10 m/s."""

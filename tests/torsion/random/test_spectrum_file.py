@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import vstatics
-from vstatics.errors import ReadError
+from vstatics.core.errors import ReadError
 from vstatics.torsion.random.spectra import Correlation, SpectrumPoints
 from vstatics.torsion.random.spectrum_file import read_spectrum
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.chance import seeded
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
     SchemeSpring,

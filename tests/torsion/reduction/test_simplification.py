@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.torsion.book import chain, scheme, table
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.torsion.reduction.chain import scheme_of
 from vstatics.torsion.reduction.scheme import (
     SchemeSpring,

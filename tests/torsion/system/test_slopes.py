@@ -7,7 +7,7 @@ import math
 import pytest
 
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 from vstatics.torsion.system.slopes import spring_slopes
 from vstatics.torsion.vibration.gear_modes import modes
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from vstatics.readers import loads
+from vstatics.core.readers import loads
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 

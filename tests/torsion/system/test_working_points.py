@@ -18,8 +18,8 @@ import pytest
 from tests.chance import count, seeded
 from tests.torsion.systems import Array
 from vstatics import Gear, Load, Mechanism, Spring, Transmission, solve
-from vstatics.model.converters import Converter
-from vstatics.model.parts import OfLoad
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.parts import OfLoad
 from vstatics.sweep.frequencies import frequencies
 from vstatics.torsion import Harmonic, modes, response
 from vstatics.torsion.random.random_vibration import random_vibration

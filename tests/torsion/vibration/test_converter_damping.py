@@ -17,7 +17,7 @@ from tests.chance import count, seeded
 from tests.torsion.systems import Array, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import CaseError, Damping, Gear, Load, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.model.converters import Converter
+from vstatics.core.model.converters import Converter
 from vstatics.simulation import Scenario, Start, simulate
 from vstatics.simulation.scenario.laws import constant
 from vstatics.torsion import Harmonic, modes, response

@@ -7,9 +7,9 @@ import pytest
 from scipy import linalg
 
 from tests.chance import count, seeded
-from vstatics.model.parts import damping
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.parts import damping
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Transmission
 from vstatics.torsion import Harmonic, modes, response
 
 

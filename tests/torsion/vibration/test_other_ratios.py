@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
-from vstatics.numerics.motions import free_motions
+from vstatics.core.numerics.motions import free_motions
 from vstatics.torsion.vibration.other_ratios import followed_motions
 
 WHOLE = st.integers(-3, 3).map(float)

@@ -13,7 +13,7 @@ from tests.chance import count, seeded
 from tests.torsion.systems import Array
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import Transmission, loads
-from vstatics.model.parts import RAD_PER_RPM
+from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
 LINKS = ("engine", "s1", "r1", "link", "r2", "c2", "wheel")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point, Span, height, width
 from vstatics.pictures.flow.columns import BAND_CLEARANCE, SPACE, Across, FlowCell, on_way_back
 from vstatics.pictures.flow.graph import Band, Graph
 from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
-from vstatics.pictures.sheet.labels import Point, Span, height, width
 
 UNDER = 3.0
 """Between a band and its text. [pt]"""

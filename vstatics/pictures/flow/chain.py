@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
-from vstatics.flow.power_flow import GearFlow
+from vstatics.core.flow.circulation import Node
+from vstatics.core.flow.power_flow import GearFlow
+from vstatics.pictures.drawing.labels import height, width
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.texts import FlowTexts
 from vstatics.pictures.flow.titles import FlowTitles
-from vstatics.pictures.sheet.labels import height, width
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import SIZE
 
 BETWEEN_NODES = ">"
 _MINUS = "\N{MINUS SIGN}"

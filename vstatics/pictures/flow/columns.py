@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Span, height, width
 from vstatics.pictures.flow.graph import Graph, Run
 from vstatics.pictures.flow.texts import FlowTexts
-from vstatics.pictures.sheet.labels import Span, height, width
 
 BODY = 12.0
 """Width of a device. [pt]"""

@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import accumulate
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Span, spread
 from vstatics.pictures.flow.columns import SPACE, FlowCell, Key, NodeColumns
 from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
-from vstatics.pictures.sheet.labels import Span, spread
 
 RUN_SWEEPS = 12
 """Times that runs are moved towards their neighbours."""

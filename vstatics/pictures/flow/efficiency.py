@@ -9,20 +9,20 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Floats
-from vstatics.pictures.sheet.ends import along
-from vstatics.pictures.sheet.head import Meaning, NameInKey, headed, sheet_head
-from vstatics.pictures.sheet.labels import LEADER, Label, across_size, height, ticks, width
-from vstatics.pictures.sheet.line_styles import loss_look
-from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
-from vstatics.pictures.sheet.style import MARGIN, SIZE, Style, number
-from vstatics.pictures.sheet.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
-from vstatics.pictures.sheet.words import fault, gear_title, title
-from vstatics.statics.results import Results
-from vstatics.statics.status import DRAGGED, LOCKED
-from vstatics.tables.numbers import typeset
-from vstatics.tables.values import tables
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.status import DRAGGED, LOCKED
+from vstatics.core.tables.numbers import typeset
+from vstatics.core.tables.values import tables
+from vstatics.pictures.drawing.ends import along
+from vstatics.pictures.drawing.head import Meaning, NameInKey, headed, sheet_head
+from vstatics.pictures.drawing.labels import LEADER, Label, across_size, height, ticks, width
+from vstatics.pictures.drawing.line_styles import loss_look
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
+from vstatics.pictures.drawing.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
+from vstatics.pictures.drawing.words import fault, gear_title, title
 
 AXES_HEIGHT = 200.0
 """Of a panel. [pt]"""

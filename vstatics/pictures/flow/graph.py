@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Edge, Loop, Node
-from vstatics.flow.power_flow import PowerFlow
-from vstatics.numerics.tolerances import NO_POWER
+from vstatics.core.flow.circulation import Edge, Loop, Node
+from vstatics.core.flow.power_flow import PowerFlow
+from vstatics.core.numerics.tolerances import NO_POWER
 
 Run = tuple[Node, ...]
 """Nodes in series, through which the same power goes: no loss, no branch between them."""
@@ -94,7 +94,7 @@ def graph(side: PowerFlow) -> Graph:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.flow.power import flows
+    >>> from vstatics.core.flow.power import flows
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     >>> [gear] = flows(solve(Transmission(3, [], mechanisms, [Gear()])))
     >>> drawn = graph(gear.ideal)

@@ -6,13 +6,13 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point, height, width
 from vstatics.pictures.flow.back import GROWTH, BackRow, back_rows, crowded, placed_rows
 from vstatics.pictures.flow.columns import Across, NodeColumns, across, columns
 from vstatics.pictures.flow.depths import Depths, depths
 from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
-from vstatics.pictures.sheet.labels import Point, height, width
 
 TRIES = 12
 """Times that rows of bands that go back grow."""
@@ -46,9 +46,9 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.flow.power import flows
+    >>> from vstatics.core.flow.power import flows
     >>> from vstatics.pictures.flow.graph import graph
-    >>> from vstatics.pictures.sheet.style import Style
+    >>> from vstatics.pictures.drawing.style import Style
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [gear] = flows(solve(Transmission(2, [], [pair], [Gear()])))
     >>> placing = layout(graph(gear.lossy), 100.0, FlowTexts(gear, gear.lossy, Style()))

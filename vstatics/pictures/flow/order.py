@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations, pairwise
 
+from vstatics.pictures.drawing.groups import grouped
+from vstatics.pictures.drawing.tolerances import SAME_CROSSINGS
 from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph
-from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.tolerances import SAME_CROSSINGS
 
 COLUMN_ROUNDS = 4
 """Times that all columns are put in order."""

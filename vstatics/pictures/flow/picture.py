@@ -7,8 +7,13 @@ from functools import partial
 
 from matplotlib.figure import Figure
 
-from vstatics.flow.power import flows
-from vstatics.flow.power_flow import GearFlow
+from vstatics.core.flow.power import flows
+from vstatics.core.flow.power_flow import GearFlow
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.head import Meaning
+from vstatics.pictures.drawing.labels import title_width
+from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
+from vstatics.pictures.drawing.words import gear_title, title
 from vstatics.pictures.flow.graph import Graph, graph
 from vstatics.pictures.flow.layout import layout
 from vstatics.pictures.flow.places import FlowLayout
@@ -24,11 +29,6 @@ from vstatics.pictures.flow.sheets import (
 from vstatics.pictures.flow.signs import MILD_HATCH, hatched_look, loop_colour
 from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
-from vstatics.pictures.sheet.head import Meaning
-from vstatics.pictures.sheet.labels import title_width
-from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
-from vstatics.pictures.sheet.words import gear_title, title
-from vstatics.statics.results import Results
 
 BAND_WIDTH = 30.0
 """Of a band of power 1. [pt]"""

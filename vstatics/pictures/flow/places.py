@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
+from vstatics.core.flow.circulation import Node
+from vstatics.pictures.drawing.labels import Point, height
 from vstatics.pictures.flow.columns import NODE_GAP, FlowCell, signs
 from vstatics.pictures.flow.graph import Band, EndPort, Graph
-from vstatics.pictures.sheet.labels import Point, height
 
 
 class Box(NamedTuple):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
+from vstatics.core.flow.circulation import Node
+from vstatics.pictures.drawing.labels import Span
 from vstatics.pictures.flow.columns import PORT, SPACE
 from vstatics.pictures.flow.graph import Band, EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
-from vstatics.pictures.sheet.labels import Span
 
 ELSEWHERE = Node("port", -1, "…")
 """Where a band goes on in another row."""
@@ -52,7 +52,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
     """A graph cut behind some layers, of which the last is its last one.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.flow.power import flows
+    >>> from vstatics.core.flow.power import flows
     >>> from vstatics.pictures.flow.graph import graph
     >>> pairs = [Mechanism(1, 2, 0, -2.0, 0.9, name="one"), Mechanism(2, 3, 0, 4.0, name="other")]
     >>> [gear] = flows(solve(Transmission(3, [], pairs, [Gear()], output=3)))

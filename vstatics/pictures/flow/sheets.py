@@ -9,18 +9,18 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.flow.power_flow import GearFlow
+from vstatics.core.flow.power_flow import GearFlow
+from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
+from vstatics.pictures.drawing.labels import height, width
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
+from vstatics.pictures.drawing.words import gear_title
 from vstatics.pictures.flow.chain import ChainLine, chain_line, is_chain
 from vstatics.pictures.flow.graph import graph
 from vstatics.pictures.flow.places import FlowLayout
 from vstatics.pictures.flow.signs import FlowView
 from vstatics.pictures.flow.texts import heading
 from vstatics.pictures.flow.titles import FlowTitles
-from vstatics.pictures.sheet.head import Meaning, SheetHead, sheet_head
-from vstatics.pictures.sheet.labels import height, width
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
-from vstatics.pictures.sheet.words import gear_title
 
 FLOW_GEAR_GAP = 20.0
 """Gears. [pt]"""

@@ -10,14 +10,14 @@ from typing import Any, NamedTuple
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import SIZE, Style
 from vstatics.pictures.flow.columns import LOSS_LENGTH, PORT
 from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow.titles import FlowTitles
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.line_styles import Look, mixed
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import SIZE, Style
 
 LEAST_BAND_WIDTH = 0.6
 """Width of a band of hardly any power. [pt]"""

@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
-from vstatics.flow.power_flow import GearFlow, PowerFlow
+from vstatics.core.flow.circulation import Node
+from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+from vstatics.pictures.drawing.labels import width, wrapped
+from vstatics.pictures.drawing.style import LONG_NAME, SHORT_NAME, Style, number
+from vstatics.pictures.drawing.tolerances import LEAST_SHOWN_POWER, SAME_POWER
+from vstatics.pictures.drawing.words import fault
 from vstatics.pictures.flow.graph import EndPort, Run
-from vstatics.pictures.sheet.labels import width, wrapped
-from vstatics.pictures.sheet.style import LONG_NAME, SHORT_NAME, Style, number
-from vstatics.pictures.sheet.tolerances import LEAST_SHOWN_POWER, SAME_POWER
-from vstatics.pictures.sheet.words import fault
 
 LOOP_TEXT_WIDTH = 300.0
 """What is said of a loop is wrapped to this width. [pt]"""

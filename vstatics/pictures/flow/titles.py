@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from vstatics.flow.circulation import Node
-from vstatics.numerics.traced import plain
+from vstatics.core.flow.circulation import Node
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.state import GearState
+from vstatics.pictures.drawing.words import quantity, word
 from vstatics.pictures.flow.graph import Band, EndPort
 from vstatics.pictures.flow.texts import FlowTexts, port_name
-from vstatics.pictures.sheet.words import quantity, word
-from vstatics.statics.state import GearState
 
 
 class FlowTitles(NamedTuple):

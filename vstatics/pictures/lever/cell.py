@@ -6,6 +6,10 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from vstatics.pictures.drawing.labels import width, wrapped
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.style import SIZE, Style, number
+from vstatics.pictures.drawing.words import quantity, word
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.joined import LeverRoute
 from vstatics.pictures.lever.marks import (
@@ -30,10 +34,6 @@ from vstatics.pictures.lever.places import (
 )
 from vstatics.pictures.lever.routes import BESIDE_SIGN, LeverRow
 from vstatics.pictures.lever.view import LeverView
-from vstatics.pictures.sheet.labels import width, wrapped
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import SIZE, Style, number
-from vstatics.pictures.sheet.words import quantity, word
 
 
 def draw_lever(view: LeverView, name: str, top: float) -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.labels import height, width, wrapped
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import SIZE, TITLE, Style, number
+from vstatics.pictures.drawing.words import fault, gear_title
 from vstatics.pictures.lever.gear import LeverGear
-from vstatics.pictures.sheet.labels import height, width, wrapped
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import SIZE, TITLE, Style, number
-from vstatics.pictures.sheet.words import fault, gear_title
-from vstatics.tables.numbers import typeset
 
 RATIO_SIZE = 15.0
 """Of the letters of a ratio. [pt]"""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.groups import grouped
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.lever.gear import LeverTie
 from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.lever.routes import LeverStep, steps
-from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import WIDE_MARGIN
 
 LEAD_IN = 9.0
 """Of a line that comes from the row before."""

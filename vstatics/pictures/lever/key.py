@@ -6,7 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.core.tables.numbers import certain
+from vstatics.pictures.drawing.labels import Point, width
+from vstatics.pictures.drawing.style import WIDE_MARGIN, Style, number
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.marks import (
     MARKS,
@@ -20,9 +23,6 @@ from vstatics.pictures.lever.marks import (
     plates,
 )
 from vstatics.pictures.lever.places import LeverPage, any_freewheel
-from vstatics.pictures.sheet.labels import Point, width
-from vstatics.pictures.sheet.style import WIDE_MARGIN, Style, number
-from vstatics.tables.numbers import certain
 
 KEY_ROW_HEIGHT = 13.0
 """Height of a row of the key."""

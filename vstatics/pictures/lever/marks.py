@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from vstatics.model.transmission import HOUSING
+from vstatics.core.model.transmission import HOUSING
+from vstatics.pictures.drawing.gear_state import PictureState
+from vstatics.pictures.drawing.labels import Point, Span
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import Pen, corners
 from vstatics.pictures.lever.places import LeverPage
-from vstatics.pictures.sheet.gear_state import PictureState
-from vstatics.pictures.sheet.labels import Point, Span
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen, corners
 
 ARROW_HEAD = 5.0
 """Length of the head of an arrow."""
@@ -82,7 +82,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
     """What the point of a link is, a key of `MARKS`: also what is joined to input and output.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-    >>> from vstatics.pictures.sheet.gear_state import state_of
+    >>> from vstatics.pictures.drawing.gear_state import state_of
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> state = state_of(solve(case), 1)
     >>> mark_of(1, state, stands=False), mark_of(2, state, stands=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
 
-from vstatics.model.transmission import HOUSING, Transmission
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.pictures.drawing.tolerances import SAME_LEVER_COST
 from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
-from vstatics.pictures.sheet.tolerances import SAME_LEVER_COST
 
 LEVER_SEARCH_ROUNDS = 20
 """Of a search; more would change little."""

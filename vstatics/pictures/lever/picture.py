@@ -12,7 +12,12 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.labels import Span, height, title_width, wrapped
+from vstatics.pictures.drawing.pen import blank
+from vstatics.pictures.drawing.style import TITLE, WIDE_MARGIN, Style
+from vstatics.pictures.drawing.words import gear_title, title
 from vstatics.pictures.lever.cell import draw_lever, draw_route, lever_names
 from vstatics.pictures.lever.gear import LeverGear, in_gear
 from vstatics.pictures.lever.head import GearHead, gear_head
@@ -21,11 +26,6 @@ from vstatics.pictures.lever.key import LeverKey, key_of
 from vstatics.pictures.lever.marks import LeverSheet
 from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.view import LeverView
-from vstatics.pictures.sheet.labels import Span, height, title_width, wrapped
-from vstatics.pictures.sheet.pen import blank
-from vstatics.pictures.sheet.style import TITLE, WIDE_MARGIN, Style
-from vstatics.pictures.sheet.words import gear_title, title
-from vstatics.statics.results import Results
 
 LEVER_NAME_HEIGHT = 12.0
 """Height of the names of levers, each in a line, and of what stands above them. [pt]"""

@@ -6,15 +6,15 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.pictures.drawing.labels import Span, height, spread, widest, width, wrapped
+from vstatics.pictures.drawing.style import SHORT_NAME, WIDE_MARGIN, Style
+from vstatics.pictures.drawing.tolerances import LEAST_POINT_DISTANCE
+from vstatics.pictures.drawing.words import word
 from vstatics.pictures.lever.gear import Spot, brakes_of, joins, spots_of
 from vstatics.pictures.lever.order import every, heights, ordered
 from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
-from vstatics.pictures.sheet.labels import Span, height, spread, widest, width, wrapped
-from vstatics.pictures.sheet.style import SHORT_NAME, WIDE_MARGIN, Style
-from vstatics.pictures.sheet.tolerances import LEAST_POINT_DISTANCE
-from vstatics.pictures.sheet.words import word
 
 ARROW = 26.0
 """Of the longest torque."""

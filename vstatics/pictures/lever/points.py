@@ -12,13 +12,13 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from vstatics.elements.drawing import parts_of
-from vstatics.elements.group import group_of
-from vstatics.elements.kinds import Planetary
-from vstatics.elements.lower import DrawnPart
-from vstatics.model.springs import ends
-from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.pictures.sheet.labels import Span
+from vstatics.core.elements.drawing import parts_of
+from vstatics.core.elements.group import group_of
+from vstatics.core.elements.kinds import Planetary
+from vstatics.core.elements.lower import DrawnPart
+from vstatics.core.model.springs import ends
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.pictures.drawing.labels import Span
 
 Source = tuple[int, str, float]
 """Index of a device, its member, and by what its torque is multiplied."""

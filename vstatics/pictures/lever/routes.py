@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations
 from typing import NamedTuple
 
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.pictures.drawing.labels import Span, height, width
+from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
-from vstatics.pictures.sheet.labels import Span, height, width
-from vstatics.pictures.sheet.style import SIZE
 
 UNDER = 1.25 * SIZE + 3.0
 """Room for a number under the line of a row."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.lever.gear import LeverGear
 from vstatics.pictures.lever.marks import LeverSheet
 from vstatics.pictures.lever.places import LeverCell
-from vstatics.pictures.sheet.style import Style
 
 
 class LeverView(NamedTuple):

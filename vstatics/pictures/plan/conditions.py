@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
-from vstatics.model.transmission import HOUSING, Gear, ShiftElement, SpeedOf, Transmission
-from vstatics.numerics.traced import plain
-from vstatics.pictures.sheet.gear_state import PictureState
-from vstatics.statics.matrix import columns
-from vstatics.statics.speeds import solve_speeds
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, SpeedOf, Transmission
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.matrix import columns
+from vstatics.core.statics.speeds import solve_speeds
+from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_STATES = 300
 """Of a gear that are tried."""
@@ -46,7 +46,7 @@ def carrying(case: Transmission, gear: PictureState) -> Conditions:
     Examples
     --------
     >>> from vstatics import Mechanism, solve
-    >>> from vstatics.pictures.sheet.gear_state import state_of
+    >>> from vstatics.pictures.drawing.gear_state import state_of
     >>> brakes = [ShiftElement(2), ShiftElement(4)]
     >>> sets = [Mechanism(1, 2, 3, ratio=-2.5), Mechanism(3, 4, 5, ratio=-2)]
     >>> case = Transmission(5, brakes, sets, [Gear([1, 2])], output=3)

@@ -8,17 +8,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.transmission import HOUSING, SpeedOf, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.transmission import HOUSING, SpeedOf, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.pictures.drawing.ends import LineEnd, beside
+from vstatics.pictures.drawing.labels import LABEL_GAP, LEADER, height, ticks, widest, wrapped
+from vstatics.pictures.drawing.line_styles import link_look
+from vstatics.pictures.drawing.pen import Pen, tick_texts
+from vstatics.pictures.drawing.style import LEADER_WIDTH, Style, number
 from vstatics.pictures.plan.conditions import Condition
 from vstatics.pictures.plan.key import BROAD, PATH, gear_look
 from vstatics.pictures.plan.rays import KinematicPlan
-from vstatics.pictures.run.events import event_text, named_events
-from vstatics.pictures.sheet.ends import LineEnd, beside
-from vstatics.pictures.sheet.labels import LABEL_GAP, LEADER, height, ticks, widest, wrapped
-from vstatics.pictures.sheet.line_styles import link_look
-from vstatics.pictures.sheet.pen import Pen, tick_texts
-from vstatics.pictures.sheet.style import LEADER_WIDTH, Style, number
+from vstatics.simulation.pictures.events import event_text, named_events
 from vstatics.simulation.record.motion import Event, Motion
 
 COURSE_HEIGHT = 60.0

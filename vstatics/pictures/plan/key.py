@@ -7,13 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
+from vstatics.pictures.drawing.head import Meaning
+from vstatics.pictures.drawing.line_styles import Look, striped_look
+from vstatics.pictures.drawing.pen import AxisScale
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.words import TURN_TOGETHER
 from vstatics.pictures.plan.rays import KinematicPlan
-from vstatics.pictures.sheet.head import Meaning
-from vstatics.pictures.sheet.line_styles import Look, striped_look
-from vstatics.pictures.sheet.pen import AxisScale
-from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.words import TURN_TOGETHER
 
 PORT_RAY_WIDTH, RAY_WIDTH = 2.6, 1.4
 """Lines of input and output, and of others. [pt]"""

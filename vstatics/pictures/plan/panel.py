@@ -5,20 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.tolerances import SAME_RATIO
-from vstatics.pictures.plan.course import PlanCourse
-from vstatics.pictures.plan.key import (
-    PORT_RAY_WIDTH,
-    RAY_WIDTH,
-    dot_look,
-    gear_look,
-    unit_look,
-)
-from vstatics.pictures.plan.rays import KinematicPlan, Mark
-from vstatics.pictures.sheet.ends import LineEnd, along, beside, height_of, width_of
-from vstatics.pictures.sheet.head import BELOW
-from vstatics.pictures.sheet.labels import (
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.pictures.drawing.ends import LineEnd, along, beside, height_of, width_of
+from vstatics.pictures.drawing.head import BELOW
+from vstatics.pictures.drawing.labels import (
     LEADER,
     Label,
     across_size,
@@ -28,10 +19,13 @@ from vstatics.pictures.sheet.labels import (
     widest,
     wrapped,
 )
-from vstatics.pictures.sheet.line_styles import link_look, link_looks
-from vstatics.pictures.sheet.pen import AxisScale, Pen
-from vstatics.pictures.sheet.style import SHORT_NAME, Style, number
-from vstatics.pictures.sheet.words import gear_title
+from vstatics.pictures.drawing.line_styles import link_look, link_looks
+from vstatics.pictures.drawing.pen import AxisScale, Pen
+from vstatics.pictures.drawing.style import SHORT_NAME, Style, number
+from vstatics.pictures.drawing.words import gear_title
+from vstatics.pictures.plan.course import PlanCourse
+from vstatics.pictures.plan.key import PORT_RAY_WIDTH, RAY_WIDTH, dot_look, gear_look, unit_look
+from vstatics.pictures.plan.rays import KinematicPlan, Mark
 
 TO_TEXTS = 0.65 * LEADER
 """From the axes to the texts along them. [pt]"""

@@ -9,8 +9,14 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
-from vstatics.errors import CaseError, Problem
-from vstatics.model.transmission import Transmission
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.head import SheetHead, sheet_head
+from vstatics.pictures.drawing.labels import widest
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import MARGIN, Style
+from vstatics.pictures.drawing.words import title
 from vstatics.pictures.plan.course import (
     PlanCourse,
     draw_paths,
@@ -22,13 +28,7 @@ from vstatics.pictures.plan.course import (
 from vstatics.pictures.plan.key import plan_note, plan_signs
 from vstatics.pictures.plan.panel import DrawnPlan, draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, off_plans, plans
-from vstatics.pictures.sheet.head import SheetHead, sheet_head
-from vstatics.pictures.sheet.labels import widest
-from vstatics.pictures.sheet.pen import AxisScale, Pen, tick_texts
-from vstatics.pictures.sheet.style import MARGIN, Style
-from vstatics.pictures.sheet.words import title
 from vstatics.simulation.record.motion import Motion
-from vstatics.statics.results import Results
 
 MOST_PLAN_WIDTH, LEAST_PLAN_WIDTH = 300.0, 92.0
 """Width of the axes of a plan at most; two plans stand side by side where they have the other."""

@@ -14,9 +14,11 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
-from vstatics.model.transmission import ShiftElement, Transmission
-from vstatics.numerics.tolerances import SAME_RATIO
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import ShiftElement, Transmission
+from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.gear_state import PictureState, state_of
 from vstatics.pictures.plan.conditions import (
     Condition,
     Conditions,
@@ -26,8 +28,6 @@ from vstatics.pictures.plan.conditions import (
     elements_of,
     speeds_under,
 )
-from vstatics.pictures.sheet.gear_state import PictureState, state_of
-from vstatics.statics.results import Results
 
 
 class Ray(NamedTuple):

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.pictures.sheet.style import Style
+from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.pictures.drawing.style import Style
 
 LARGEST_RATIO = 1e6
 """What is larger, or whose inverse is, is mistyped."""
@@ -32,7 +32,7 @@ def case_of_ratios(ratios: Sequence[float], style: Style | None = None) -> Trans
 
     Examples
     --------
-    >>> from vstatics.statics.solve import solve
+    >>> from vstatics.core.statics.solve import solve
     >>> case = case_of_ratios([2.6, 1, -4])
     >>> case.link_names, solve(case).ratio.round(9).tolist()
     (('input', 'output', '2.6', '-4'), [2.6, 1.0, -4.0])

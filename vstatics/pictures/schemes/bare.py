@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.summary.contrast import letters
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.coaxial.fitting import laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, painted, painted_within
@@ -14,10 +18,6 @@ from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.planetary import as_sets, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_of
 from vstatics.pictures.schemes.titles import Titles
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import Style
-from vstatics.summary.contrast import letters
 
 
 class BareStick(NamedTuple):

@@ -12,17 +12,17 @@ from fractions import Fraction
 from itertools import zip_longest
 from typing import NamedTuple
 
-from vstatics.elements.element import CentralWheel
-from vstatics.elements.group import PlanetGroup, group_of
-from vstatics.elements.kinds import Planetary
-from vstatics.model.transmission import HOUSING
+from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.group import PlanetGroup, group_of
+from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.transmission import HOUSING
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.labels import Span, width
+from vstatics.pictures.drawing.style import SIZE, Style
+from vstatics.pictures.drawing.words import word
 from vstatics.pictures.schemes.glyphs import MESH, lines_of
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection, WheelColumn, section_of
-from vstatics.pictures.sheet.labels import Span, width
-from vstatics.pictures.sheet.style import SIZE, Style
-from vstatics.pictures.sheet.words import word
-from vstatics.tables.numbers import typeset
 
 BOX_NAME_LETTERS = 18
 """Number of letters after which the name of a box is broken at a blank."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
-from vstatics.model.transmission import HOUSING
-from vstatics.pictures.sheet.labels import Point, Segment, wrapped
-from vstatics.pictures.sheet.pen import LINE_WIDTH
+from vstatics.core.model.transmission import HOUSING
+from vstatics.pictures.drawing.labels import Point, Segment, wrapped
+from vstatics.pictures.drawing.pen import LINE_WIDTH
 
 TOOTH, SLEEVE = 0.9, 2.6
 """Widths of the lines of teeth and of the sleeves that join rims. [pt]"""

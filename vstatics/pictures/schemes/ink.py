@@ -6,11 +6,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.titles import Titles
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen
 
 AXIS_DASHES = (0, (12, 3, 2, 3))
 """Of a line about which things turn."""

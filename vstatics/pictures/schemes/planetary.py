@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.elements.element import CentralWheel
-from vstatics.elements.group import PlanetGroup, group_of
-from vstatics.elements.kinds import Planetary
-from vstatics.model.parts import Mechanism
-from vstatics.model.transmission import Transmission
+from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.group import PlanetGroup, group_of
+from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.parts import Mechanism
+from vstatics.core.model.transmission import Transmission
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.words import wheel
 from vstatics.pictures.schemes.scheme import Device, Scheme
 from vstatics.pictures.schemes.sets import HalfSection, section_of
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.words import wheel
 
 
 def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:

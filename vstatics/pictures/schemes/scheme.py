@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import NamedTuple
 
-from vstatics.elements.drawing import parts_of
-from vstatics.elements.element import Element
-from vstatics.errors import CaseError
-from vstatics.model.parts import ELEMENT_KINDS
-from vstatics.model.springs import Spring, TwistCurve, ends
-from vstatics.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.pictures.sheet.gear_state import PictureState
-from vstatics.tables.numbers import typeset
+from vstatics.core.elements.drawing import parts_of
+from vstatics.core.elements.element import Element
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import ELEMENT_KINDS
+from vstatics.core.model.springs import Spring, TwistCurve, ends
+from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
 """Number of components that are drawn: their arrangement is found in about ten seconds."""

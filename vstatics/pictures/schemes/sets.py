@@ -11,8 +11,10 @@ from dataclasses import dataclass, field, replace
 from itertools import permutations, product
 from types import MappingProxyType
 
-from vstatics.elements.element import CentralWheel
-from vstatics.elements.group import PlanetGroup
+from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.group import PlanetGroup
+from vstatics.pictures.drawing.labels import Point, Segment, Span, width
+from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.glyphs import (
     ABOVE,
     BELOW,
@@ -25,8 +27,6 @@ from vstatics.pictures.schemes.glyphs import (
     member_tap,
     teeth,
 )
-from vstatics.pictures.sheet.labels import Point, Segment, Span, width
-from vstatics.pictures.sheet.style import SMALL
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
 """Of the larger and of the smaller rim of a planet. [pt]"""

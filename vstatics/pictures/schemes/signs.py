@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from vstatics.model.parts import ELEMENT_KINDS
+from vstatics.core.model.parts import ELEMENT_KINDS
+from vstatics.pictures.drawing.head import Meaning
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import LINE_WIDTH, Pen, zigzag
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
-from vstatics.pictures.sheet.head import Meaning
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH, Pen, zigzag
-from vstatics.pictures.sheet.style import Style
 
 HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0, "play": 9.0}
 """Half the length along the line, where it is not that of plates. [pt]"""
@@ -57,8 +57,8 @@ def half_of(kind: str) -> float:
 def draw_coupled(pen: Pen, one: Coupled) -> None:
     """A sign on its line; plates at the housing stand at its wall.
 
-    >>> from vstatics.pictures.sheet.pen import blank
-    >>> from vstatics.pictures.sheet.style import Style
+    >>> from vstatics.pictures.drawing.pen import blank
+    >>> from vstatics.pictures.drawing.style import Style
     >>> pen = blank(50.0, 50.0, Style())
     >>> draw_coupled(pen, Coupled("brake", (20, 0), (20, 30), "#000000", housing=1))
     >>> len(pen.figure.artists)

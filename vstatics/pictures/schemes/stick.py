@@ -11,16 +11,16 @@ from dataclasses import replace
 
 from matplotlib.figure import Figure
 
-from vstatics.elements.drawing import drawing_of
-from vstatics.errors import CaseError
-from vstatics.model.transmission import Transmission
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.axes.picture import figures as axes_figures
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, parallel_axes
 from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet, figures
 from vstatics.pictures.schemes.planetary import as_sets, can_be_set, sections_of
 from vstatics.pictures.schemes.scheme import Scheme, scheme_of
-from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Results
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:

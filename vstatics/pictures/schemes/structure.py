@@ -9,11 +9,11 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from matplotlib.figure import Figure
 
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.boxes import boxes_of
 from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet, figures
 from vstatics.pictures.schemes.scheme import scheme_of
-from vstatics.pictures.sheet.style import Style
-from vstatics.statics.results import Results
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from vstatics.elements.element import Element
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.traced import plain
+from vstatics.core.elements.element import Element
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.gear_state import PictureState
+from vstatics.pictures.drawing.style import Style, number
+from vstatics.pictures.drawing.words import quantity, word
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
-from vstatics.pictures.sheet.gear_state import PictureState
-from vstatics.pictures.sheet.style import Style, number
-from vstatics.pictures.sheet.words import quantity, word
-from vstatics.statics.results import Results
 
 
 class Titles(NamedTuple):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.gear_state import state_of
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.words import fault, gear_title, title
 from vstatics.pictures.schemes.scheme import Scheme, SchemeState, scheme_state
 from vstatics.pictures.schemes.titles import Titles, titles_of
-from vstatics.pictures.sheet.gear_state import state_of
-from vstatics.pictures.sheet.style import Style
-from vstatics.pictures.sheet.words import fault, gear_title, title
-from vstatics.statics.results import Results
 
 
 class SchemeTold(NamedTuple):

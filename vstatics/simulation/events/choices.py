@@ -9,7 +9,7 @@ from itertools import repeat
 
 import numpy as np
 
-from vstatics.model.converters import Converter
+from vstatics.core.model.converters import Converter
 from vstatics.simulation.events.instants import Instant, seen_at, sliding_speed
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.search import Choice

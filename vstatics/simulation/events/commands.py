@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve
 from vstatics.simulation.scenario.parts import Dog, Scenario, SequenceStep

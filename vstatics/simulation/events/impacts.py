@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.events.instants import Instant
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null, solved

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, bends

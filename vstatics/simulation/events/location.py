@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.scenario.formula import Formula

@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.events.split import least, widest
 from vstatics.simulation.scenario.laws import Points
 from vstatics.simulation.scenario.programme import friction_at

@@ -16,16 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
-from vstatics.simulation.events.instants import (
-    Instant,
-    Jump,
-    consistent,
-    motions_of,
-    state_of,
-)
+from vstatics.simulation.events.instants import Instant, Jump, consistent, motions_of, state_of
 from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
 from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
 from vstatics.simulation.system.equations import Equations

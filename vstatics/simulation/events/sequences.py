@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from copy import copy
 
-from vstatics.errors import CaseError, Path
+from vstatics.core.errors import CaseError, Path
 from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.scenario.formula_code import Seen

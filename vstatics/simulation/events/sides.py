@@ -13,20 +13,14 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.margins import Awaited, LargeSizes
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.known import DISTANCES
 from vstatics.simulation.system.sight import Compared, compared
-from vstatics.simulation.tolerances import (
-    EQUAL_SIDES,
-    EXACT_SIDES,
-    MET,
-    ROUNDED_INPUT,
-    SOON,
-)
+from vstatics.simulation.tolerances import EQUAL_SIDES, EXACT_SIDES, MET, ROUNDED_INPUT, SOON
 
 
 class SeenInstant(NamedTuple):

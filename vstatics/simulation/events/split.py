@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000

@@ -8,9 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.model.springs import straight_curve
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.errors import CaseError
+from vstatics.core.model.springs import straight_curve
+from vstatics.core.numerics.arrays import Floats, largest
+from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.instants import seen_at, start_instant
 from vstatics.simulation.events.margins import LargeSizes
 from vstatics.simulation.events.selection import ModeSelection
@@ -21,7 +22,6 @@ from vstatics.simulation.system.matrices import Contact, MotionSystem
 from vstatics.simulation.system.sight import with_settings
 from vstatics.simulation.system.structure import null
 from vstatics.simulation.tolerances import DEPENDENT, LIGHT_MOTION, RIGID_SQUARE, STANDING
-from vstatics.statics.result_arrays import Message
 
 
 def with_viscous_damping(

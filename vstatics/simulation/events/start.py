@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed, spoken
-from vstatics.model.open_converters import with_open_converters
-from vstatics.model.transmission import Gear
-from vstatics.numerics.arrays import Floats, largest
+from vstatics.core.errors import CaseError, Problem, listed, spoken
+from vstatics.core.model.open_converters import with_open_converters
+from vstatics.core.model.transmission import Gear
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.system.curves import capacity_at
@@ -83,7 +83,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
-    from vstatics.statics.solve import solve
+    from vstatics.core.statics.solve import solve
 
     return solve(case).gear_at(number - 1).gear
 

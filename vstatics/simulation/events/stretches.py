@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Complex, Floats, Integers, largest
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, largest
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (

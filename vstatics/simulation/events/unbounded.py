@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from vstatics.errors import Path, Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import Path, Problem
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import Contact, Elastic
 from vstatics.simulation.tolerances import LARGEST_NUMBER

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from vstatics.errors import Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import Problem
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY
-from vstatics.statics.result_arrays import Message
 
 
 class TarasikRecord:

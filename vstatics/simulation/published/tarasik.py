@@ -22,8 +22,8 @@ from itertools import pairwise
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.instants import break_times
 from vstatics.simulation.events.start import start_gear, start_speeds
 from vstatics.simulation.published.phase_equations import ClutchPhase, PublishedEquations

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import plural
-from vstatics.model.transmission import Gear
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import plural
+from vstatics.core.model.transmission import Gear
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.structure import null
 from vstatics.simulation.tolerances import NO_COEFFICIENT
@@ -106,7 +106,7 @@ def _efficiency(system: MotionSystem, ends: tuple[int, int], engaged: Sequence[i
     """Of the gear in which these contacts are engaged, by statics."""
     if all(mesh.lossless for mesh in system.meshes):
         return 1.0
-    from vstatics.statics.solve import solve
+    from vstatics.core.statics.solve import solve
 
     numbers = [element + 1 for n in engaged if (element := system.contacts[n].element) is not None]
     gear = Gear(numbers, input=ends[0] + 1, output=ends[1] + 1)

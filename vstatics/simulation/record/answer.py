@@ -6,11 +6,11 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.damage.devices import DeviceDamage
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.tables.answer import Flat, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
-from vstatics.statics.result_arrays import Message
-from vstatics.tables.answer import Flat, Sometimes, document
+from vstatics.vehicle.damage.devices import DeviceDamage
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
 """Columns of a table by row, if somebody asks for them."""

@@ -9,9 +9,10 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.errors import CaseError, listed, nearest, quoted
-from vstatics.model.converters import Converter
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError, listed, nearest, quoted
+from vstatics.core.model.converters import Converter
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
@@ -21,7 +22,6 @@ from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
-from vstatics.statics.result_arrays import Message
 
 
 class Moments(NamedTuple):

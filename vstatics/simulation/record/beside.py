@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.rows import roads_of

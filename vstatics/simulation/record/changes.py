@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.tolerances import (
     CHANGE_STEP,

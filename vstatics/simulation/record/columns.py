@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vstatics.extras import require
-from vstatics.numerics.arrays import Floats
+from vstatics.core.extras import require
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables import csv
+from vstatics.core.tables.names import written
 from vstatics.simulation.record.motion import Motion
-from vstatics.tables import csv
-from vstatics.tables.names import written
 
 if TYPE_CHECKING:
     import pandas as pd

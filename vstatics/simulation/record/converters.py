@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vstatics.model.converters import Converter
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.converters import Converter
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import STANDING
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, first_largest
+from vstatics.core.numerics.arrays import Booleans, Floats, first_largest
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.beside import Tables, beside, chosen, joined
 from vstatics.simulation.record.curves import (

@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text, word
+from vstatics.core.texts import tr
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
-from vstatics.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text, word
-from vstatics.texts import tr
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:

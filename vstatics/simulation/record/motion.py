@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
-from vstatics.damage.devices import DeviceDamage
-from vstatics.errors import Problem, plural
-from vstatics.extras import AnyPicture, higher
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.statics.result_arrays import Message
-from vstatics.tables.answer import SOMETIMES
-from vstatics.tables.html import shown
+from vstatics.core.errors import Problem, plural
+from vstatics.core.extras import AnyPicture, higher
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.tables.answer import SOMETIMES
+from vstatics.core.tables.html import shown
+from vstatics.vehicle.damage.devices import DeviceDamage
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, first_largest
+from vstatics.core.numerics.arrays import Floats, first_largest
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.pieces import TimeStep
 from vstatics.simulation.record.account import element_heat

@@ -9,9 +9,9 @@ from types import MappingProxyType
 
 import numpy as np
 
-from vstatics.damage.devices import damages
-from vstatics.errors import Problem, listed, not_allowed
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.errors import Problem, listed, not_allowed
+from vstatics.core.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
@@ -35,7 +35,7 @@ from vstatics.simulation.tolerances import (
     SHARED_TORQUE,
     SMALL_VALUE,
 )
-from vstatics.statics.result_arrays import Message
+from vstatics.vehicle.damage.devices import damages
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
 """Numbers of the states that are kept in full, and as many as a step besides takes room for."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Literal
 
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.scenario.laws import Resistance, Road
 from vstatics.simulation.scenario.parts import Scenario

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial, reduce
 from typing import Any, NamedTuple
 
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant, TableName
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.formula_code import PI, compiled
 
 _STEPS = frozenset(("<", "<=", ">", ">=", "==", "!=", "and", "or", "not", "sign"))
@@ -92,8 +92,8 @@ def slope(tree: Tree) -> Tree | None:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("2*sin(3*t) + t^2", ""), Language(["sin"], "t", "t", caret=True))
     >>> compiled(slope(tree))(0.0, 0.0, 0.0)
     6.0
@@ -164,8 +164,8 @@ def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> form = straight(parse(Excerpt("5 - 2*(speed - 3*angle)", ""), Language([], "t", "t")))
     >>> form.speed, form.angle, number(form.rest)
     (-2.0, 6.0, 5.0)

@@ -14,14 +14,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
-from vstatics.model.converters import Converter
-from vstatics.model.parts import HOUSING
-from vstatics.model.springs import SpringLimit
-from vstatics.model.torsional_checks import of_converter
-from vstatics.model.transmission import Transmission
-from vstatics.model.vehicle_checks import without_vehicle
-from vstatics.readers.expressions.excerpt import Excerpt
+from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.parts import HOUSING
+from vstatics.core.model.springs import SpringLimit
+from vstatics.core.model.torsional_checks import of_converter
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
@@ -37,10 +36,8 @@ from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Star
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
-from vstatics.simulation.tolerances import (
-    LARGEST_NUMBER,
-    MISSING_MASS,
-)
+from vstatics.simulation.tolerances import LARGEST_NUMBER, MISSING_MASS
+from vstatics.vehicle.case.vehicle_checks import without_vehicle
 
 _TRIED_TIMES = 1001
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-from vstatics.errors import listed, quoted, spoken
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant, TableName, Velocity
-from vstatics.readers.named.si_units import measured
+from vstatics.core.errors import listed, quoted, spoken
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant, TableName, Velocity
+from vstatics.core.readers.named.si_units import measured
 from vstatics.simulation.scenario.algebra import parts
 from vstatics.simulation.scenario.corners import COMPARES
 from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary, read_formula
@@ -159,7 +159,7 @@ def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     >>> read_condition(Excerpt("t + 1", "when"), Vocabulary())
     Traceback (most recent call last):
     ...
-    vstatics.errors.ReadError: when:1:3: error: expected a condition, such as `t >= 0.5` [E105]
+    vstatics.core.errors.ReadError: when:1:3: error: expected a condition, such as `t >= 0.5` [E105]
     """
     formula = read_formula(source, ["t"], words, quantity=_speed)
     for part in _parts(formula.whole):

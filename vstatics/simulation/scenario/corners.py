@@ -17,10 +17,10 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.expressions.evaluation import evaluate
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.evaluation import evaluate
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
@@ -53,8 +53,8 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> text = "max(0, 3*t - 6) + abs(2*(t - 5)/4)*(1 < t)"
     >>> corners(parse(Excerpt(text, ""), Language(["max", "abs"], "t", "t")), "t")
     {1.0: True, 2.0: False, 5.0: False}
@@ -90,8 +90,8 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("5*t*(t < 2)", ""), Language([], "t", "t"))
     >>> [between(tree, "t", *ends).operands[1] for ends in ((-math.inf, 2.0), (2.0, math.inf))]
     [Constant(value=1.0), Constant(value=0.0)]

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.sides import changes_of_side
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.sides import changes_of_side
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import applied, parts, slope, variables
 from vstatics.simulation.scenario.corners import ENDS, JUMPS, is_polynomial
 from vstatics.simulation.scenario.formula_code import compiled_along
@@ -69,8 +69,8 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> language = Language(["sin", "cos"], "t", "t")
     >>> tree = parse(Excerpt("(sin(t) > 0.5)*(cos(t) > speed)", ""), language)
     >>> [round(time, 9) for time in crossings(tree, 3.2)]

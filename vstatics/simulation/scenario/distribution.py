@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Path, Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import Path, Problem
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LEAST_PROBABILITY
 
 

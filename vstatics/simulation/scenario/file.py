@@ -11,15 +11,15 @@ from collections.abc import Mapping as AnyMapping
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from vstatics import readers
-from vstatics.arguments import refusing
-from vstatics.errors import Path, Problem, ReadError
-from vstatics.jobs.input_files import read_file
-from vstatics.model.transmission import Transmission
-from vstatics.readers import Stream
-from vstatics.readers.kinds import is_foreign, kind_of
-from vstatics.readers.named.csv_files import are_read
-from vstatics.readers.named.nodes import (
+from vstatics.core import readers
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import Path, Problem, ReadError
+from vstatics.core.jobs.input_files import read_file
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers import Stream
+from vstatics.core.readers.kinds import is_foreign, kind_of
+from vstatics.core.readers.named.csv_files import are_read
+from vstatics.core.readers.named.nodes import (
     Found,
     Mapping,
     Node,
@@ -30,8 +30,8 @@ from vstatics.readers.named.nodes import (
     is_null,
     what,
 )
-from vstatics.readers.named.walk import Walk
-from vstatics.readers.reading import Reading, certain
+from vstatics.core.readers.named.walk import Walk
+from vstatics.core.readers.reading import Reading, certain
 from vstatics.simulation.scenario.checks import scenario_problems
 from vstatics.simulation.scenario.control_checks import table_problems
 from vstatics.simulation.scenario.distribution import Distribution, distribution_problems
@@ -196,7 +196,7 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     >>> read_scenario(b"{case: box.yaml, duration: 6}", "shifts/up.yaml").case_file
     'shifts/box.yaml'
     """
-    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     found = decode(data, file, "a scenario")
     root = yaml_tree(found)

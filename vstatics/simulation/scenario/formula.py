@@ -12,12 +12,12 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from vstatics.errors import listed, nearest, quoted, spoken
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied, Language, Tree, parse
-from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.core.errors import listed, nearest, quoted, spoken
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
+from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.crossings import crossings
@@ -232,7 +232,7 @@ def read_formula(
     >>> read_formula(Excerpt("3000*speed", "FH"), ["t"])
     Traceback (most recent call last):
     ...
-    vstatics.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
+    vstatics.core.errors.ReadError: FH:1:6: error: read `speed`, expected a formula of t [E105]
     """
     tree = formula_tree(source, names, words, quantity=quantity)
     text = source.part.strip()

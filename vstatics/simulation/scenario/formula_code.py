@@ -16,11 +16,11 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.expressions.evaluation import evaluate
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant, TableName
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.evaluation import evaluate
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.table_call import TableCall
 
 VARIABLES = ("t", "speed", "angle")
@@ -107,8 +107,8 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> function = compiled(parse(Excerpt("1/(1 + exp(t))", ""), Language(FUNCTIONS, "t", "t")))
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
@@ -131,8 +131,8 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("min(2*t, 3)*(speed > 1)", ""), Language(FUNCTIONS, "t", "t"))
     >>> compiled_along(tree)(np.array([1.0, 2.0, 3.0]), np.array([2.0, 2.0, 0.0]), 0.0)
     array([2., 3., 0.])

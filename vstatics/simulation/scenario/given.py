@@ -12,11 +12,11 @@ from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple, get_args
 
-from vstatics.errors import ReadError, quoted, spoken
-from vstatics.model.shape import UNIT_OF, Measure, Parsed
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.named.arithmetic import calculated
-from vstatics.readers.named.si_units import in_any_unit
+from vstatics.core.errors import ReadError, quoted, spoken
+from vstatics.core.model.shape import UNIT_OF, Measure, Parsed
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.simulation.scenario.conditions import StepCondition, read_condition
 from vstatics.simulation.scenario.formula import (
     OF_MOTION,

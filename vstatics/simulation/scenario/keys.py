@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any, NoReturn
 
-from vstatics.model.keys import ENGAGED
-from vstatics.model.shape import (
+from vstatics.core.model.keys import ENGAGED
+from vstatics.core.model.shape import (
     FLAG,
     NUMBER,
     TEXT,
@@ -24,7 +24,7 @@ from vstatics.model.shape import (
     Parsed,
     RowOf,
 )
-from vstatics.model.torsional_keys import CONVERTER
+from vstatics.core.model.torsional_keys import CONVERTER
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.formula import Vocabulary
 from vstatics.simulation.scenario.given import (

@@ -7,10 +7,10 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.model.vehicle import AIR, GRAVITY
+from vstatics.core.arguments import refusing
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
+from vstatics.vehicle.case.vehicle import AIR, GRAVITY
 
 Over = Literal["time", "speed", "angle"]
 """What stands along the abscissa: s, rad/s, rad."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
-from vstatics.model.converters import Converter
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, TorqueLaw

@@ -9,13 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, listed
-from vstatics.model.parts import Friction, Law, OfLoad, ShiftElement
-from vstatics.model.springs import SpringLimit
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.expressions.operands import Constant
+from vstatics.core.errors import CaseError, Problem, listed
+from vstatics.core.model.parts import Friction, Law, OfLoad, ShiftElement
+from vstatics.core.model.springs import SpringLimit
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import applied, times
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points, bends, constant

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 
 MOST_STEPS = 60
 """Of Newton's method; from the end of a piece it takes less than ten."""

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 from typing import Any
 
-from vstatics.errors import Path, Problem
-from vstatics.model.parts import OfLoad
-from vstatics.model.transmission import Transmission
+from vstatics.core.errors import Path, Problem
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Scenario

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Any, Literal, NamedTuple
 
-from vstatics.readers.expressions.grammar import Applied, Tree
-from vstatics.readers.expressions.operands import Constant
+from vstatics.core.readers.expressions.grammar import Applied, Tree
+from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import (
     applied,
     bare,
@@ -38,8 +38,8 @@ def surfaces(tree: Tree) -> dict[JumpSurface, str]:
 
     Examples
     --------
-    >>> from vstatics.readers.expressions.excerpt import Excerpt
-    >>> from vstatics.readers.expressions.grammar import Language, parse
+    >>> from vstatics.core.readers.expressions.excerpt import Excerpt
+    >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("5*(speed <= 7 - 2*angle)*(angle < 3)", ""), Language([], "t", "t"))
     >>> surfaces(tree)
     {JumpSurface(over='speed', at=Constant(value=7.0), by_angle=-2.0): '-'}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Self
 
-from vstatics.numerics.lookup_table import LookupTable
+from vstatics.core.numerics.lookup_table import LookupTable
 
 
 class TableCall(str):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import get_args
 
-from vstatics.model.shape import Measure
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.named.csv_files import csv_rows
-from vstatics.readers.named.headings import with_unit
-from vstatics.readers.named.si_units import measured
+from vstatics.core.model.shape import Measure
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.named.csv_files import csv_rows
+from vstatics.core.readers.named.headings import with_unit
+from vstatics.core.readers.named.si_units import measured
 
 MOST_BYTES = 5_000_000
 """Of a file."""

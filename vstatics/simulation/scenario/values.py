@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from vstatics.errors import Path, quoted
-from vstatics.model.converters import converters_of
-from vstatics.model.parts import ShiftElement
-from vstatics.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.named.nodes import Spots
+from vstatics.core.errors import Path, quoted
+from vstatics.core.model.converters import converters_of
+from vstatics.core.model.parts import ShiftElement
+from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.named.nodes import Spots
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.given import GivenControl, GivenLaw, GivenSteps, GivenTable

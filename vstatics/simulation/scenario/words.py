@@ -5,18 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from types import MappingProxyType
 
-from vstatics.errors import Path, Problem, quoted
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.lookup_table import LookupTable
-from vstatics.readers.expressions.grammar import PYTHON
-from vstatics.simulation.scenario.formula import (
-    OF_EVENTS,
-    OF_MOTION,
-    OF_TORQUES,
-    Vocabulary,
-)
+from vstatics.core.errors import Path, Problem, quoted
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.grammar import PYTHON
+from vstatics.core.tables.names import NAME
+from vstatics.simulation.scenario.formula import OF_EVENTS, OF_MOTION, OF_TORQUES, Vocabulary
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
-from vstatics.tables.names import NAME
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that a reader of YAML may take for true or false."""

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
 from vstatics.simulation.system.matrices import Contact

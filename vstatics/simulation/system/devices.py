@@ -9,14 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.elements.drawing import drawing_of
-from vstatics.elements.planet_inertia import planet_inertias
-from vstatics.errors import CaseError, Path, Problem
-from vstatics.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
-from vstatics.model.springs import Spring, SpringLimit, TwistCurve, straight_curve
-from vstatics.model.struts import StrutCurve
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.planet_inertia import planet_inertias
+from vstatics.core.errors import CaseError, Path, Problem
+from vstatics.core.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
+from vstatics.core.model.springs import Spring, SpringLimit, TwistCurve, straight_curve
+from vstatics.core.model.struts import StrutCurve
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.matrix import distribution_matrix
 from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
@@ -41,7 +42,6 @@ from vstatics.simulation.system.matrices import (
     unit,
 )
 from vstatics.simulation.system.sight import with_settings
-from vstatics.statics.matrix import distribution_matrix
 from vstatics.torsion.system.bodies import planet_bodies
 
 
@@ -346,7 +346,7 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     --------
     A drag of the case holds without a gear, too:
 
-    >>> from vstatics.readers import loads
+    >>> from vstatics.core.readers import loads
     >>> case = loads("links: [a]\ninertias: {a: 1}\ndrag: {a: 0.1}\nload: {torque: 20 N*m}")
     >>> list(drags(case, None))
     [DragTorque(is_element=False, number=1, torque=2.0)]

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.matrices import MotionSystem, PortLayout
 from vstatics.simulation.system.ports import Ports
 from vstatics.simulation.system.structure import MotionStructure

@@ -16,12 +16,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.converters import Converter
-from vstatics.model.parts import HOUSING, Friction, Law
-from vstatics.model.springs import TwistCurve
-from vstatics.model.struts import StrutCurve
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.parts import HOUSING, Friction, Law
+from vstatics.core.model.springs import TwistCurve
+from vstatics.core.model.struts import StrutCurve
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump

@@ -13,19 +13,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.model.converters import Converter
-from vstatics.model.parts import Law
-from vstatics.model.struts import StrutCurve
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.parts import Law
+from vstatics.core.model.struts import StrutCurve
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
-from vstatics.simulation.scenario.programme import (
-    Look,
-    Programme,
-    friction_at,
-    friction_points,
-)
+from vstatics.simulation.scenario.programme import Look, Programme, friction_at, friction_points
 from vstatics.simulation.system.curves import (
     Torque,
     TorqueAlong,

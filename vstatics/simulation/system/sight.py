@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Path
-from vstatics.model.springs import SpringLimit, TwistCurve
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.grammar import Applied
-from vstatics.readers.expressions.operands import Constant
+from vstatics.core.errors import Path
+from vstatics.core.model.springs import SpringLimit, TwistCurve
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.expressions.grammar import Applied
+from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import variables
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.crossings import MeetingParts, Pairs, asked, met

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.simulation.system.matrices import MotionSystem, Switch
 from vstatics.simulation.tolerances import (
     BEARING_MOTION,

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import MOVING_LINK

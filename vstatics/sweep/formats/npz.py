@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.jobs.piece_file import Account, Copy
+from vstatics.core.jobs.piece_file import Account, Copy
 
 _LOCAL = struct.Struct("<4s5H3L2H")
 _LOCAL_SIZES = struct.Struct("<2H2Q")

@@ -11,12 +11,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
 from typing import IO, Any
 
+from vstatics.core.tables import latex, markdown, xlsx
+from vstatics.core.tables.grid import Cell, Column, Values, exact, grid_of
+from vstatics.core.tables.grid import text as words
+from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
-from vstatics.tables import latex, markdown, xlsx
-from vstatics.tables.grid import Cell, Column, Values, exact, grid_of
-from vstatics.tables.grid import text as words
-from vstatics.tables.written_results import GEAR
 
 GROUP = 262_144
 """Rows of a row group, at most one piece more."""

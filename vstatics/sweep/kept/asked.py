@@ -1,6 +1,6 @@
 """The text of --out of one run -> columns that it is to have besides.
 
->>> from vstatics.model.transmission import Transmission
+>>> from vstatics.core.model.transmission import Transmission
 >>> from vstatics.simulation.scenario.parts import Scenario
 >>> case = Transmission(2, [], [], [], inertias={1: 1.0, 2: 1.0}, link_names=["in", "out"])
 >>> read_asked("jerks[out], accelerations", Scenario(case, 1.0))
@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from vstatics.errors import Problem, ReadError, listed, nearest, quoted
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Tree, parse
-from vstatics.readers.expressions.operands import TableName
+from vstatics.core.errors import Problem, ReadError, listed, nearest, quoted
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Tree, parse
+from vstatics.core.readers.expressions.operands import TableName
 from vstatics.simulation.record.asked import ALWAYS, TABLES
 from vstatics.simulation.record.rows import rows_of_kind
 from vstatics.simulation.scenario.parts import Scenario

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from vstatics.numerics import fronts
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics import fronts
+from vstatics.core.numerics.arrays import Integers
 from vstatics.sweep.chunk import Chunk, joined
 from vstatics.sweep.kept import selection
 from vstatics.sweep.plan import SweepPlan

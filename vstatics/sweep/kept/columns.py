@@ -9,12 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Problem, ReadError
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied
-from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.tables.names import NAME
+from vstatics.core.tables.quantities import BY_NAME
+from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.kept.expressions import (
     CONSTANTS,
@@ -37,9 +40,6 @@ from vstatics.sweep.kept.meanings import (
 )
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
-from vstatics.tables.names import NAME
-from vstatics.tables.quantities import BY_NAME
-from vstatics.tables.written_results import GEAR
 
 OPTION = "--out"
 

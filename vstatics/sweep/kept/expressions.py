@@ -23,12 +23,12 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.expressions.evaluation import LAST, REDUCTIONS, evaluate
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied, Tree, parse
-from vstatics.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.expressions.evaluation import LAST, REDUCTIONS, evaluate
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Tree, parse
+from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.sweep.kept.meanings import Name, Selection, Tables, value_of
 from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied

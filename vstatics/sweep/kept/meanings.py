@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
 STEP, SPREAD = "step", "spread"

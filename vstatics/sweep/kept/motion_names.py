@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from vstatics.errors import Place, listed, nearest, quoted, typed_number
-from vstatics.readers.expressions.evaluation import FUNCTIONS, LAST
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Language
-from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.core.errors import Place, listed, nearest, quoted, typed_number
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Language
+from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.core.tables.names import written
 from vstatics.simulation.record.rows import Kind
 from vstatics.sweep.kept.meanings import PART_NUMBERS, Selection, VariedNumber
 from vstatics.sweep.motion_tables import TABLES, along_time
 from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Varied, target
-from vstatics.tables.names import written
 
 LANGUAGE = Language(
     (*FUNCTIONS, LAST),

@@ -5,16 +5,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from vstatics.errors import nearest, quoted, typed_number
-from vstatics.model.fields import gear_place, numbered_gear
-from vstatics.model.parts import Law
-from vstatics.model.transmission import Transmission
-from vstatics.readers.expressions.evaluation import FUNCTIONS
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied, Language
-from vstatics.readers.expressions.operands import Constant, DottedName, Subscript, TableName
-from vstatics.statics.physical import known_units, lacking_load
-from vstatics.statics.result_arrays import Rows
+from vstatics.core.errors import nearest, quoted, typed_number
+from vstatics.core.model.fields import gear_place, numbered_gear
+from vstatics.core.model.parts import Law
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Language
+from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.core.statics.physical import known_units, lacking_load
+from vstatics.core.statics.result_arrays import Rows
+from vstatics.core.tables.names import (
+    ROWS,
+    nearest_quantity,
+    no_row,
+    rows_called,
+    several,
+    table_rows,
+    written,
+)
+from vstatics.core.tables.quantities import BY_NAME
 from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.kept.meanings import (
     OF_RATIOS,
@@ -28,16 +38,6 @@ from vstatics.sweep.kept.meanings import (
 from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
 from vstatics.sweep.variants.subject import number_of_case
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, own_number
-from vstatics.tables.names import (
-    ROWS,
-    nearest_quantity,
-    no_row,
-    rows_called,
-    several,
-    table_rows,
-    written,
-)
-from vstatics.tables.quantities import BY_NAME
 
 LANGUAGE = Language(
     FUNCTIONS,
@@ -57,7 +57,7 @@ class SweepNames:
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(), Gear()])
     >>> names = SweepNames(Excerpt("losses[D1, :]", "--out"), case, [])
     >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))

@@ -12,10 +12,10 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.fronts import scaled
-from vstatics.readers.expressions.excerpt import Excerpt
-from vstatics.readers.expressions.grammar import Applied
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.fronts import scaled
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.sweep.kept.expressions import Expression, Terms, read_expression
 from vstatics.sweep.kept.meanings import Tables
 from vstatics.sweep.variants.subject import Subject
@@ -72,7 +72,7 @@ def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -
     >>> read_where("ratio < 3", case, [])
     Traceback (most recent call last):
         ...
-    vstatics.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
+    vstatics.core.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum [E105]
     """
     whole = _of_one(Excerpt(text, "--where"), subject, targets)

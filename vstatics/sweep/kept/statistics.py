@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import plural
-from vstatics.numerics.arrays import Floats
-from vstatics.tables.answer import document, told
-from vstatics.tables.grid import Grid, grid_of
+from vstatics.core.errors import plural
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.answer import document, told
+from vstatics.core.tables.grid import Grid, grid_of
 
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""

@@ -9,9 +9,9 @@ from typing import Protocol
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, ReadError
-from vstatics.jobs.spool import Spool
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.jobs.spool import Spool
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.targets import Varied

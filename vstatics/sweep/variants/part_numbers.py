@@ -12,15 +12,15 @@ from typing import Any, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 
-from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.elements.element import Element
-from vstatics.elements.keys import ELEMENT, MESH_EFFICIENCY, element_of, record_of
-from vstatics.elements.teeth.doubtful_teeth import misfits
-from vstatics.model import keys
-from vstatics.model.parts import OfLoad
-from vstatics.model.shape import ByKey, ByName, Leaf, ListOf, Measure, Shape
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.elements.drawing import Drawing, drawing_of
+from vstatics.core.elements.element import Element
+from vstatics.core.elements.keys import ELEMENT, MESH_EFFICIENCY, element_of, record_of
+from vstatics.core.elements.teeth.doubtful_teeth import misfits
+from vstatics.core.model import keys
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.model.shape import ByKey, ByName, Leaf, ListOf, Measure, Shape
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.sweep.variants.targets import NAMES
 
 Way: TypeAlias = tuple[str | int, ...]
@@ -68,7 +68,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
     """All such numbers of a case by their paths, those too that it leaves out.
 
     >>> from vstatics import Gear
-    >>> from vstatics.elements import Drawing, Element, transmission
+    >>> from vstatics.core.elements import Drawing, Element, transmission
     >>> links, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
     >>> drawing = Drawing(3, [Element("P1", "planetary", links, teeth)])
     >>> part_numbers(transmission(drawing, gears=[Gear()]))["P1.teeth.sun"]
@@ -156,7 +156,7 @@ def with_part_numbers(
     Examples
     --------
     >>> from vstatics import Gear
-    >>> from vstatics.elements import Element, transmission
+    >>> from vstatics.core.elements import Element, transmission
     >>> links, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
     >>> drawing = Drawing(3, [Element("P1", "planetary", links, teeth)])
     >>> case = transmission(drawing, gears=[Gear()])

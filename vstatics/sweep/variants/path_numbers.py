@@ -11,14 +11,14 @@ import re
 from collections.abc import Hashable
 from typing import Any, Literal, NamedTuple
 
-from vstatics.errors import listed, nearest, quoted
-from vstatics.model.parts import Law, OfLoad, SpeedOf
-from vstatics.model.shape import UNIT_OF, Measure
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.readers.named.si_units import measured
-from vstatics.readers.named.units import quantity
-from vstatics.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
+from vstatics.core.errors import listed, nearest, quoted
+from vstatics.core.model.parts import Law, OfLoad, SpeedOf
+from vstatics.core.model.shape import UNIT_OF, Measure
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.readers.named.si_units import measured
+from vstatics.core.readers.named.units import quantity
+from vstatics.core.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
 from vstatics.sweep.variants.part_numbers import PartNumber, own_part_number, part_numbers
 from vstatics.sweep.variants.targets import OF_MECHANISM
 

@@ -10,8 +10,8 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem, nearest
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import CaseError, Problem, nearest
+from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.numbered import checked_targets, empty_block
 from vstatics.sweep.variants.variation import MOST, Span, Values, Variation

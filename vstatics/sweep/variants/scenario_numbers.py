@@ -7,10 +7,10 @@ from collections.abc import Hashable, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
-from vstatics.errors import Place, nearest, quoted
-from vstatics.model.shape import UNIT_OF
-from vstatics.readers.named.arithmetic import calculated
-from vstatics.readers.named.node_paths import (
+from vstatics.core.errors import Place, nearest, quoted
+from vstatics.core.model.shape import UNIT_OF
+from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.core.readers.named.node_paths import (
     Keys,
     NoValueError,
     PathPart,
@@ -24,8 +24,8 @@ from vstatics.readers.named.node_paths import (
     split,
     written,
 )
-from vstatics.readers.named.nodes import Listing, Mapping, Node, Scalar
-from vstatics.readers.named.si_units import in_any_unit
+from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar
+from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.sweep.variants.targets import refusal
 
 _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers
 
 if TYPE_CHECKING:
     from fractions import Fraction

@@ -12,11 +12,11 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from vstatics.arguments import refusing
-from vstatics.errors import Place, ReadError, nearest, quoted
-from vstatics.jobs.input_files import read_file
-from vstatics.model.transmission import Transmission
-from vstatics.readers.named.nodes import Mapping, Node, decode
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import Place, ReadError, nearest, quoted
+from vstatics.core.jobs.input_files import read_file
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.named.nodes import Mapping, Node, decode
 from vstatics.sweep.variants.path_numbers import CasePath, by_name, case_path, known_paths, no_path
 from vstatics.sweep.variants.scenario_numbers import (
     NumberPath,
@@ -30,9 +30,9 @@ from vstatics.sweep.variants.scenario_numbers import (
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusal, target
 
 if TYPE_CHECKING:
-    from vstatics.readers import Format
-    from vstatics.readers.documents import CaseDocument
-    from vstatics.readers.reading import Reading
+    from vstatics.core.readers import Format
+    from vstatics.core.readers.documents import CaseDocument
+    from vstatics.core.readers.reading import Reading
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.record.rows import Kind
     from vstatics.simulation.scenario.file import ScenarioFile
@@ -92,7 +92,7 @@ class VariedScenario:
 
     @cached_property
     def _document(self) -> CaseDocument | None:
-        from vstatics.readers.documents import case_document
+        from vstatics.core.readers.documents import case_document
 
         return case_document(*self.case, self.case_format)
 
@@ -109,7 +109,7 @@ class VariedScenario:
 
     @cached_property
     def _own_case(self) -> Reading:
-        from vstatics import readers
+        from vstatics.core import readers
 
         return readers.read(*self.case, self.case_format)
 

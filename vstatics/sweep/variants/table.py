@@ -12,26 +12,26 @@ from typing import IO, NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, nearest, of_file
-from vstatics.jobs.spool import Spool
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.csv_rows import (
+from vstatics.core.errors import Place, Problem, ReadError, nearest, of_file
+from vstatics.core.jobs.spool import Spool
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.csv_rows import (
     Decimals,
     expect_cells,
     has_cells,
     headings_of,
     separator_of,
 )
-from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.readers.signs import with_plain_blanks
-from vstatics.readers.sweep_tables import NUMBER, STATUS
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.readers.signs import with_plain_blanks
+from vstatics.core.readers.sweep_tables import NUMBER, STATUS
+from vstatics.core.tables.csv import unguarded
+from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import Subject, target_of
 from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
-from vstatics.tables.csv import unguarded
-from vstatics.tables.written_results import GEAR
 
 _OF_PANDAS = "__index_level_0__"
 """With this it numbers rows in Parquet, in CSV with a first column without a name."""
@@ -90,7 +90,7 @@ def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> text = b"variant,D1.efficiency,D1.ratio\\n0,0.96,-2.5\\n1,0.97,-96/39\\n"
     >>> table = read_table(io.BytesIO(text), "own.csv", case)

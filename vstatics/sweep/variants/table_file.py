@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, of_file
-from vstatics.jobs.input_files import TABLE_BYTES, opened, read_stream, unreadable
-from vstatics.numerics.arrays import Floats
-from vstatics.readers import sweep_tables
-from vstatics.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.errors import Place, Problem, ReadError, of_file
+from vstatics.core.jobs.input_files import TABLE_BYTES, opened, read_stream, unreadable
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers import sweep_tables
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.options import PlacedFile
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.subject import Subject

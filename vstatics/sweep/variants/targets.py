@@ -8,14 +8,23 @@ from typing import Literal, NamedTuple, Protocol, get_args
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError, listed, nearest, quoted, spoken, typed_number
-from vstatics.model.parts import Mechanism, ShiftElement, damping
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.readers.deck.places import LISTS
-from vstatics.statics.matrix import impossible as impossible_of_mechanism
-from vstatics.tables.names import no_row, rows_called, several
+from vstatics.core.errors import (
+    Place,
+    Problem,
+    ReadError,
+    listed,
+    nearest,
+    quoted,
+    spoken,
+    typed_number,
+)
+from vstatics.core.model.parts import Mechanism, ShiftElement, damping
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.readers.deck.places import LISTS
+from vstatics.core.statics.matrix import impossible as impossible_of_mechanism
+from vstatics.core.tables.names import no_row, rows_called, several
 
 OfMechanism = Literal["ratio", "efficiency"]
 OfDevice = Literal["stiffness", "compliance", "damping"]
@@ -84,7 +93,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, name="front")], [Gear()])
     >>> target("front.efficiency", case)
     Target(name='front.efficiency', owner=0, quantity='efficiency')

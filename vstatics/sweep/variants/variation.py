@@ -8,11 +8,11 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.errors import Place, Problem, ReadError
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.readers.named.nodes import MOST_PROBLEMS
-from vstatics.readers.named.scalars import number as finite_number
+from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS
+from vstatics.core.readers.named.scalars import number as finite_number
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.scenario_numbers import NumberPath, common_unit
@@ -77,7 +77,7 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> read_variation("D1.ratio=-3:-2:5", case).values
     Steps(start=-3.0, stop=-2.0, number=5)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, plural, spoken
+from vstatics.core.errors import CaseError, Problem, plural, spoken
 from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
@@ -201,7 +201,7 @@ def check_box_search(search: BoxSearch) -> None:
     >>> check_box_search(BoxSearch(2, 4, 2, (2.84, 1.57, 1, -2.21), own_input=True))
     >>> check_box_search(BoxSearch(2, 4, 3, (2.84, 1.57, 1, -2.21)))
     Traceback (most recent call last):
-    vstatics.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged [E801]
+    vstatics.core.errors.CaseError: engaged: read 3, but 2 sets leave 1 or 2 to be engaged [E801]
     """
     problems = [*_of_numbers(search), *_of_ratios(search), *_of_sequence(search.sequence)] or [
         *_of_counts(search)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from vstatics.explain.bodies import OwnLinks
-from vstatics.model.parts import Mechanism
+from vstatics.core.explain.bodies import OwnLinks
+from vstatics.core.model.parts import Mechanism
 
 GROUP = "planet_group"
 """The kind of an element whose wheels may be told in pairs of one's own choice."""
@@ -22,7 +22,7 @@ def case_mechanisms(own: OwnLinks) -> list[Mechanism]:
     Examples
     --------
     >>> from vstatics import example
-    >>> from vstatics.explain.bodies import on_own_links
+    >>> from vstatics.core.explain.bodies import on_own_links
     >>> own = on_own_links(example("mercedes-7g"))
     >>> [round(one.ratio, 3) for one in own.case.mechanisms[:2]]
     [-2.048, -0.782]

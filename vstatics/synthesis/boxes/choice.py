@@ -9,22 +9,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError
-from vstatics.extras import higher, require
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.tolerances import SAME_RATIO
-from vstatics.synthesis.boxes.box import (
-    EFFICIENCY,
-    BoxSearch,
-    FoundBox,
-    check_box_search,
-)
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError
+from vstatics.core.extras import higher, require
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.tables.html import shown
+from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, FoundBox, check_box_search
 from vstatics.synthesis.boxes.figures.by_box import FIGURES, USUAL, BoxOrder
 from vstatics.synthesis.boxes.figures.measured import ALIKE, FIGURE_DECIMALS, MeasuredBox, measured
 from vstatics.synthesis.boxes.grouping import core_of, families, numbered, pareto, places
 from vstatics.synthesis.boxes.least_form import identity
-from vstatics.tables.html import shown
 
 NO_RATIO = 1e9
 """In place of a gear that a box has not. [-]"""

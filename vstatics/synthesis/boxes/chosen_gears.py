@@ -7,7 +7,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO, SECOND_MOTION, STILL_SPEED
 

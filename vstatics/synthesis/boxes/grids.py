@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from vstatics.core.tables.grid import Grid, Value, Values, exact, grid_of
 from vstatics.synthesis.boxes.choice import RankedBox, family_count
 from vstatics.synthesis.boxes.figures.by_gear import BoxGear, GearFigures
-from vstatics.tables.grid import Grid, Value, Values, exact, grid_of
 
 
 def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Iterator[Grid]:

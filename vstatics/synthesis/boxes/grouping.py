@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO

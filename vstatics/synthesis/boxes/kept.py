@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.errors import CaseError
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.parts import HOUSING, Mechanism
-from vstatics.model.transmission import Transmission
+from vstatics.core.errors import CaseError
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.parts import HOUSING, Mechanism
+from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, KeptParts
 from vstatics.synthesis.boxes.case_sets import case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme

@@ -6,17 +6,17 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, NamedTuple
 
-from vstatics.errors import ReadError, listed
-from vstatics.model.transmission import Transmission
-from vstatics.readers import from_dict
-from vstatics.statics.solve import solve
+from vstatics.core.errors import ReadError, listed
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers import from_dict
+from vstatics.core.statics.solve import solve
+from vstatics.core.tables.answer import Count, Sometimes, Words, told
+from vstatics.core.writers.named import mapping
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
 from vstatics.synthesis.boxes.figures.by_box import BoxFigures
 from vstatics.synthesis.structures.growth import SchemeCode
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO
-from vstatics.tables.answer import Count, Sometimes, Words, told
-from vstatics.writers.named import mapping
 
 
 class ListedGear(NamedTuple):

@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any, NoReturn, get_args, get_origin, get_type_hints
 
-from vstatics.arguments import type_and_value
-from vstatics.errors import Problem, ReadError, of_file, plural
-from vstatics.readers.reading import Source
+from vstatics.core.arguments import type_and_value
+from vstatics.core.errors import Problem, ReadError, of_file, plural
+from vstatics.core.readers.reading import Source
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, WantedOfBoxes
 
 ASKED = "a document of found boxes, as `vstatics synth box -f json` writes it"

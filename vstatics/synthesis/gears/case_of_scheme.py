@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from vstatics.arguments import refusing
-from vstatics.errors import plural
-from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
-from vstatics.model.transmission import Transmission
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import plural
+from vstatics.core.model.parts import HOUSING, Gear, Mechanism, ShiftElement
+from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.gears.search import CombinationSearch
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY
 from vstatics.synthesis.structures.scheme import SetScheme, link_name

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, listed
-from vstatics.model.transmission import Gear, ShiftElement, Transmission
-from vstatics.statics.solve import solve
-from vstatics.summary.design_table import is_same
-from vstatics.summary.unused_sets import is_plain, shared
+from vstatics.core.errors import CaseError, listed
+from vstatics.core.model.transmission import Gear, ShiftElement, Transmission
+from vstatics.core.statics.solve import solve
+from vstatics.core.summary.design_table import is_same
+from vstatics.core.summary.unused_sets import is_plain, shared
 from vstatics.synthesis.gears.search import CombinationSearch
 
 MOST_GEARS = 5000

@@ -19,16 +19,16 @@ from typing import Annotated, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.elimination import RIGHT, Equation, solve
-from vstatics.numerics.tolerances import TRACED_REAL, ZERO
-from vstatics.numerics.traced import plain
-from vstatics.statics.matrix import ON_ELEMENT, columns
+from vstatics.core.model.transmission import HOUSING, ShiftElement, Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.elimination import RIGHT, Equation, solve
+from vstatics.core.numerics.tolerances import TRACED_REAL, ZERO
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.matrix import ON_ELEMENT, columns
+from vstatics.core.tables.answer import Sometimes
+from vstatics.core.tables.grid import Cell, Column, Grid, exact, grid_of, sign, words
 from vstatics.synthesis.gears.speed_forms import Pair, SpeedForms
 from vstatics.synthesis.tolerances import DETERMINED, KEPT_PART, MET_RATIO, NO_TORQUE
-from vstatics.tables.answer import Sometimes
-from vstatics.tables.grid import Cell, Column, Grid, exact, grid_of, sign, words
 
 Indices = NDArray[np.intp]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import permutations
 
-from vstatics.errors import quoted
-from vstatics.model.transmission import Gear, Transmission
+from vstatics.core.errors import quoted
+from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.synthesis.gears.speed_forms import Pair
 
 ALL = "all"

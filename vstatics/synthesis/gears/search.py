@@ -12,10 +12,10 @@ from itertools import combinations as subsets
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, listed, nearest, plural, quoted, typed_number
-from vstatics.model.transmission import HOUSING, ShiftElement, Transmission
-from vstatics.summary.unused_sets import needed
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, listed, nearest, plural, quoted, typed_number
+from vstatics.core.model.transmission import HOUSING, ShiftElement, Transmission
+from vstatics.core.summary.unused_sets import needed
 from vstatics.synthesis.gears.kinds import (
     EngagedKind,
     EngagedSet,

@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Row, row_of
-from vstatics.numerics.traced import absolute, plain
-from vstatics.statics.matrix import columns
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.elimination import EXACTLY_ONE, FLOATS, Entry, Row, row_of
+from vstatics.core.numerics.traced import absolute, plain
+from vstatics.core.statics.matrix import columns
 from vstatics.synthesis.tolerances import KEPT_PART
 
 Pair = tuple[int, int]

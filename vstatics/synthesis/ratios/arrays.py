@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.ratios.formula import GearFormula
 from vstatics.synthesis.ratios.multilinear import Polynomial, bits
 

@@ -9,14 +9,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.elements.drawing import drawing_of
-from vstatics.errors import listed
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.transmission import HOUSING, Mechanism, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.statics.solve import solve
-from vstatics.summary.design_table import is_same
+from vstatics.core.arguments import refusing
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.errors import listed
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.transmission import HOUSING, Mechanism, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.solve import solve
+from vstatics.core.summary.design_table import is_same
+from vstatics.core.tables.answer import told
 from vstatics.synthesis.ratios.arrays import ratio_arrays
 from vstatics.synthesis.ratios.problem import (
     LARGEST_SET_RATIO,
@@ -27,7 +28,6 @@ from vstatics.synthesis.ratios.problem import (
     untold,
 )
 from vstatics.synthesis.ratios.search import found_ratios
-from vstatics.tables.answer import told
 
 TOLERANCE = 0.005
 """So much ``|ln(i/target)|`` is met: half a per cent."""
@@ -203,7 +203,7 @@ def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, name="set")], [Gear()])
     >>> fitted_case(case, {"set": -3.0}).mechanisms[0].ratio
     -3.0
@@ -241,7 +241,7 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> meshed = Mechanism(1, 2, 3, 2.5, planet_ratio=-0.6, name="set")
     >>> case = Transmission(3, [], [meshed], [Gear()])
     >>> left_out_by_fit(case, {"set": 2.5}), left_out_by_fit(case, {"set": 2.7})

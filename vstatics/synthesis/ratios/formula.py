@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Literal, NamedTuple
 
-from vstatics.explain.bodies import OwnLinks
-from vstatics.explain.shares import as_typed
-from vstatics.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.statics.status import NEUTRAL, OUTPUT_STANDS, TIED_UP
+from vstatics.core.explain.bodies import OwnLinks
+from vstatics.core.explain.shares import as_typed
+from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
+from vstatics.core.statics.status import NEUTRAL, OUTPUT_STANDS, TIED_UP
 from vstatics.synthesis.ratios.multilinear import (
     LinearRow,
     Polynomial,
@@ -72,8 +72,8 @@ def gear_formula(own: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearF
     --------
     The ring is braked: ``i = (w_sun/w_carrier) = 1 - u``.
 
-    >>> from vstatics.explain.bodies import on_own_links
-    >>> from vstatics.model.transmission import Mechanism, ShiftElement
+    >>> from vstatics.core.explain.bodies import on_own_links
+    >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
     >>> own = on_own_links(case)

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from vstatics.core.tables.answer import plain_data
+from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of
 from vstatics.synthesis.ratios.fitting import Fit, deviation
 from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS
 from vstatics.synthesis.ratios.problem import FitProblem
 from vstatics.synthesis.ratios.search import start_count
 from vstatics.synthesis.ratios.space import FitPoints, fit_space
 from vstatics.synthesis.tolerances import TINY_RATIO
-from vstatics.tables.answer import plain_data
-from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of
 
 DEVIATION_DECIMALS = 9
 """Digits of a deviation; what is below them is rounding."""

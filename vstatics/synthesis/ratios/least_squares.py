@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.tolerances import (
     EQUAL_SUM_OF_SQUARES,
     LEAST_DAMPING,

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
+from vstatics.core.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
 """Bits of ratios -> coefficient."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import (
+from vstatics.core.errors import (
     CaseError,
     Problem,
     listed,
@@ -19,12 +19,12 @@ from vstatics.errors import (
     spoken,
     typed_number,
 )
-from vstatics.explain.bodies import OwnLinks, on_own_links
-from vstatics.model.transmission import HOUSING, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.statics.solve import solve
-from vstatics.statics.status import STATUSES
-from vstatics.summary.design_table import is_same
+from vstatics.core.explain.bodies import OwnLinks, on_own_links
+from vstatics.core.model.transmission import HOUSING, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.solve import solve
+from vstatics.core.statics.status import STATUSES
+from vstatics.core.summary.design_table import is_same
 from vstatics.synthesis.ratios.arrays import reach
 from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
 from vstatics.synthesis.tolerances import PART_FOR_ZERO_BOUND
@@ -64,8 +64,8 @@ def bounds_of(own: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds
 
     Examples
     --------
-    >>> from vstatics.explain.bodies import on_own_links
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.explain.bodies import on_own_links
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> mechanisms = [Mechanism(1, 2, 3, -2.5), Mechanism(1, 2, 0, 0.8)]
     >>> own = on_own_links(Transmission(3, [], mechanisms, [Gear()]))
     >>> bounds_of(own, {})

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Problem
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.ratios.least_squares import Minima
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold
 from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space

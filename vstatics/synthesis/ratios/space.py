@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.ratios.arrays import RatioArrays, ratio_arrays
 from vstatics.synthesis.ratios.least_squares import MOST_FIT_STEPS, Minima, minimize
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold

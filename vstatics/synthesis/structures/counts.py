@@ -15,7 +15,7 @@ from math import comb, perm
 
 import numpy as np
 
-from vstatics.arguments import refusing
+from vstatics.core.arguments import refusing
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS
 from vstatics.synthesis.structures.growth import (
     StructureSearch,

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.structures import arrays
 from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.growth import (

@@ -14,12 +14,12 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.arguments import refusing
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.core.arguments import refusing
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.tables.answer import Count, Sometimes, Words
 from vstatics.synthesis.structures import arrays
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
-from vstatics.tables.answer import Count, Sometimes, Words
 
 Classes = Literal["none", "sets", "members", "order"]
 """Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring

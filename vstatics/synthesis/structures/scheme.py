@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import listed, quoted, spoken
+from vstatics.core.errors import listed, quoted, spoken
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS, are_connected
 from vstatics.synthesis.structures.growth import MOST_SETS
 

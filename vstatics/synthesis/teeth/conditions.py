@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.elements.teeth.conditions import (
+from vstatics.core.elements.teeth.conditions import (
     INSIDE,
     TIPS,
     closes,
@@ -21,8 +21,8 @@ from vstatics.elements.teeth.conditions import (
     passing_room,
     seated,
 )
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.tolerances import TIP_CLEARANCE
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.tolerances import TIP_CLEARANCE
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 

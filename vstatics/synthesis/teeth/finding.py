@@ -15,10 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, Problem, listed
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, Problem, listed
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.ratios.problem import Advance, reach_text, sign_fault, untold
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import COAXIAL, TeethLimits

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 from vstatics.synthesis.ratios.grids import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
 from vstatics.synthesis.teeth.layout import named_ratios
 from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
-from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 
 
 def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:

@@ -8,14 +8,14 @@ from fractions import Fraction
 from functools import cached_property
 from typing import NamedTuple
 
-from vstatics.elements.element import Element
-from vstatics.elements.group import PlanetGroup, group_of
-from vstatics.elements.kinds import Planetary, Simple
-from vstatics.elements.lower import DrawnPart
-from vstatics.elements.teeth.nearby import ratio_powers
-from vstatics.elements.teeth.spacing import PASSING
-from vstatics.explain.bodies import OwnLinks
-from vstatics.model.parts import HOUSING, Mechanism
+from vstatics.core.elements.element import Element
+from vstatics.core.elements.group import PlanetGroup, group_of
+from vstatics.core.elements.kinds import Planetary, Simple
+from vstatics.core.elements.lower import DrawnPart
+from vstatics.core.elements.teeth.nearby import ratio_powers
+from vstatics.core.elements.teeth.spacing import PASSING
+from vstatics.core.explain.bodies import OwnLinks
+from vstatics.core.model.parts import HOUSING, Mechanism
 
 PAIRS = ("gear_pair", "internal_pair", "bevel_pair", "idler", "chain")
 """Kinds of wheels without planets whose teeth are looked for."""
@@ -162,8 +162,8 @@ def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
 
     Examples
     --------
-    >>> from vstatics.explain.bodies import on_own_links
-    >>> from vstatics.model.transmission import Gear, Transmission
+    >>> from vstatics.core.explain.bodies import on_own_links
+    >>> from vstatics.core.model.transmission import Gear, Transmission
     >>> mechanisms = [Mechanism(1, 2, 3, 2.5, name="P"), Mechanism(3, 2, 0, -0.8, name="G")]
     >>> own = on_own_links(Transmission(3, [], mechanisms, [Gear()]))
     >>> for one in teeth_layouts(own):

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from vstatics.elements.teeth.conditions import UNCUT, UNCUT_SHIFTED
+from vstatics.core.elements.teeth.conditions import UNCUT, UNCUT_SHIFTED
 from vstatics.synthesis.teeth.layout import TeethLayout
 
 Range = tuple[int, int]
@@ -109,8 +109,8 @@ def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEqu
 
     Examples
     --------
-    >>> from vstatics.explain.bodies import on_own_links
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.explain.bodies import on_own_links
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> from vstatics.synthesis.teeth.layout import teeth_layouts
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> (layout,) = teeth_layouts(on_own_links(case))

@@ -15,8 +15,8 @@ from functools import cached_property
 
 import numpy as np
 
-from vstatics.elements.teeth.conditions import UNCUT_SHIFTED
-from vstatics.numerics.arrays import Floats, Integers, counted, portions
+from vstatics.core.elements.teeth.conditions import UNCUT_SHIFTED
+from vstatics.core.numerics.arrays import Floats, Integers, counted, portions
 from vstatics.synthesis.teeth.conditions import (
     TeethCandidates,
     TeethCondition,
@@ -258,8 +258,8 @@ def growth_order(
     --------
     Sun, ring, planet and number of planets:
 
-    >>> from vstatics.explain.bodies import on_own_links
-    >>> from vstatics.model.transmission import Gear, Mechanism, Transmission
+    >>> from vstatics.core.explain.bodies import on_own_links
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
     >>> from vstatics.synthesis.teeth.layout import teeth_layouts
     >>> from vstatics.synthesis.teeth.limits import TeethLimits, axis_equations
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])

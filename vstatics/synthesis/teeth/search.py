@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers, counted, portions
+from vstatics.core.numerics.arrays import Floats, Integers, counted, portions
 from vstatics.synthesis.ratios.problem import Advance, untold
 from vstatics.synthesis.teeth.table import TeethTable
 from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_errors

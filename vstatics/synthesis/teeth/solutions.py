@@ -9,18 +9,18 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from vstatics.elements.drawing import Drawing, drawing_of
-from vstatics.elements.element import Element
-from vstatics.model.parts import Mechanism
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Integers
-from vstatics.statics.solve import solve
+from vstatics.core.elements.drawing import Drawing, drawing_of
+from vstatics.core.elements.element import Element
+from vstatics.core.model.parts import Mechanism
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Integers
+from vstatics.core.statics.solve import solve
+from vstatics.core.tables.answer import SOMETIMES, told
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
 from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
-from vstatics.tables.answer import SOMETIMES, told
 
 ERROR_DECIMALS = 14
 """Decimals of an error; what is below them is rounding."""

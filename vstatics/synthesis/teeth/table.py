@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers, counted
+from vstatics.core.numerics.arrays import Floats, Integers, counted
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.rows import TooManyError
 

@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.synthesis.ratios.arrays import at_corners, factors
 from vstatics.synthesis.ratios.formula import GearFormula
 

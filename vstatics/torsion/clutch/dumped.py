@@ -19,10 +19,10 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError
-from vstatics.statics.result_arrays import Message
-from vstatics.tables.answer import Flat, Sometimes, document
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.tables.answer import Flat, Sometimes, document
 from vstatics.torsion.clutch.engagement import Engagement, engagement, rate_problems
 from vstatics.torsion.clutch.given import Dump, dump_problems
 

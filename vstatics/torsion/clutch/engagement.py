@@ -13,7 +13,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem
+from vstatics.core.errors import CaseError, Problem
 from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0

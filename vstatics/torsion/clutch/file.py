@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, ReadError
-from vstatics.model.shape import ByKey, KeyShape, Leaf, LeafKind
-from vstatics.readers.kinds import kind_of
-from vstatics.readers.named.nodes import Mapping, Spots, decode
-from vstatics.readers.named.reader import read_document
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.model.shape import ByKey, KeyShape, Leaf, LeafKind
+from vstatics.core.readers.kinds import kind_of
+from vstatics.core.readers.named.nodes import Mapping, Spots, decode
+from vstatics.core.readers.named.reader import read_document
 from vstatics.torsion.clutch.dumped import DumpTorque, dump
 from vstatics.torsion.clutch.given import UNBOUNDED, Dump, dump_problems
 
@@ -69,8 +69,8 @@ def is_of_case(data: bytes, file: str) -> bool:
     >>> is_of_case(b"{dump: {J1: [a]}, springs: {}}", "a.yaml"), is_of_case(b"J1: 1.9", "b.yaml")
     (True, False)
     """
-    from vstatics.readers import format_of
-    from vstatics.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers import format_of
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     form = format_of(file, data)
     if form in ("deck", "xlsx"):

@@ -17,12 +17,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, spoken
-from vstatics.model.clutch_dump import NEEDED, ClutchDump
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.result_arrays import Message
-from vstatics.tables.answer import Failure, Flat, Unfailed, document, told
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, spoken
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.tables.answer import Failure, Flat, Unfailed, document, told
+from vstatics.torsion.clutch.clutch_dump import NEEDED, ClutchDump
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpTorque, dump
 from vstatics.torsion.clutch.given import Dump
 from vstatics.torsion.reduction.reduced_values import scales

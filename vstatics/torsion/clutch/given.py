@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.errors import Problem
+from vstatics.core.errors import Problem
 
 UNBOUNDED = ("J4", "J5", "M_phi")
 """What may be infinite."""

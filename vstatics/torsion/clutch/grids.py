@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vstatics.tables.grid import Grid, Values, grid_of
+from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 
 if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not

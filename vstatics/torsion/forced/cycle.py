@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Complex, Floats
+from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720

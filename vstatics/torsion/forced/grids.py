@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Complex, Floats, first_largest
-from vstatics.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
+from vstatics.core.numerics.arrays import Complex, Floats, first_largest
+from vstatics.core.tables.grid import Cell, Column, Grid, Row, Values, exact, grid_of, text, whole
 from vstatics.torsion.forced.harmonic_torques import GearResponse
 
 _TITLES = ("amplitudes of links [rad]", "torques of devices [N*m]")

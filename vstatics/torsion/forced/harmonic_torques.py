@@ -9,23 +9,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError
-from vstatics.model.parts import RAD_PER_RPM
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Complex, Floats
-from vstatics.numerics.tolerances import NO_POWER
-from vstatics.tables.answer import Failure, Sometimes, told
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats
+from vstatics.core.numerics.tolerances import NO_POWER
+from vstatics.core.tables.answer import Failure, Sometimes, told
 from vstatics.torsion.forced.cycle import Sum, summed
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
-from vstatics.torsion.system.working_points import (
-    Ratios,
-    WorkingGear,
-    working_gear,
-)
+from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_gear
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid

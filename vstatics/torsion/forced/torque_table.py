@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from vstatics.errors import Problem, ReadError
-from vstatics.readers.named.headings import TableColumn
-from vstatics.readers.unit_table import read_unit_table
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.torsion.forced.harmonic_torques import Harmonic
 
 COLUMNS = (

@@ -14,15 +14,11 @@ from functools import cached_property
 import numpy as np
 from scipy import linalg
 
-from vstatics.numerics.arrays import Complex, Floats
+from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.tolerances import UNMOVED
-from vstatics.torsion.vibration.eigen_pairs import (
-    massless_parts,
-    resisting_rows,
-    rigid_basis,
-)
+from vstatics.torsion.vibration.eigen_pairs import massless_parts, resisting_rows, rigid_basis
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes, weighted_twists
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vstatics.tables.grid import Grid, Values, grid_of
+from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.random.random_vibration import GearRandom
 
 _DEVICES = ("twist [rad]", "rate [rad/s]", "torque [N*m]", "crossings [1/s]", "life [s]")

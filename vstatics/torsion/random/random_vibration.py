@@ -9,13 +9,11 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.damage.rayleigh import rayleigh_life
-from vstatics.errors import CaseError
-from vstatics.model.fatigue import Fatigue
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.tables.answer import Failure, Sometimes, told
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.answer import Failure, Sometimes, told
 from vstatics.torsion.forced.harmonic_torques import not_excitable
 from vstatics.torsion.random.excited import ExcitedGear
 from vstatics.torsion.random.spectra import Spectrum
@@ -26,6 +24,8 @@ from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_gear
 from vstatics.torsion.vibration.damped import damped_modes
+from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.damage.rayleigh import rayleigh_life
 
 Excitation = Literal["torque", "motion"]
 

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import Problem
-from vstatics.numerics.arrays import Floats
+from vstatics.core.errors import Problem
+from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import WHOLE
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from vstatics.errors import ReadError
-from vstatics.model.shape import NUMBER, ByKey, KeyShape, Leaf, ListOf, RowOf
-from vstatics.readers.named.reader import read_document
+from vstatics.core.errors import ReadError
+from vstatics.core.model.shape import NUMBER, ByKey, KeyShape, Leaf, ListOf, RowOf
+from vstatics.core.readers.named.reader import read_document
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
 
 KEYS = ("white", "correlation", "points")

@@ -18,7 +18,7 @@ import numpy as np
 from scipy import linalg
 from scipy.integrate import quad_vec
 
-from vstatics.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.torsion.random.excited import ExcitedGear, FirstOrder, without_rounding
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
 from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, UNMOVED

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.errors import spoken
-from vstatics.numerics.tolerances import TIE
+from vstatics.core.errors import spoken
+from vstatics.core.numerics.tolerances import TIE
 from vstatics.torsion.reduction.condensation import tidied
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
-from vstatics.numerics.tolerances import TIE
+from vstatics.core.numerics.tolerances import TIE
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Grid, Values, exact, grid_of
+from vstatics.core.tables.grid import Grid, Values, exact, grid_of
 from vstatics.torsion.reduction.reduced_values import Amounts, GearReduction
 from vstatics.torsion.reduction.simplification import Simplification
 

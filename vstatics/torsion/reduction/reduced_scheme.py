@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import linalg
 
-from vstatics.arguments import refusing
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.tolerances import TIE
+from vstatics.core.arguments import refusing
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.tolerances import TIE
 from vstatics.torsion.reduction.reduced_values import Scales, joined_links, scales
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 from vstatics.torsion.system.bodies import Body

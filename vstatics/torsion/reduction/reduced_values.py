@@ -13,13 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.motions import free_motions
-from vstatics.numerics.tolerances import TIE
-from vstatics.tables.answer import Failure
-from vstatics.tables.numbers import certain
+from vstatics.core.arguments import refusing
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.motions import free_motions
+from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.tables.answer import Failure
+from vstatics.core.tables.numbers import certain
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.model.springs import Spring
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.motions import values_of
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.motions import values_of
 from vstatics.torsion.system.bodies import Body
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem

@@ -24,10 +24,10 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, Problem, listed, nearest, spoken
-from vstatics.numerics.tolerances import TIE
-from vstatics.tables.numbers import certain
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, Problem, listed, nearest, spoken
+from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.tables.numbers import certain
 from vstatics.torsion.reduction.chain import (
     Chain,
     ChainSpring,

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from vstatics.elements.drawing import drawing_of
-from vstatics.elements.kinds import Planetary
-from vstatics.elements.planet_inertia import PlanetInertia, planet_inertias
-from vstatics.model.parts import HOUSING, Mechanism
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.motions import Form
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.kinds import Planetary
+from vstatics.core.elements.planet_inertia import PlanetInertia, planet_inertias
+from vstatics.core.model.parts import HOUSING, Mechanism
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.motions import Form
 
 
 class Body(NamedTuple):

@@ -16,7 +16,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.tables.answer import told
+from vstatics.core.tables.answer import told
 
 
 @told(

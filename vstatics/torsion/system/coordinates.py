@@ -10,8 +10,8 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.motions import Form
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vstatics.errors import CaseError
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.solve import solve
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.statics.solve import solve
 from vstatics.torsion.system.working_points import mean_gear
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.errors import CaseError, spoken
-from vstatics.model.open_converters import without_lambda
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.freewheels import with_engaged
-from vstatics.statics.solve import solve
-from vstatics.statics.status import CONFLICT, TIED_UP
+from vstatics.core.errors import CaseError, spoken
+from vstatics.core.model.open_converters import without_lambda
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.statics.freewheels import with_engaged
+from vstatics.core.statics.solve import solve
+from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system
 from vstatics.torsion.system.slopes import spring_slopes
 

@@ -15,18 +15,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.errors import CaseError, Path, listed, nearest, plural, spoken
-from vstatics.model.converters import Converter
-from vstatics.model.open_converters import with_mechanisms, with_open_converters
-from vstatics.model.parts import RAD_PER_RPM
-from vstatics.model.transmission import Gear, Transmission
-from vstatics.statics.carried import disagree, disagreement, torque_of_pump
-from vstatics.statics.results import Results
-from vstatics.statics.solve import solve
-from vstatics.torsion.system.converters import (
-    WorkingConverter,
-    working_converter,
-)
+from vstatics.core.errors import CaseError, Path, listed, nearest, plural, spoken
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
+from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.solve import solve
+from vstatics.torsion.system.converters import WorkingConverter, working_converter
 from vstatics.torsion.system.gear_system import torsional_system
 from vstatics.torsion.tolerances import REAL_EIGENVALUE
 

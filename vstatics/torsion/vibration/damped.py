@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Complex, Floats
+from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.vibration.eigen_pairs import eigen_pairs, order_of, pencil_of

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5

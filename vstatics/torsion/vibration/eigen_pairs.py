@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
-from vstatics.errors import CaseError
-from vstatics.numerics.arrays import Booleans, Complex, Floats
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import REAL_EIGENVALUE, SAME_MODULUS

@@ -9,16 +9,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, plural, spoken
-from vstatics.extras import higher
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.elimination import dependencies
-from vstatics.numerics.motions import Form
-from vstatics.numerics.tolerances import TIE
-from vstatics.tables.answer import Failure, Sometimes, told
-from vstatics.tables.html import shown
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, plural, spoken
+from vstatics.core.extras import higher
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.elimination import dependencies
+from vstatics.core.numerics.motions import Form
+from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.tables.answer import Failure, Sometimes, told
+from vstatics.core.tables.html import shown
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem, torsional_system

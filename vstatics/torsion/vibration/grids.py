@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from vstatics.tables.grid import Cell, Grid, Values, exact, grid_of, whole
-from vstatics.tables.numbers import certain, fixed
+from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of, whole
+from vstatics.core.tables.numbers import certain, fixed
 from vstatics.torsion.tolerances import LEAST_SHOWN_PART
 from vstatics.torsion.vibration.decays import Decay
 from vstatics.torsion.vibration.gear_modes import GearModes, Mode

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vstatics.numerics.arrays import Complex, Floats, Integers
+from vstatics.core.numerics.arrays import Complex, Floats, Integers
 from vstatics.torsion.tolerances import REAL_EIGENVALUE, SAME_MODULUS
 from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pairs, settled
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined

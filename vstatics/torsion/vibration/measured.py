@@ -10,10 +10,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.arguments import refusing
-from vstatics.errors import CaseError, listed, nearest, quoted, spoken
-from vstatics.model.transmission import Transmission
-from vstatics.tables.answer import told
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, listed, nearest, quoted, spoken
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.tables.answer import told
 from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import vibrating
 from vstatics.torsion.vibration import decrements as formulas

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import LOST_SQUARE

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.motions import Form
-from vstatics.numerics.tolerances import NO_POWER
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.motions import Form
+from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.torsion.system.coordinates import Coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 

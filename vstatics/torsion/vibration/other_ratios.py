@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import LOST_PIVOT, NO_ROW, RESIDUE

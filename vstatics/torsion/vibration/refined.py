@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Complex, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers
 from vstatics.torsion.tolerances import LAST_EIGENVALUE_STEP
 
 MOST_NEWTON_STEPS = 8

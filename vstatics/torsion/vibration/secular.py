@@ -17,14 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
-from vstatics.torsion.tolerances import (
-    AT_NEXT_POLE,
-    AT_POLE,
-    LAST_STEP,
-    LOST_WEIGHT,
-    SAME_SQUARE,
-)
+from vstatics.core.numerics.arrays import Floats
+from vstatics.torsion.tolerances import AT_NEXT_POLE, AT_POLE, LAST_STEP, LOST_WEIGHT, SAME_SQUARE
 
 MOST_ITERATIONS = 60
 """Iterations; each gains more digits than the last, or halves the interval."""

@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.model.transmission import Transmission
-from vstatics.numerics.arrays import Booleans, Floats
-from vstatics.numerics.elimination import dependencies
-from vstatics.numerics.tolerances import NO_POWER
-from vstatics.statics.matrix import column
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.elimination import dependencies
+from vstatics.core.numerics.tolerances import NO_POWER
+from vstatics.core.statics.matrix import column
 from vstatics.torsion.system.coordinates import Values, form_values
 from vstatics.torsion.system.gear_system import TorsionalSystem
 

@@ -15,8 +15,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.motions import Form
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.vibration.crossings import separate_motions

@@ -7,11 +7,11 @@ from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics import Gear, ShiftElement, Transmission
-from vstatics.elements import Element
-from vstatics.elements.drawing import Drawing, transmission
+from vstatics.core.elements import Element
+from vstatics.core.elements.drawing import Drawing, transmission
+from vstatics.core.statics.solve import solve
 from vstatics.pictures import render
-from vstatics.pictures.sheet.style import Style
-from vstatics.statics.solve import solve
+from vstatics.pictures.drawing.style import Style
 
 SVG = "{http://www.w3.org/2000/svg}"
 

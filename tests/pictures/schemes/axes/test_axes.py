@@ -27,12 +27,12 @@ from tests.pictures.schemes.axes.boxes import (
     wheels,
 )
 from tests.pictures.schemes.test_schemes import overlaps
-from vstatics.elements.drawing import drawing_of
-from vstatics.model.transmission import Transmission
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.model.transmission import Transmission
 from vstatics.pictures import pages, picture
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.pictures.schemes.axes.recognition import parallel_axes
 from vstatics.pictures.schemes.scheme import scheme_of
-from vstatics.pictures.sheet.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 
 ROUNDED = 0.1
 """By how much two places may differ that SVG has with two decimals, and scaled. [pt]"""

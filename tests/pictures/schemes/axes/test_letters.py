@@ -11,10 +11,10 @@ import vstatics
 from tests.commands import CASES
 from tests.pictures.schemes.axes.boxes import PAIRS, one_pair, six_speed
 from tests.pictures.schemes.axes.letters import under_letters
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.texts import Language
 from vstatics.pictures import render
-from vstatics.pictures.sheet.style import PAGE_WIDTH, Style
-from vstatics.texts import Language
+from vstatics.pictures.drawing.style import PAGE_WIDTH, Style
 
 QUICK = ("toyota-p410", "dual-clutch-wheels", "power-split")
 SLOW = ("two-stage", "moskvich412", "driveline-8hp70")

@@ -17,7 +17,7 @@ from tests.pictures.schemes.axes.test_axes import check_bridged, check_joined, c
 from tests.pictures.schemes.test_coaxial import crossings, next_box, planar_boxes
 from vstatics import Mechanism, Transmission
 from vstatics.pictures import picture
-from vstatics.pictures.sheet.style import Style
+from vstatics.pictures.drawing.style import Style
 from vstatics.synthesis import box_is_planar
 
 

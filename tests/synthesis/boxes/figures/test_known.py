@@ -6,7 +6,7 @@ import pytest
 
 from tests.synthesis.boxes import hand_boxes
 from tests.synthesis.boxes.figures.random_boxes import RandomBox, numbered_box, random_boxes
-from vstatics.examples import example
+from vstatics.core.examples import example
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import find_boxes
 from vstatics.synthesis.boxes.figures.built import built_box

@@ -9,7 +9,7 @@ import pytest
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.search.elements import PortGears, element_sets
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.joining import set_room

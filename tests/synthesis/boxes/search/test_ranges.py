@@ -6,7 +6,7 @@ from scipy.optimize import least_squares
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.boxes.search.matching import match_room, matched
 from vstatics.synthesis.boxes.search.ranges import divide, lines, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked, fit_room, fitted

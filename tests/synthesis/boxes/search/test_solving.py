@@ -7,7 +7,7 @@ from itertools import combinations, pairwise, permutations
 import numpy as np
 import pytest
 
-from vstatics.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.shifts import neighbours

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import product
 
+from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
 from vstatics.pictures.schemes.axes.places import AxesPlaces, places
@@ -16,7 +17,6 @@ from vstatics.pictures.schemes.axes.stations import stations_of
 from vstatics.pictures.schemes.coaxial.fitting import CLOSEST, FEW_LETTERS
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
-from vstatics.pictures.sheet.style import Style
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 """Between stations: the largest with which all fits into the width. [pt]"""

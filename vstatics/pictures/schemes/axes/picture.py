@@ -6,6 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from matplotlib.figure import Figure
 
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.head import sheet_head
+from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.schemes.axes.drawn.marks import draw_station
 from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet, draw_ends, draw_links
 from vstatics.pictures.schemes.axes.drawn.wheels import draw_pair
@@ -20,9 +23,6 @@ from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.told import told_of
-from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
-from vstatics.statics.results import Results
 
 
 def figures(

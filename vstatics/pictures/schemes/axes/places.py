@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import width
+from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
-from vstatics.pictures.sheet.labels import width
-from vstatics.pictures.sheet.style import SIZE
 
 LEVEL = 4.5
 """From a shaft to the hollow one around it. [pt]"""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from typing import NamedTuple
 
-from vstatics.model.transmission import Transmission
+from vstatics.core.model.transmission import Transmission
 from vstatics.pictures.schemes.scheme import Device, Scheme
 
 MESHED = frozenset({"gear_pair", "internal_pair", "idler"})

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.elements.group import group_of
-from vstatics.elements.kinds import Planetary
-from vstatics.model.parts import Mechanism
-from vstatics.pictures.schemes.axes.recognition import (
-    AxisJoint,
-    ParallelAxes,
-    is_bare_differential,
-)
+from vstatics.core.elements.group import group_of
+from vstatics.core.elements.kinds import Planetary
+from vstatics.core.model.parts import Mechanism
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.labels import width
+from vstatics.pictures.drawing.style import SMALL, Style
+from vstatics.pictures.drawing.words import word
+from vstatics.pictures.schemes.axes.recognition import AxisJoint, ParallelAxes, is_bare_differential
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, extent
 from vstatics.pictures.schemes.glyphs import ABOVE, BELOW, Glyph, Tap, lines_of
@@ -20,10 +20,6 @@ from vstatics.pictures.schemes.planetary import bare_group
 from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.pictures.sheet.labels import width
-from vstatics.pictures.sheet.style import SMALL, Style
-from vstatics.pictures.sheet.words import word
-from vstatics.tables.numbers import typeset
 
 SIGN = 16.0
 """Length of a sleeve or a pack of plates with what leads to it. [pt]"""

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point, Segment
 from vstatics.pictures.schemes.axes.contacts import AxisContact
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import Station
-from vstatics.pictures.sheet.labels import Point, Segment
 
 STACK = 27.0
 """From sign to sign that join the same links. [pt]"""

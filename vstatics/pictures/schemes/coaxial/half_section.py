@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point, height, width
+from vstatics.pictures.drawing.words import teeth_alone
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.places import SIGN_PITCH, SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import half_of
-from vstatics.pictures.sheet.labels import Point, height, width
-from vstatics.pictures.sheet.words import teeth_alone
 
 BOX_ROD = 7.0
 """Length of the line between a box and a bar [pt of letters]."""

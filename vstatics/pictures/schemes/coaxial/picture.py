@@ -9,6 +9,12 @@ from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.head import sheet_head
+from vstatics.pictures.drawing.labels import Point, title_width
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import Pen
+from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.schemes.boxes import BoxText
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state, unchained
 from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
@@ -26,12 +32,6 @@ from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.titles import Titles
 from vstatics.pictures.schemes.told import told_of
-from vstatics.pictures.sheet.head import sheet_head
-from vstatics.pictures.sheet.labels import Point, title_width
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen
-from vstatics.pictures.sheet.style import WIDE_MARGIN, Style
-from vstatics.statics.results import Results
 
 
 class CoaxialSheet(NamedTuple):

@@ -10,12 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, combinations, pairwise, product
 from math import prod
 
-from vstatics.pictures.schemes.coaxial.train import (
-    AXIS,
-    HOUSING_VERTEX,
-    CoaxialTrain,
-    Planes,
-)
+from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
 """Ways to take carriers apart that are tried; where there are more, none is taken apart."""

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from vstatics.pictures.drawing.groups import grouped
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
@@ -12,9 +15,6 @@ from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS, lines_of
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Device, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection
-from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import WIDE_MARGIN
 
 BRAKE = 20.0
 """From the end of its link to the housing. [pt]"""

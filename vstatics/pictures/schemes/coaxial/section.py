@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
-from vstatics.model.transmission import HOUSING
+from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.schemes.boxes import BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes

@@ -6,10 +6,10 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from typing import NamedTuple
 
-from vstatics.elements.lower import DrawnPart
-from vstatics.explain.bodies import on_own_links
-from vstatics.model.parts import HOUSING, Mechanism
-from vstatics.model.transmission import Transmission
+from vstatics.core.elements.lower import DrawnPart
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.parts import HOUSING, Mechanism
+from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.boxes.case_sets import GROUP, case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme
@@ -38,7 +38,7 @@ def built_box(case: Transmission) -> FoundBox | None:
 
     Examples
     --------
-    >>> from vstatics.examples import example
+    >>> from vstatics.core.examples import example
     >>> box = built_box(example("simpson"))
     >>> box.scheme.code, box.input, box.output, box.elements
     ('0-1-2-0-3-1', 4, 1, ((4, 2), (4, 0), (0, -1), (3, -1)))

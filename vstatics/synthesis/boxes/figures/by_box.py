@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 
 
 class BoxFigures(NamedTuple):
@@ -104,8 +104,8 @@ def check_figures(option: str, names: Iterable[str]) -> None:
     >>> check_figures("sort", ["loss", "drag"])
     >>> check_figures("sort", ["los"])
     Traceback (most recent call last):
-    vstatics.errors.CaseError: sort: read `los`, but there is no such figure; did you mean `loss`? \
-[E795]
+    vstatics.core.errors.CaseError: sort: read `los`, but there is no such figure; did you mean \
+`loss`? [E795]
     """
     problems = [
         Problem("E795", no_figure(name, FIGURES), (option,))

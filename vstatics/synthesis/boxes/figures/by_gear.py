@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.gears.case_of_scheme import names_of_mean
 
@@ -99,7 +99,7 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
     --------
     >>> check_weights(["1", "2"], {"3": 1.0})
     Traceback (most recent call last):
-    vstatics.errors.CaseError: weights: read `3`, but the gears of the mean are 1 and 2 [E796]
+    vstatics.core.errors.CaseError: weights: read `3`, but the gears of the mean are 1 and 2 [E796]
     """
     names = [*gears]
     problems = [
@@ -138,7 +138,7 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     >>> check_search_weights(search, {"4": 2.0})
     >>> check_search_weights(search, {"1": 0.0, "2": 0.0, "3": 0.0})
     Traceback (most recent call last):
-    vstatics.errors.CaseError: weights: read 0 for all gears, expected one above 0 [E796]
+    vstatics.core.errors.CaseError: weights: read 0 for all gears, expected one above 0 [E796]
     """
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from itertools import combinations
 
-from vstatics.elements.drawing import Drawing
-from vstatics.elements.element import Element
-from vstatics.elements.kinds import RAVIGNEAUX
-from vstatics.model.parts import HOUSING, Gear, Mechanism, ShiftElement
-from vstatics.model.transmission import Transmission
+from vstatics.core.elements.drawing import Drawing
+from vstatics.core.elements.element import Element
+from vstatics.core.elements.kinds import RAVIGNEAUX
+from vstatics.core.model.parts import HOUSING, Gear, Mechanism, ShiftElement
+from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
 from vstatics.synthesis.structures.scheme import link_name

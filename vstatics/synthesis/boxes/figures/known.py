@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from vstatics.examples import example, example_files
+from vstatics.core.examples import example, example_files
 from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.chosen_gears import Engaged, equal_sets
 from vstatics.synthesis.boxes.figures.built import built_box

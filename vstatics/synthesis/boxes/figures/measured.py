@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple, cast
 
-from vstatics.flow.power import shown_flow
-from vstatics.model.parts import Gear
-from vstatics.model.transmission import Transmission
-from vstatics.statics.freewheels import find_state
-from vstatics.statics.state import GearState, values_of
+from vstatics.core.flow.power import shown_flow
+from vstatics.core.model.parts import Gear
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.freewheels import find_state
+from vstatics.core.statics.state import GearState, values_of
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import (
     Engaged,

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 
-from vstatics.arguments import refusing
-from vstatics.explain.bodies import on_own_links
-from vstatics.extras import require
-from vstatics.model.parts import HOUSING
-from vstatics.model.transmission import Transmission
+from vstatics.core.arguments import refusing
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.extras import require
+from vstatics.core.model.parts import HOUSING
+from vstatics.core.model.transmission import Transmission
 
 Edge = tuple[int, int]
 AXIS = -1
@@ -43,7 +43,7 @@ def box_is_planar(case: Transmission) -> bool:
 
     Examples
     --------
-    >>> from vstatics.model.transmission import Gear, Mechanism
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> box_is_planar(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
     True
     """

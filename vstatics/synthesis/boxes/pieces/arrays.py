@@ -6,7 +6,7 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.joining import set_room

@@ -7,7 +7,7 @@ from threading import get_ident
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import set_ratios
 from vstatics.synthesis.boxes.pieces.arrays import asked_arrays, room_of, single_shifts

@@ -8,10 +8,10 @@ from hashlib import sha256
 from itertools import islice
 from typing import Any, NamedTuple
 
-from vstatics.errors import CaseError
-from vstatics.extras import build
-from vstatics.jobs.finished_pieces import FinishedPieces
-from vstatics.jobs.piece_file import Account, piece_bytes, read_segments, write_piece
+from vstatics.core.errors import CaseError
+from vstatics.core.extras import build
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.core.jobs.piece_file import Account, piece_bytes, read_segments, write_piece
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
 from vstatics.synthesis.boxes.pieces.found import FoundPiece, found_in

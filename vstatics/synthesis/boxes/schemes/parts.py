@@ -9,7 +9,7 @@ from itertools import chain, combinations_with_replacement, groupby, permutation
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, Codes
 from vstatics.synthesis.structures.growth import StructureSearch, batches
 

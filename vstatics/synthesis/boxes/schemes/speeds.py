@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 

@@ -13,17 +13,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
+from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme, with_choices
 from vstatics.synthesis.boxes.schemes.parts import Part, codes_of, counts, splits
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes, orders
-from vstatics.synthesis.structures.growth import (
-    SchemeBatch,
-    StructureSearch,
-    batches,
-    next_batch,
-)
+from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, batches, next_batch
 from vstatics.synthesis.structures.least_codes import symmetries
 
 COUNTED = 500

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached

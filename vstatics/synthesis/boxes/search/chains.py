@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Booleans, Integers
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.engaged import Combinations
 
 

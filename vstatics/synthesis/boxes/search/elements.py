@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.numerics.arrays import Integers
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Integers
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join

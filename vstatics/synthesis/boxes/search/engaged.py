@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.box import HELD
 
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Integers
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.elements import PortGears, element_sets, find_ratios
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Floats, Integers
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,

@@ -7,8 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from vstatics.numerics.arrays import Integers
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.arrays import Integers
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import SetRoom
 

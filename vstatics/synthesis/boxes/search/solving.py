@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.cells import (
     RatioCells,
     cells_room,
@@ -27,12 +27,7 @@ from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room, chaine
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
-from vstatics.synthesis.boxes.search.set_ratios import (
-    Asked,
-    FitRoom,
-    fit_room,
-    fitted_within,
-)
+from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
 
 SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
 """A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again

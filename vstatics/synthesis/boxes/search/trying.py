@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.elements import PortGears, sets_after
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.model.transmission import HOUSING
+from vstatics.core.model.transmission import HOUSING
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.labels import Point, Segment
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import LINE_WIDTH
+from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE, ROOF
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
@@ -15,11 +20,6 @@ from vstatics.pictures.schemes.coaxial.rooms import ends_of
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
-from vstatics.pictures.sheet.labels import Point, Segment
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH
-from vstatics.pictures.sheet.style import SMALL
-from vstatics.tables.numbers import typeset
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:

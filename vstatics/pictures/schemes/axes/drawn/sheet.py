@@ -6,6 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from vstatics.pictures.drawing.labels import Point, Segment
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import LINE_WIDTH
+from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel
 from vstatics.pictures.schemes.axes.letters.link_names import NAME_GAP, ends_of, free_names
@@ -20,10 +24,6 @@ from vstatics.pictures.schemes.axes.wires import (
 )
 from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.scheme import SchemePort
-from vstatics.pictures.sheet.labels import Point, Segment
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH
-from vstatics.pictures.sheet.style import SMALL
 
 DOT = 4.2
 """Where a link branches. [pt]"""

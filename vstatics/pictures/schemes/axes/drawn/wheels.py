@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import CONE, CONE_RIM
 from vstatics.pictures.schemes.axes.recognition import FAR
 from vstatics.pictures.schemes.axes.stations import WHEEL
 from vstatics.pictures.schemes.glyphs import MESH, TOOTH
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.line_styles import Look
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:

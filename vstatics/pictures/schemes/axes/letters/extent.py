@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel, device_labels
 from vstatics.pictures.schemes.axes.letters.link_names import fixed_names
 from vstatics.pictures.schemes.axes.letters.obstacles import Obstacle, Rectangle, obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.scheme import Scheme
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import WIDE_MARGIN
 
 
 class AxesLetters(NamedTuple):

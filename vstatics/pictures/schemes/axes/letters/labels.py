@@ -8,6 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.style import SIZE, SMALL
 from vstatics.pictures.schemes.axes.letters.obstacles import (
     BOX,
     BRAKE,
@@ -21,8 +23,6 @@ from vstatics.pictures.schemes.axes.letters.obstacles import (
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import CAGE, Station
 from vstatics.pictures.schemes.axes.wires import sign_height
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.style import SIZE, SMALL
 
 LINE = 1.2
 """Height of a line of a text over the size of its letters."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.schemes.axes.letters.obstacles import Obstacle, Rectangle
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
-from vstatics.pictures.sheet.labels import Point
 
 NAME_GAP = 3.0
 """From an end to its name. [pt]"""

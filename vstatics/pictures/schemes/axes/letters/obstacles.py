@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import CROSSED, FAR
@@ -13,7 +14,6 @@ from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Sta
 from vstatics.pictures.schemes.axes.wires import link_lines, sign_height
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
-from vstatics.pictures.sheet.labels import Point
 
 BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
 """Heights: of a brake and of a drum over the middle of signs, half of a box, of a sign. [pt]"""

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vstatics.pictures.drawing.labels import Point, width
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import corners
 from vstatics.pictures.schemes.boxes import GROUND, LINE, PAD, BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.glyphs import HATCH_WIDTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import wheel_taps
-from vstatics.pictures.sheet.labels import Point, width
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import corners
 
 BOX_LINE = 1.8
 """Width of the outline of a box [pt]."""

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
+from vstatics.pictures.drawing.labels import Point, height, width
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.boxes import BoxText
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain
 from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_chain_box
@@ -15,9 +18,6 @@ from vstatics.pictures.schemes.glyphs import lines_of
 from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled, half_of
-from vstatics.pictures.sheet.labels import Point, height, width
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.style import WIDE_MARGIN
 
 Texts = Mapping[int, BoxText]
 """Texts of boxes by their places in a scheme."""

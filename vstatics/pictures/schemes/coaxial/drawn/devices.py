@@ -4,27 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.model.transmission import HOUSING
+from vstatics.core.model.transmission import HOUSING
+from vstatics.pictures.drawing.labels import Point
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import LINE_WIDTH
+from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_box, draw_pair_box
 from vstatics.pictures.schemes.coaxial.drawn.ports import port_arrow
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
-from vstatics.pictures.schemes.coaxial.rooms import (
-    BRAKE,
-    SET_NAME,
-    middle_of,
-    pair_name,
-    top_name,
-)
+from vstatics.pictures.schemes.coaxial.rooms import BRAKE, SET_NAME, middle_of, pair_name, top_name
 from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
-from vstatics.pictures.sheet.labels import Point
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import LINE_WIDTH
-from vstatics.pictures.sheet.style import SMALL
 
 SIGN_NAME = 12.0
 """From the middle of a coupling to its name. [pt]"""

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.groups import grouped
+from vstatics.pictures.drawing.labels import Point, Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE, ends_of, met_by
 from vstatics.pictures.schemes.sets import axles, wheel_taps
-from vstatics.pictures.sheet.groups import grouped
-from vstatics.pictures.sheet.labels import Point, Segment
 
 
 class Wires(NamedTuple):

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
+from vstatics.pictures.drawing.labels import Point, Segment, height, width
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import Pen, corners
 from vstatics.pictures.schemes.coaxial.drawn.lines import meeting, wires_of
 from vstatics.pictures.schemes.coaxial.drawn.passing import passed
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE, NAME_GAP, ends_of, loose_names
 from vstatics.pictures.schemes.ink import SchemeInk, centred
-from vstatics.pictures.sheet.labels import Point, Segment, height, width
-from vstatics.pictures.sheet.line_styles import Look
-from vstatics.pictures.sheet.pen import Pen, corners
 
 BRIDGE, BRIDGE_GAP = 5.0, 1.4
 """How far a bridge reaches from a crossing, and half its gap. [pt]"""

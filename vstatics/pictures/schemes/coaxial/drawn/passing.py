@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from vstatics.pictures.sheet.labels import Point, Segment
+from vstatics.pictures.drawing.labels import Point, Segment
 
 
 def passed(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import PORT_NAME, ends_of
 from vstatics.pictures.schemes.ink import ARROW, FURTHER, SchemeInk, centred, draw_arrow
 from vstatics.pictures.schemes.scheme import SchemePort
-from vstatics.pictures.sheet.labels import Point
 
 
 def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled, fill
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled, fill
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.numerics.compiled import compiled
+from vstatics.core.numerics.compiled import compiled
 from vstatics.synthesis.boxes.search.chains import chained
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom, Sequence, SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked

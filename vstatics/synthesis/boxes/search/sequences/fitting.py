@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled, fill, put
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled, fill, put
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import (
     FIRST_TURNS,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds
 from vstatics.synthesis.boxes.search.sequences.choosing import (
     Goal,

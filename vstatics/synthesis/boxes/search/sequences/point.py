@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled, put
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled, put
 from vstatics.synthesis.boxes.search.sequences.choosing import set_elements
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed

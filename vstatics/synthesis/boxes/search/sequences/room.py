@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations

@@ -15,8 +15,8 @@ from __future__ import annotations
 
 import math
 
-from vstatics.numerics.arrays import Floats
-from vstatics.numerics.compiled import compiled, fill, put
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.compiled import compiled, fill, put
 from vstatics.synthesis.boxes.search.cells import change_along
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds

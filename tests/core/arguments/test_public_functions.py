@@ -1,0 +1,157 @@
+"""Whoever gives a public function something else is told what it takes, by that function."""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from vstatics import CaseError, simulation, synthesis, torsion
+from vstatics.core import elements
+from vstatics.core.arguments import naming
+
+ROOMS: tuple[Any, ...] = (vstatics, elements, torsion, simulation, synthesis)
+FUNCTIONS: dict[str, Any] = {
+    name: function
+    for room in ROOMS
+    for name in room.__all__
+    if inspect.isfunction(function := getattr(room, name))
+}
+CASE = vstatics.load(CASES / "simpson.yaml")
+RESULTS = vstatics.solve(CASE)
+WRONG = {
+    "nothing": None,
+    "text": "x",
+    "path": Path("nowhere.yaml"),
+    "number": 4,
+    "half": 0.5,
+    "mapping": {},
+    "numbers": (2, 4, 2),
+    "rows": [None],
+    "bytes": b"x",
+    "thing": object(),
+    "results": RESULTS,
+    "case": CASE,
+    "class": vstatics.Transmission,
+    "array": np.ones(3),
+}
+
+
+def arguments_of(function: Any) -> list[str]:
+    return [
+        name
+        for name, one in inspect.signature(function).parameters.items()
+        if one.kind is not inspect.Parameter.VAR_KEYWORD
+    ]
+
+
+@pytest.mark.parametrize("wrong", WRONG.values(), ids=WRONG)
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_no_fault_of_python_leaves_a_function(
+    name: str, wrong: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    try:
+        FUNCTIONS[name](wrong)
+    except (vstatics.VstaticsError, OSError, ValueError):
+        return
+    except TypeError as error:  # for which it said what it takes, or lacks what else it needs
+        assert "expected" in str(error) or "missing" in str(error)  # noqa: PT017
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_argument_of_every_function_is_of_a_type(name: str) -> None:
+    """Before anything is done: what else the function needs is not there."""
+    function = FUNCTIONS[name]
+    first, *others = arguments_of(function)
+    with pytest.raises(TypeError, match=rf"^{name} of <object .*expected"):
+        function(object())
+    for argument in others:
+        with pytest.raises(TypeError, match=rf"^{name}: `{argument}` is <object .*expected"):
+            function(**{argument: object()})
+    if first != "drawing":  # whose function hands others on
+        with pytest.raises(TypeError, match=rf"^{name}: there is no argument `nix`; there are "):
+            function(nix=1)
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: vstatics.sweep("box"), "sweep of str 'box': expected a Transmission or a Varied"),  # type: ignore[arg-type]
+        (lambda: vstatics.simulate(CASE), "expected a Scenario; vstatics.load_scenario reads"),  # type: ignore[arg-type]
+        (lambda: torsion.modes("box.yaml"), "modes of str 'box.yaml': expected a Transmission; "),  # type: ignore[arg-type]
+        (lambda: torsion.modes(CASE, "12"), "expected a sequence of a whole number or a text"),
+        (lambda: vstatics.cycle("x", "y"), "a Transmission; vstatics.load reads a file"),  # type: ignore[arg-type]
+        (lambda: synthesis.find_boxes((2, 4, 2)), r"tuple \(2, 4, 2\): expected a BoxSearch"),  # type: ignore[arg-type]
+        (lambda: vstatics.save(RESULTS, "x.yaml"), "a Transmission; its `case` is one"),  # type: ignore[arg-type]
+        (lambda: vstatics.check(CASE), "check of <Transmission .*: expected a path"),  # type: ignore[arg-type]
+        (lambda: vstatics.check(1), "check of int 1: expected a path"),  # type: ignore[arg-type]
+        (lambda: vstatics.solve(CASE, ratios={}), "`ratios` is dict {}, expected an array"),  # type: ignore[arg-type]
+        (lambda: vstatics.summarize(RESULTS, at_mots=1), "`at_mots`; did you mean `at_most`"),  # type: ignore[call-arg]
+    ],
+)
+def test_a_wrong_type_is_told_with_what_to_give(call: Any, said: str) -> None:
+    with pytest.raises(TypeError, match=said):
+        call()
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: RESULTS.plot(lang="fr"), "`lang` is str 'fr', expected 'en' or 'ru'"),
+        (lambda: vstatics.solve(CASE, idle="exakt"), "did you mean `exact`"),  # type: ignore[arg-type]
+        (lambda: simulation.simulate(method="x"), "expected 'events' or 'tarasik'"),  # type: ignore[call-arg, arg-type]
+    ],
+)
+def test_a_word_is_one_of_those_that_may_be_chosen(call: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=said):
+        call()
+
+
+def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
+    numbers: Any = np.array([20, 2]), np.float32(0.5), np.bool_(True)
+    whole, half, yes = numbers
+    assert vstatics.solve(CASE, coast=yes).case.coast
+    assert vstatics.summarize(RESULTS, at_most=whole[0], reserve=half)
+    sprung = vstatics.load(CASES / "moskvich412.yaml")
+    gears: Any = iter(["1", whole[1]])
+    assert [one.name for one in torsion.modes(sprung, gears)] == ["1", "2"]
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: vstatics.sweep(CASE, where="ratio >"), "where:1:8: error"),
+        (lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"), "out:1:7: error"),
+        (lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"), "expected one, `shifts`, or `leas"),
+    ],
+)
+def test_python_is_told_of_arguments_not_of_options(call: Any, said: str) -> None:
+    with pytest.raises(CaseError) as caught:
+        call()
+    assert said in str(caught.value)
+    assert "--" not in str(caught.value)
+
+
+def _cycle(trace: str) -> None:
+    Path("trace.csv").write_text(trace, encoding="utf-8")
+    vstatics.cycle(CASE.replace(vehicle=vstatics.Vehicle(1000, 0.3)), "trace.csv")
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_an_option_that_is_no_argument_stays_one() -> None:
+    @naming
+    def told(by: str) -> None:
+        raise CaseError("E432", f"expected --by, or -- and --bye {by}")
+
+    with pytest.raises(CaseError, match="expected `by`, or -- and --bye x"):
+        told("x")

@@ -1,0 +1,170 @@
+"""Problems in the formats of CI: annotations of GitHub, SARIF, JUnit; the hook of pre-commit."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from urllib.parse import unquote
+from xml.etree import ElementTree as ET
+
+import pytest
+import yaml
+
+from tests.commands import ROOT, vstatics
+
+pytestmark = pytest.mark.usefixtures("files")
+FILES = ("bad.yaml", "neutral.yaml", "tied.yaml", "none.yaml")
+"""An error, a warning, an error of a gear, a file that is not there."""
+
+
+@pytest.fixture
+def records() -> list[dict[str, str]]:
+    """The problems as JSON tells them."""
+    found: list[dict[str, str]] = json.loads(vstatics("check", *FILES, "-f", "json").out)
+    assert {one["severity"] for one in found} == {"error", "warning"}
+    return found
+
+
+def unescaped(text: str) -> str:
+    """As GitHub reads it."""
+    for code, sign in (("%2C", ","), ("%3A", ":"), ("%0A", "\n"), ("%0D", "\r"), ("%25", "%")):
+        text = text.replace(code, sign)
+    return text
+
+
+def test_annotations_of_github_are_the_problems(records: list[dict[str, str]]) -> None:
+    said = vstatics("check", *FILES, "-f", "github")
+    assert (said.status, said.err) == (1, "")
+    read = []
+    for told in said.out.splitlines():
+        match = re.fullmatch(r"::(error|warning|notice) ([^:]*)::(.*)", told)
+        assert match
+        keys = dict(part.split("=") for part in match[2].split(","))
+        read.append((match[1], unescaped(keys["file"]), keys.get("line"), keys["title"], match[3]))
+    assert read == [
+        (
+            one["severity"],
+            one["file"],
+            str(one["line"]) if one["line"] else None,
+            one["id"],
+            one["message"].replace("%", "%25"),
+        )
+        for one in records
+    ]
+
+
+def test_what_means_something_to_github_is_escaped() -> None:
+    Path("50%,a:b.yaml").write_text(Path("bad.yaml").read_text(), "utf-8")
+    said = vstatics("check", "50%,a:b.yaml", "-f", "github")
+    assert said.out.startswith("::error file=50%25%2Ca%3Ab.yaml,line=3,")
+
+
+def test_a_note_is_a_notice() -> None:
+    said = vstatics(
+        "check", ROOT / "vstatics/core/writers/messages/examples/N203.yaml", "-f", "github"
+    )
+    assert said.status == 0
+    assert "title=N203::" in said.out
+    assert said.out.startswith("::notice ") or "\n::notice " in said.out
+
+
+def test_sarif_has_results_and_the_rules_that_occur(records: list[dict[str, str]]) -> None:
+    Path("my boxes").mkdir()
+    for file in FILES[:-1]:
+        Path("my boxes", file).write_bytes(Path(file).read_bytes())
+    absolute = [Path("my boxes", file).absolute() for file in FILES]
+    said = vstatics("check", *absolute, "-f", "sarif")
+    assert said.status == 1
+    made = json.loads(said.out)
+    assert made["version"] == "2.1.0"
+    [run] = made["runs"]
+    rules = [rule["id"] for rule in run["tool"]["driver"]["rules"]]
+    assert rules == sorted({one["id"] for one in records})
+    for result, record in zip(run["results"], records, strict=True):
+        assert rules[result["ruleIndex"]] == result["ruleId"] == record["id"]
+        assert result["level"] == record["severity"]
+        hint = "; did you mean"  # of a file nearby, which is another there
+        assert result["message"]["text"].split(hint)[0] == record["message"].split(hint)[0]
+        [place] = result["locations"]
+        physical = place["physicalLocation"]
+        uri = physical["artifactLocation"]["uri"]
+        assert unquote(uri) == f"my boxes/{record['file']}"
+        assert " " not in uri
+        line = physical.get("region", {}).get("startLine")
+        assert line == record["line"]
+
+
+def test_junit_fails_by_warnings_only_with_strict(records: list[dict[str, str]]) -> None:
+    def failures(*options: str) -> dict[str, ET.Element | None]:
+        said = vstatics("check", *FILES, "-f", "junit", *options)
+        root = ET.fromstring(said.out.encode())  # noqa: S314
+        assert root.tag == "testsuites"
+        [suite] = root
+        assert suite.get("name") == "vstatics check"
+        assert suite.get("failures") == str(len(list(suite.iter("failure"))))
+        return {str(one.get("name")): one.find("failure") for one in suite}
+
+    plain, strict = failures(), failures("--strict")
+    assert list(plain) == list(FILES)
+    assert [name for name, one in plain.items() if one is None] == ["neutral.yaml"]
+    assert all(one is not None for one in strict.values())
+    for name, failure in strict.items():
+        own = [one for one in records if one["file"] == name]
+        assert failure is not None
+        assert failure.get("type") == own[0]["id"]
+        assert all(one["message"] in str(failure.text) for one in own)
+
+
+@pytest.mark.parametrize(("name", "form"), [("x.sarif", "sarif"), ("x.xml", "junit")])
+def test_a_suffix_tells_the_format(name: str, form: str) -> None:
+    said = vstatics("check", "bad.yaml", "-o", name)
+    assert (said.status, said.out) == (1, "")
+    assert Path(name).read_text("utf-8") == vstatics("check", "bad.yaml", "-f", form).out
+
+
+def test_a_hook_of_pre_commit_checks_cases() -> None:
+    [hook] = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
+    assert (hook["id"], hook["language"]) == ("vstatics-check", "python")
+    command, *arguments = hook["entry"].split()
+    assert command == "vstatics"
+    assert vstatics(*arguments, "neutral.yaml").status == 0
+    assert vstatics(*arguments, "bad.yaml", "neutral.yaml").status == 1
+    assert re.search(hook["files"], "cases/box.yaml")
+    assert not re.search(hook["files"], ".github/workflows/ci.yaml")
+
+
+@pytest.mark.parametrize("form", ["github", "sarif", "junit", "json", "text"])
+def test_a_red_job_has_a_red_report(form: str) -> None:
+    """With -q a warning is not told, but that it makes the case fail, and its id, is."""
+    said = vstatics("check", "neutral.yaml", "-q", "--strict", "-f", form)
+    told = said.err if form == "text" else said.out
+    assert (said.status, "1 warning (W414), which --strict makes fail" in told) == (1, True)
+    assert vstatics("check", "neutral.yaml", "-q").out == ""
+
+
+def test_a_case_that_several_scenarios_name_is_told_of_once() -> None:
+    """But in JUnit, where each file has its own verdict."""
+    names = ("8hp70-upshift", "8hp70-downshift")
+    scenarios = [ROOT / "cases/scenarios" / f"{name}.yaml" for name in names]
+    alone = json.loads(vstatics("check", ROOT / "cases/driveline-8hp70.yaml", "-f", "json").out)
+    found = json.loads(vstatics("check", *scenarios, "-f", "json").out)
+    of_case = [one["line"] for one in found if one["file"].endswith("driveline-8hp70.yaml")]
+    assert of_case == [one["line"] for one in alone]
+    assert of_case
+
+
+def test_paths_of_annotations_are_relative() -> None:
+    said = vstatics("check", Path("neutral.yaml").absolute(), "-f", "github")
+    assert said.out.startswith("::warning file=neutral.yaml,")
+
+
+@pytest.mark.parametrize("end", ["\n", "\0"])
+def test_a_list_of_files_is_checked_as_if_they_were_named(end: str) -> None:
+    """Those of a commit, say: `git diff --name-only -z`."""
+    listed = "".join(f"{name}{end}" for name in FILES).encode()
+    for form in ("text", "json", "junit"):
+        said = vstatics("check", "--files-from", "-", "-f", form, stdin=listed)
+        assert said == vstatics("check", *FILES, "-f", form)
+    none = vstatics("check", "--files-from", "-", "-f", "json", stdin=b"")
+    assert (none.status, none.out, none.err) == (0, "[]\n", "<stdin>: names no file\n")

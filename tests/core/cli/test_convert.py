@@ -1,0 +1,137 @@
+"""Cases from one format to another: nothing is lost without a word."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+
+import vstatics as library
+from tests.chance import count, some
+from tests.commands import MZKT, NEUTRAL, SHIPPED, vstatics
+from tests.strategies import ANY_NUMBER, transmissions
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers import read
+from vstatics.core.writers import deck, named
+
+SUFFIXES = {"deck": ".dat", "yaml": ".yaml", "json": ".json"}
+KEEPS_ALL = ("yaml", "json")
+
+
+def kept(case: Transmission, form: str) -> Transmission:
+    """What a format keeps of a case.
+
+    A deck has no place for description, source, load, further outputs and operating points;
+    it has mechanisms in place of elements, and freewheels are engaged where they hold.
+    """
+    if form in KEEPS_ALL:
+        return case
+    settled = library.solve(case).with_numbers_only
+    plain = [element._replace(kind="") for element in settled.shift_elements]
+    gears = [gear._replace(kind="gear") for gear in settled.gears]
+    bare = {"description": "", "source": "", "load": None, "drawing": None, "outputs": ()}
+    return replace(settled, shift_elements=plain, gears=gears, **bare)  # type: ignore[arg-type]
+
+
+def suffixes(case: Transmission) -> dict[str, str]:
+    """The formats that can hold a case; a deck has no springs and no inertias."""
+    no_deck = case.springs or case.inertias
+    return {form: SUFFIXES[form] for form in KEEPS_ALL} if no_deck else SUFFIXES
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", some(SHIPPED), ids=lambda path: path.name)
+def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> None:
+    case = library.load(path)
+    for form, suffix in suffixes(case).items():
+        target = tmp_path / f"first{suffix}"
+        said = vstatics("convert", path, target)
+        expected = (
+            [] if form in KEEPS_ALL else [f"{target}: not kept: {w}" for w in deck.lost(case)]
+        )
+        assert (said.status, said.out) == (1 if expected else 0, "")
+        assert [line for line in said.err.splitlines() if "not kept" in line] == expected
+        assert library.load(target) == kept(case, form)
+        for again, ending in suffixes(case).items():
+            second = tmp_path / f"second{ending}"
+            vstatics("convert", target, second)
+            assert library.load(second) == kept(library.load(target), again)
+
+
+@pytest.mark.parametrize("form", SUFFIXES)
+def test_a_stream_is_written_in_the_format_asked_for(form: str) -> None:
+    said = vstatics("convert", "-", "-", "--to", form, stdin=MZKT.read_bytes())
+    assert (said.status, said.err) == (0, "")
+    assert read(said.out.encode(), "", form).case == library.load(MZKT)  # type: ignore[arg-type]
+
+
+def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
+    target = tmp_path / "case.dat"
+    assert vstatics("convert", MZKT, target, "--to", "json").status == 0
+    assert json.loads(target.read_text(encoding="utf-8"))["links"] == 6
+    said = vstatics("convert", target, tmp_path / "back.dat")
+    assert (said.status, "case.dat:1:1: error" in said.err) == (1, True)
+    assert vstatics("convert", target, tmp_path / "back.dat", "--from", "json").status == 0
+    assert library.load(tmp_path / "back.dat") == library.load(MZKT)
+
+
+def test_a_printed_report_is_converted_like_its_deck() -> None:
+    report = vstatics("run", MZKT).out.encode()
+    assert vstatics("convert", "-", "-", "--to", "yaml", stdin=report) == vstatics(
+        "convert", MZKT, "-", "--to", "yaml"
+    )
+
+
+def test_warnings_of_the_input_are_told_and_it_is_converted() -> None:
+    """A planetary set with u > 0 and no planet ratio has no planet speed: a warning."""
+    text = NEUTRAL.replace("-2.5", "2.5").encode()
+    said = vstatics("convert", "-", "-", "--to", "deck", stdin=text)
+    assert said.status == 0
+    assert said.err.startswith("<stdin>:3:")
+    assert ": warning: " in said.err
+    assert "KJG= 3" in said.out
+
+
+def test_what_cannot_be_read_is_not_converted(tmp_path: Path) -> None:
+    said = vstatics("convert", tmp_path / "nowhere.dat", tmp_path / "new.yaml")
+    assert (said.status, list(tmp_path.iterdir())) == (1, [])
+    assert "nowhere.dat: error: can't be read" in said.err
+
+
+def test_a_conflict_of_freewheels_is_told_as_a_deck_knows_none() -> None:
+    """The output turns backward, which the freewheel there does not let it."""
+    text = """
+links: 2
+shift_elements: {L: {kind: freewheel, links: [2, 0]}}
+mechanisms: {pair: {first: 1, second: 2, ratio: -1}}
+gears: {R: {}}
+"""
+    said = vstatics("convert", "-", "-", "--to", "deck", stdin=text.encode())
+    assert said.status == 1
+    assert "not kept: that gear R is in conflict" in said.err
+
+
+@settings(max_examples=count(8, 60))
+@given(transmissions(ANY_NUMBER, follow=False))
+def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
+    assert read(named.write_yaml(case).encode(), "", "yaml").case == case
+    assert read(named.write_json(case).encode(), "", "json").case == case
+    assert read(deck.write(case).encode(), "", "deck").case == kept(case, "deck")
+    assert deck.lost(case) == [
+        what for what in ("description", "source") if getattr(case, what) != ""
+    ]
+
+
+def test_what_a_command_allows_is_not_part_of_the_case(tmp_path: Path) -> None:
+    """It is for the call: a case that is written, and a result, are what they are without it."""
+    case = tmp_path / "doubtful.yaml"
+    case.write_text(NEUTRAL.replace("-2.5", "2.5"), encoding="utf-8")
+    for call in (["convert", case, "-", "--to", "yaml"], ["run", case, "-f", "json"]):
+        told, allowed = vstatics(*call), vstatics(*call, "--allow", "W201,w414")
+        assert ("W201" in allowed.out, "W414" in allowed.out, allowed.err) == (False, False, "")
+        assert "warning: " in told.err
+    made = json.loads(allowed.out)
+    assert made["case"] == json.loads(told.out)["case"]

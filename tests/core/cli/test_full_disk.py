@@ -1,0 +1,204 @@
+"""A disk that is full at any moment: the output is named, and with room again the work goes on.
+
+The reference is the result of the same command with room. A small file system is really full,
+page by page and file by file; where none can be mounted, each call of the system fails in turn.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import subprocess
+from collections.abc import Callable, Iterator
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.chance import seeded
+from tests.commands import Said
+from tests.core.cli.states import COMMANDS, StatedCommand, prepare, remove
+from vstatics.synthesis.cli.box.output import RECORD
+
+PAGE = 4096
+COMMANDS_ONCE = {name: entry for name, entry in COMMANDS.items() if name != "record of boxes"}
+FULL = "can't be written: |are free there"
+RECORDS = (RECORD, ".vstatics-run-json")
+"""Hidden files that stay in a folder of results."""
+
+
+def whole(command: StatedCommand) -> dict[str, bytes]:
+    """Return the result of a command with room."""
+    assert command.call("-q").status == 0
+    expected = command.written()
+    clean(command)
+    return expected
+
+
+def clean(command: StatedCommand) -> None:
+    remove(command)
+    remove(command._replace(folder=command.folder.removesuffix(".parts")))
+
+
+def judge(said: Said, command: StatedCommand) -> None:
+    """A command that could not write names its output, and --resume where work is left."""
+    name = command.output.rstrip("/")
+    assert said.status == 1, said
+    assert "an error of vstatics" not in said.err
+    assert "<stdout>" not in said.err
+    lines = [line for line in said.err.splitlines() if re.search(FULL, line)]
+    assert lines, said
+    assert all(name in line for line in lines), said
+    work = [
+        entry for entry in command.state if Path(entry).name not in ("lock", "plan.json", "output")
+    ]
+    results = command.written() if command.folder == "out" else {}
+    if results or any(is_work(Path(entry)) for entry in work):
+        assert "--resume" in said.err, (said, work)
+
+
+def is_work(file: Path) -> bool:
+    """Whether a file of a state has more than its first line, which says of what run it is."""
+    data = file.read_bytes()
+    return file.name.isdigit() or data.count(b"\n") > 1
+
+
+def goes_on(command: StatedCommand, expected: dict[str, bytes]) -> None:
+    """With room the command goes on to the same bytes, and leaves nothing."""
+    said = command.call("--resume")
+    assert said.status == 0, said
+    assert command.written() == expected
+    there = {str(path) for path in Path().rglob("*")}
+    left = {entry for entry in there if ".parts" in entry or ".vstatics" in entry}
+    assert {entry for entry in left if Path(entry).name not in RECORDS} == set()
+    clean(command)
+
+
+@pytest.fixture
+def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A small file system with the inputs."""
+    place = tmp_path / "small"
+    place.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=256k,nr_inodes=64", "tmpfs", str(place)]
+    try:
+        is_mounted = subprocess.run(mount, capture_output=True, check=False).returncode == 0
+    except OSError:
+        is_mounted = False
+    if not is_mounted:
+        pytest.skip("nothing can be mounted here")
+    prepare(place, monkeypatch)
+    yield place
+    monkeypatch.chdir(tmp_path)
+    subprocess.run(["umount", str(place)], check=True)
+
+
+def fill_pages(place: Path, free: int) -> None:
+    """Leave so many pages."""
+    status = os.statvfs(place)
+    with (place / "ballast").open("wb") as file:
+        file.write(bytes((status.f_bavail * status.f_frsize // PAGE - free) * PAGE))
+
+
+def fill_inodes(place: Path, free: int) -> None:
+    """Leave room for so many files."""
+    for number in range(os.statvfs(place).f_favail - free):
+        (place / f"ballast {number}").touch()
+
+
+def unload(place: Path) -> None:
+    for path in place.glob("ballast*"):
+        path.unlink()
+
+
+def try_full(command: StatedCommand, fill: Callable[[Path, int], None], place: Path) -> int:
+    """Have less and less room missing until the command succeeds; how often it did not."""
+    expected = whole(command)
+    for free in count():
+        fill(place, free)
+        said = command.call()
+        if said.status == 0:
+            unload(place)
+            clean(command)
+            return free
+        judge(said, command)
+        again = command.call("--resume")  # the disk is as full as it was
+        if again.status:
+            judge(again, command)
+        unload(place)
+        goes_on(command, expected)
+    raise AssertionError
+
+
+@pytest.mark.parametrize("name", ["run jsonl", "sweep parquet", "boxes folder"])
+def test_a_full_file_system_is_told_by_the_output(name: str, small: Path) -> None:
+    assert try_full(COMMANDS[name], fill_pages, small) > 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("fill", [fill_pages, fill_inodes])
+@pytest.mark.parametrize("name", COMMANDS_ONCE)
+def test_any_full_file_system_is_told_by_the_output(
+    name: str, fill: Callable[[Path, int], None], small: Path
+) -> None:
+    assert try_full(COMMANDS[name], fill, small) > 1
+
+
+CALLS = ("write", "open", "mkdir", "replace", "ftruncate", "pwrite", "copy_file_range", "fsync")
+
+
+class FullDisk:
+    """Calls of the system that need room: all fail from one on, which is counted from 0."""
+
+    def __init__(self, patch: pytest.MonkeyPatch, first: int) -> None:
+        self.calls, self.first = 0, first
+        for name in CALLS:
+            patch.setattr(os, name, self._limited(name, getattr(os, name)))
+
+    def _limited(self, name: str, call: Callable[..., Any]) -> Callable[..., Any]:
+        def limited(*values: Any, **named: Any) -> Any:
+            if name == "open" and not values[1] & os.O_CREAT:
+                return call(*values, **named)
+            self.calls += 1
+            if self.calls > self.first:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            return call(*values, **named)
+
+        return limited
+
+
+def try_calls(
+    command: StatedCommand, firsts: Callable[[int], list[int]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Let the disk be full from one of all calls on, then have room again."""
+    expected = whole(command)
+    with monkeypatch.context() as patch:
+        disk = FullDisk(patch, 10**9)
+        assert command.call("-q").status == 0
+    clean(command)
+    for first in firsts(disk.calls):
+        with monkeypatch.context() as patch:
+            FullDisk(patch, first)
+            said = command.call()
+        if said.status:  # the number of the process in a lock, say, is not needed
+            judge(said, command)
+        goes_on(command, expected)
+
+
+@pytest.mark.parametrize("name", COMMANDS_ONCE)
+def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    prepare(tmp_path, monkeypatch)
+    choose = seeded(26)
+    try_calls(COMMANDS[name], lambda calls: [choose.randrange(calls)], monkeypatch)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", COMMANDS_ONCE)
+def test_every_call_that_fails_for_a_full_disk_is_told_by_the_output(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    prepare(tmp_path, monkeypatch)
+    try_calls(COMMANDS[name], lambda calls: [*range(calls)], monkeypatch)

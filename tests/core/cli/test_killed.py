@@ -1,0 +1,207 @@
+"""Work that is killed at random moments and resumed: nothing is lost or mixed up.
+
+``pytest tests/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tests.chance import seeded
+from tests.commands import MZKT, environment
+from tests.sweep import scenarios
+from tests.sweep.sweeps import CASE_TEXT, children, names
+from vstatics.synthesis.cli.box.output import RECORD
+
+pytestmark = [pytest.mark.slow, pytest.mark.alone]
+
+GRID = ("--vary", "D.ratio=-4:-2:500", "--vary", "D.efficiency=.9:1:800")
+"""400000 variants in 7 pieces."""
+CASES = 150
+BRAKES = ("--vary", "controls.brake.scale=.9:1.2:200", "--out", "locks[brake],heat[brake]")
+BOXES = (
+    *("--sets", "3", "--elements", "5", "--engaged", "2"),
+    *("--ratios", "4.584,2.964,1.912,1.446,1,.746,-2.94"),
+)
+"""Nine pieces of a second or less."""
+
+
+class Work(NamedTuple):
+    """What is done, and disturbed."""
+
+    arguments: tuple[str, ...]
+    output: str
+
+
+CASES_AND_SWEEPS = {
+    **{
+        f"run {form} -j {jobs}": Work(
+            ("run", "--files-from", "list", "-f", form, "-j", jobs), "out/"
+        )
+        for form in ("json", "listing")
+        for jobs in ("1", "2", "3")
+    },
+    **{
+        f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")
+        for form in ("csv", "jsonl", "npz", "parquet")
+        for jobs in "12"
+    },
+    "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
+    "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
+}
+SAMPLES = {
+    f"{form} -j {jobs}": Work(
+        ("simulate", "lock.yaml", "--samples", "200", "-j", jobs), f"out.{form}"
+    )
+    for form, jobs in (("csv", "1"), ("csv", "2"), ("npz", "2"))
+}
+SCENARIOS = {
+    "all": Work(("sweep", "lock.yaml", *BRAKES), "out.jsonl"),
+    "best": Work(("sweep", "lock.yaml", *BRAKES, "--min", "heat[brake]"), "out.csv"),
+}
+FOUND = {
+    "a file": Work(("synth", "box", *BOXES, "-j", "2"), "out.json"),
+    "a folder": Work(("synth", "box", *BOXES, "-j", "1"), "out/"),
+}
+
+
+def prepare(folder: Path) -> None:
+    """A folder with the cases, which differ in a number."""
+    folder.mkdir()
+    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "set.yaml").write_bytes(scenarios.CASE)
+    (folder / "lock.yaml").write_bytes(scenarios.SCENARIO)
+    text = MZKT.read_text(encoding="utf-8")
+    assert ".9500Е+00" in text
+    for number in range(CASES):
+        varied = text.replace(".9500Е+00", f".9{number:03}Е+00")
+        (folder / f"case{number}.dat").write_text(varied, encoding="utf-8")
+    (folder / "list").write_text("".join(f"case{n}.dat\n" for n in range(CASES)), encoding="utf-8")
+
+
+def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "vstatics", *work.arguments, "-o", work.output, *more],
+        cwd=folder,
+        env=environment(),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+
+
+def end(process: subprocess.Popen[bytes]) -> tuple[int, str]:
+    """The exit status, and what was said."""
+    said = process.communicate(timeout=120)[1].decode()
+    assert "Traceback" not in said
+    assert "an error of vstatics" not in said
+    return process.returncode, said
+
+
+def made(work: Work, folder: Path) -> dict[str, bytes]:
+    """All that was written, but for what tells of the run."""
+    output = folder / work.output
+    files = [path for path in output.iterdir() if path.name[0] != "."] if output.is_dir() else []
+    return {path.name: path.read_bytes() for path in files or [output]}
+
+
+def left(folder: Path) -> list[str]:
+    """What lies about in the folders that should not; hashes of boxes are kept, as runs are."""
+    inner = [name for name in names(folder / "out") if name.startswith(".vstatics")]
+    return [
+        name
+        for name in [*names(folder), *inner]
+        if name.endswith(".parts")
+        or (name.startswith(".vstatics") and "-run-" not in name and name != RECORD)
+    ]
+
+
+def kill_group(process: subprocess.Popen[bytes]) -> None:
+    os.killpg(process.pid, signal.SIGKILL)
+
+
+def interrupt_group(process: subprocess.Popen[bytes]) -> None:
+    """As a terminal does at Ctrl-C."""
+    os.killpg(process.pid, signal.SIGINT)
+
+
+def kill_a_worker(process: subprocess.Popen[bytes]) -> None:
+    """Or the process itself, where it works alone."""
+    os.kill([*children(process.pid), process.pid][0], signal.SIGKILL)
+
+
+WAYS: dict[str, Callable[[subprocess.Popen[bytes]], None]] = {
+    "killed, all of it": kill_group,
+    "killed, the parent": subprocess.Popen.kill,
+    "killed, a worker": kill_a_worker,
+    "Ctrl-C": interrupt_group,
+    "SIGTERM": subprocess.Popen.terminate,
+}
+STATUSES = {
+    "killed, all of it": (-9,),
+    "killed, the parent": (-9,),
+    "killed, a worker": (0, -9),
+    "Ctrl-C": (130,),
+    "SIGTERM": (143, -15),  # a program that is being imported has nothing to keep
+}
+
+
+def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
+    """What undisturbed work gives, and how long it takes [s]."""
+    prepare(folder)
+    began = time.monotonic()
+    status, said = end(begin(work, folder))
+    assert status == 0, said
+    assert left(folder) == []
+    return made(work, folder), time.monotonic() - began
+
+
+@pytest.mark.parametrize(
+    "works",
+    [CASES_AND_SWEEPS, SAMPLES, SCENARIOS, FOUND],
+    ids=["cases and sweeps", "samples", "sweeps of scenarios", "boxes"],
+)
+def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(
+    works: dict[str, Work], tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    """Up to three times in a row, then it is let alone; the bytes are the same."""
+    kills = int(request.config.getoption("--kills"))
+    choose = seeded(kills)
+    told: Counter[str] = Counter()
+    undisturbed: dict[str, tuple[dict[str, bytes], float]] = {}
+    while sum(told[way] for way in WAYS) < kills:
+        name = choose.choice(list(works))
+        work = works[name]
+        if name not in undisturbed:
+            undisturbed[name] = whole(work, tmp_path / f"whole {len(undisturbed)}")
+        expected, seconds = undisturbed[name]
+        folder = tmp_path / str(told.total())
+        prepare(folder)
+        for _ in range(choose.randint(1, 3)):
+            way = choose.choice(list(WAYS))
+            running = begin(work, folder, "--resume")
+            time.sleep(choose.uniform(0.3, seconds))  # Python itself has started by then
+            ended = running.poll() is not None
+            if not ended:
+                WAYS[way](running)
+            status, said = end(running)
+            assert status in (0, *STATUSES[way]), (name, way, said)
+            told[way if not ended and status in STATUSES[way] else "it had ended before"] += 1
+        running = begin(work, folder, "--resume")
+        status, said = end(running)
+        assert (status, "failed" in said) == (0, False), (name, said)
+        assert made(work, folder) == expected, name
+        assert left(folder) == []
+        told["resumed to the end, the same bytes"] += 1
+        told[name] += 1
+    print(dict(told))  # noqa: T201

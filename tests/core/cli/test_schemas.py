@@ -1,0 +1,149 @@
+"""The JSON Schemas: up to date, each by itself, and of one mind with what commands write."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, vstatics
+from vstatics.core.cli.schemas import schemas, text
+
+SCHEMAS = ROOT / "schemas"
+OF_COMMAND = {"run": "result", "flow": "flow", "summary": "summary", "explain": "explain"}
+
+
+def validator(name: str) -> Draft202012Validator:
+    """Of the file alone: a reference to another one would fail."""
+    return Draft202012Validator(json.loads((SCHEMAS / f"{name}.schema.json").read_text("utf-8")))
+
+
+VALIDATORS = {command: validator(name) for command, name in OF_COMMAND.items()}
+
+
+def complaints(command: str, document: Any) -> list[str]:
+    return [
+        f"{error.json_path}: {error.message[:200]}"
+        for error in VALIDATORS[command].iter_errors(document)
+    ]
+
+
+@pytest.mark.parametrize("name", schemas())
+def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
+    made = schemas()[name]
+    Draft202012Validator.check_schema(made)
+    file = SCHEMAS / f"{name}.schema.json"
+    assert file.read_text(encoding="utf-8") == text(made), "write them: make schema"
+
+
+def test_the_page_of_results_leads_to_every_schema() -> None:
+    page = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+    rows = "".join(line for line in page.splitlines() if line.startswith("| "))
+    linked = re.findall(r"\(\.\./schemas/([a-z]+)\.schema\.json\)", rows)
+    assert sorted(linked) == sorted(schemas())
+
+
+def test_what_changed_between_results_fits(tmp_path: Path) -> None:
+    """A number, a gear that is gone, a case that is new, one that can't be read."""
+    case = (CASES / "simpson.yaml").read_text(encoding="utf-8")
+    for folder, own in (("old", case), ("new", case.replace("-73/35", "-75/35", 1))):
+        (tmp_path / folder).mkdir()
+        (tmp_path / f"{folder}.yaml").write_text(own, encoding="utf-8")
+        vstatics("run", tmp_path / f"{folder}.yaml", "-o", tmp_path / folder / "box.json")
+    (tmp_path / "new/other.json").write_bytes((tmp_path / "new/box.json").read_bytes())
+    (tmp_path / "new/broken.json").write_text("{", encoding="utf-8")
+    (tmp_path / "old/broken.json").write_text("{", encoding="utf-8")
+    written = json.loads(vstatics("compare", tmp_path / "new", tmp_path / "old", "-f", "json").out)
+    assert {one["state"] for one in written["cases"]} == {"changed", "added", "unreadable"}
+    assert [*validator("compare").iter_errors(written)] == []
+    written["cases"][0]["state"] = "other"
+    assert [*validator("compare").iter_errors(written)] != []
+
+
+def test_no_schema_is_left_over() -> None:
+    assert {path.name for path in SCHEMAS.iterdir()} == {f"{n}.schema.json" for n in schemas()}
+
+
+@pytest.mark.parametrize("command", OF_COMMAND)
+@pytest.mark.parametrize("cases", [SHIPPED[:4], pytest.param(SHIPPED[4:], marks=pytest.mark.slow)])
+def test_what_is_written_of_shipped_cases_fits(command: str, cases: list[Path]) -> None:
+    written = json.loads(vstatics(command, *cases, "-f", "json").out)
+    assert len(written) == len(cases)
+    assert complaints(command, written) == []
+    assert complaints(command, written[0]) == []
+
+
+@pytest.mark.parametrize("command", OF_COMMAND)
+def test_gears_without_results_and_cases_in_error_fit(command: str, tmp_path: Path) -> None:
+    for name, case in (("tied.yaml", TIED_UP), ("bad.yaml", BAD)):
+        (tmp_path / name).write_text(case, encoding="utf-8")
+    given = [tmp_path / "tied.yaml", tmp_path / "bad.yaml"]
+    written = json.loads(vstatics(command, *given, "-f", "json").out)
+    assert complaints(command, written) == []
+    assert written[1].keys() == {"file", "case", "errors"}
+    for line in vstatics(command, *given, "-f", "jsonl").out.splitlines():
+        assert complaints(command, json.loads(line)) == []
+
+
+def test_solutions_of_exercises_fit() -> None:
+    """Of one case, of several, drawn by a seed or not."""
+    exercise = validator("exercise")
+    for cases, seed in (([CASES / "simpson.yaml"], ()), (SHIPPED[:2], ("--seed", "3"))):
+        asked = "explain", *cases, "--gear", "1", "--solution", *seed, "-f", "json"
+        written = json.loads(vstatics(*asked).out)
+        assert [*exercise.iter_errors(written)] == []
+        one = written if isinstance(written, dict) else written[0]
+        one["blanks"][0]["value"] = None
+        assert [*exercise.iter_errors(written)] != []
+
+
+def test_what_a_summary_is_asked_for_fits(tmp_path: Path) -> None:
+    duty = tmp_path / "duty.yaml"
+    duty.write_text("energy: {'1': 1, '2': 2}\n", encoding="utf-8")
+    asked = ("summary", CASES / "simpson.yaml", "--combinations", "--duty", duty, "-f", "json")
+    written = json.loads(vstatics(*asked).out)
+    assert {"duty", "combinations"} <= written.keys()
+    assert complaints("summary", written) == []
+
+
+def test_results_of_today_without_their_file_fit() -> None:
+    written = json.loads(vstatics("run", CASES / "simpson.yaml", "-f", "json").out)
+    del written["file"]
+    assert complaints("run", written) == []
+
+
+def _of_first_gear(change: dict[str, Any]) -> Callable[[Any], None]:
+    return lambda document: document["gears"][0].update(change)
+
+
+@pytest.mark.parametrize(
+    ("command", "spoil"),
+    [
+        ("run", lambda document: document.update(case={"links": 3, "ratoi": 1})),
+        ("run", lambda document: document.update(ETA=["1"])),
+        ("run", lambda document: document.pop("W")),
+        ("run", lambda document: document.update(version=2)),
+        ("flow", _of_first_gear({"gear": 1})),
+        ("flow", _of_first_gear({"lossy": {}})),
+        ("flow", _of_first_gear({"more": 1})),
+        ("summary", _of_first_gear({"ratio": "1"})),
+        ("summary", lambda document: document.pop("spread")),
+        ("explain", _of_first_gear({"matrix": [1]})),
+        ("explain", _of_first_gear({"speeds": None})),
+    ],
+)
+@pytest.mark.parametrize("several", [False, True])
+def test_a_wrong_document_does_not_fit(
+    command: str, spoil: Callable[[Any], None], several: bool
+) -> None:
+    right = json.loads(vstatics(command, CASES / "simpson.yaml", "-f", "json").out)
+    wrong = copy.deepcopy(right)
+    spoil(wrong)
+    assert complaints(command, [right, wrong] if several else wrong) != []
+    assert complaints(command, [right, right] if several else right) == []

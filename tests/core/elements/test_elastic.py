@@ -1,0 +1,254 @@
+"""Elements that are elastic, and the masses of their planets."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vstatics as library
+from tests.core.elements.element_texts import changed, loaded, problems
+from vstatics.core.elements import CentralWheel, Drawing, Element, PlanetMass, transmission
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.element import DrawingFields
+from vstatics.core.elements.kinds import KINDS
+from vstatics.core.elements.planet_inertia import planet_inertias
+from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import Damping
+from vstatics.core.model.transmission import Gear
+from vstatics.core.readers import read
+from vstatics.core.writers.named import write_json, write_yaml
+
+BODY = "teeth: {sun: 30, ring: 75}"
+ONE_PLANET = "planets: 3, planet: {inertia: 84e-6, mass: 500 g, radius: 52 mm}"
+WITH_PLANET = changed(BODY, f"{BODY}, {ONE_PLANET}")
+ELASTIC = changed(BODY, f"{BODY}, stiffness: 9e4, damping: 12")
+RAVIGNEAUX = """
+input: a
+output: d
+elements:
+  R: {kind: ravigneaux, small_sun: a, large_sun: b, ring: c, carrier: d, planets: 3,
+      teeth: {small_sun: 30, large_sun: 36, ring: 90, short: 20}%s}
+shift_elements: {B: [c, housing], C: [b, housing]}
+gears: {low: [B], high: [C]}
+"""
+
+
+def errors(text: str) -> list[str]:
+    """Problems but notes."""
+    return [told for told in problems(text) if ": error: " in told]
+
+
+def test_a_stiffness_is_that_of_the_one_mechanism() -> None:
+    [mechanism] = loaded(ELASTIC).mechanisms
+    assert (mechanism.stiffness, mechanism.damping) == (9e4, Damping(12.0))
+    assert library.solve(loaded(ELASTIC)).ratio == pytest.approx([1 + 75 / 30, 1])
+    pair = "kind: gear_pair, first: sun, second: ring, teeth: {first: 2, second: 3}"
+    text = changed("kind: planetary, sun: sun, ring: ring, carrier: carrier, " + BODY, pair)
+    [mechanism] = loaded(changed(pair, f"{pair}, stiffness: 1 kN*m/rad", text)).mechanisms
+    assert mechanism.stiffness == 1000
+
+
+SIZES = {"sun": 30, "ring": 90, "small_sun": 24, "planet": 30, "worm": 2, "wheel": 40, "second": 31}
+"""Teeth that suit all kinds."""
+TWO_WHEELS = {"ravigneaux": ("small_sun", "ring"), "stepped": ("sun", "ring")}
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "planet_group"])
+def test_every_kind_of_one_row_may_be_elastic(kind: str) -> None:
+    """A Ravigneaux set of two wheels has one row, too."""
+    members = TWO_WHEELS.get(kind, ())
+    left_out = set(getattr(KINDS[kind], "optional", ())).difference(members)
+    links = [member for member in KINDS[kind].members if member not in left_out]
+    teeth = [wheel for wheel in KINDS[kind].toothed if wheel not in left_out]
+    one = Element(
+        "E",
+        kind,
+        {member: number for number, member in enumerate(links, 1)},
+        {wheel: SIZES.get(wheel, 20) for wheel in teeth},
+        efficiency=1.0,
+        stiffness=1e5,
+        damping=3,
+    )
+    case = transmission(Drawing(max(len(links), 2), [one]), gears=[Gear()])
+    assert [mechanism.stiffness for mechanism in case.mechanisms] == [1e5]
+    assert [mechanism.damping for mechanism in case.mechanisms] == [Damping(3.0)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        WITH_PLANET,
+        ELASTIC,
+        changed("damping: 12", "damping: {ratio: .02}", ELASTIC),
+        RAVIGNEAUX
+        % ", planet: {short: {inertia: 1e-5}, long: {inertia: 2e-5, mass: .3, radius: .05}}",
+    ],
+)
+def test_what_is_written_reads_back_equal(text: str) -> None:
+    case = loaded(text)
+    for written, file in ((write_yaml(case), "case.yaml"), (write_json(case), "case.json")):
+        back = read(written.encode(), file).case
+        assert back == case
+        assert drawing_of(back) == drawing_of(case)
+
+
+def test_masses_are_those_of_each_planet_by_its_name() -> None:
+    drawing = drawing_of(loaded(WITH_PLANET))
+    assert drawing is not None
+    assert drawing.elements[0].planet_masses == {"planet": PlanetMass(84e-6, 0.5, 0.052)}
+    text = RAVIGNEAUX % ", planet: {long: {inertia: 2e-5}}"
+    drawing = drawing_of(loaded(text))
+    assert drawing is not None
+    assert drawing.elements[0].planet_masses == {"long": PlanetMass(2e-5)}
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        ("planets: 3, planet", "planet", ":5:101: error: elements.P1.planet: `planets` is missing"),
+        (", radius: 52 mm", "", "elements.P1.planet: `radius` is missing"),
+        ("radius: 52 mm", "radius: 0", "elements.P1.planet: `radius` is missing"),
+        ("inertia: 84e-6", "inertia: -84e-6", "planet.inertia: read -8.4e-05, expected an inertia of 0"),
+        ("mass: 500 g", "mass: -1", "elements.P1.planet.mass: read -1, expected a mass of 0 or more"),
+        ("radius: 52 mm", "radius: -1", "planet.radius: read -1, expected a radius of 0 or more"),
+        ("mass: 500 g", "mass: nan", "elements.P1.planet.mass: read 'nan'"),
+        ("mass: 500 g", "mass: 3 rpm", "expected a mass in kg, bare or with its unit; this is a speed"),
+        ("radius: 52 mm", "radius: 52 mm^2", "expected a length in m"),
+        ("inertia: 84e-6", "inertia: 84 N*m", "expected an inertia in kg*m^2"),
+        ("inertia: 84e-6", "inetria: 84e-6", "did you mean `inertia`?"),
+        ("planets: 3", "planets: 3, stiffness: 9e4", "list the planet as a link"),
+        ("inertia: 84e-6, mass: 500 g, radius: 52 mm", "planet: {inertia: 1}", "unknown key `planet`"),
+    ],
+)  # fmt: skip
+def test_masses_that_cannot_be_are_told(before: str, after: str, said: str) -> None:
+    [told] = errors(changed(before, after, WITH_PLANET))
+    assert said in told
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        ("stiffness: 9e4", "stiffness: 0", "P1.stiffness: read 0, expected a stiffness above 0"),
+        ("stiffness: 9e4", "stiffness: -9e4", "read -90000, expected a stiffness above 0"),
+        ("stiffness: 9e4, ", "", "there is a damping without `stiffness`"),
+        ("damping: 12", "damping: -1", "P1.damping: read -1, expected a damping of 0 or more"),
+        ("stiffness: 9e4", "stiffness: 3 rpm", "expected a stiffness in N*m/rad"),
+    ],
+)
+def test_stiffnesses_that_cannot_be_are_told(before: str, after: str, said: str) -> None:
+    [told] = errors(changed(before, after, ELASTIC))
+    assert said in told
+
+
+def test_an_element_of_several_rows_has_no_stiffness() -> None:
+    [told] = problems(RAVIGNEAUX % ", stiffness: 9e4")
+    assert told.startswith("case.yaml:6:78: error: elements.R.stiffness: the element has 4 rows")
+    assert told.endswith("put springs beside the element [E317]")
+    reduced = "losses: reduced" + RAVIGNEAUX % ", stiffness: 9e4"
+    assert "the element has 2 rows" in problems(reduced)[0]
+    assert "the element has 2 rows" in problems("losses: meshes" + ELASTIC)[0]
+
+
+def test_planets_without_teeth_have_no_speed_and_so_no_inertia() -> None:
+    text = (RAVIGNEAUX % ", planet: {short: {inertia: 1e-5}}").replace(", short: 20", "")
+    [told] = problems(text)
+    assert "elements.R.planet: the speed of planet short is not known, expected its teeth" in told
+    loaded(text.replace("inertia: 1e-5", "mass: 1, radius: .1"))  # its pin is with the carrier
+
+
+def test_planets_that_are_not_there_are_told_to_the_library() -> None:
+    members, teeth = {"first": 1, "second": 2}, {"first": 20, "second": 30}
+    pair = Element("G", "gear_pair", members, teeth, planet_masses={"planet": PlanetMass(1.0)})
+    with pytest.raises(CaseError, match="no planet `planet`, a gear_pair has none"):
+        transmission(Drawing(2, [pair]), gears=[Gear()])
+
+
+Speeds = dict[int, float]
+
+
+def energy(element: Element, speeds: Speeds) -> float:
+    """The kinetic energy of the planets of an element [J], at speeds of its links [rad/s]."""
+    parts = planet_inertias(DrawingFields(9, [element]))
+    turning = [
+        (one.inertia, sum(part * speeds[link] for link, part in one.speed.items())) for one in parts
+    ]
+    return sum(inertia * speed**2 / 2 for inertia, speed in turning)
+
+
+def simple(**numbers: Any) -> Element:
+    """A set of -75/30."""
+    members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75, "planet": 22}
+    return Element("P", "planetary", members, teeth, planets=4, **numbers)
+
+
+def test_planets_that_turn_as_one_piece_with_their_set_are_masses_on_a_circle() -> None:
+    """Steiner: 4 (J + m r^2) w^2/2."""
+    one = simple(planet_masses={"planet": PlanetMass(0.002, 0.7, 0.05)})
+    assert energy(one, dict.fromkeys((1, 2, 3), 10.0)) == pytest.approx(
+        4 * (0.002 + 0.7 * 0.05**2) * 10**2 / 2
+    )
+
+
+def test_planets_of_a_carrier_that_stands_turn_by_their_teeth() -> None:
+    """30 teeth turn 22 by -30/22."""
+    one = simple(planet_masses={"planet": PlanetMass(0.002, 0.7, 0.05)})
+    speeds = {1: 22.0, 2: -22 * 30 / 75, 3: 0.0}
+    assert energy(one, speeds) == pytest.approx(4 * 0.002 * 30**2 / 2)
+
+
+def test_shares_of_a_simple_set_are_those_in_closed_form() -> None:
+    """With p = ring/sun the shares of n J are 2/(p-1)^2, 2p^2/(p-1)^2, -((p+1)/(p-1))^2.
+
+    Both forms have the same energy where the set may turn: w_sun + p w_ring = (p + 1) w_carrier.
+    """
+    members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 72}
+    masses = {"planet": PlanetMass(0.001)}
+    one = Element("P", "planetary", members, teeth, planets=3, planet_masses=masses)
+    p = 72 / 30
+    sun, ring = 12.0, -7.0
+    carrier = (sun + p * ring) / (p + 1)
+    shares = np.array([2, 2 * p**2, -((p + 1) ** 2)]) / (p - 1) ** 2
+    expected = 3 * 0.001 / 2 * shares @ np.array([sun, ring, carrier]) ** 2
+    assert energy(one, {1: sun, 2: ring, 3: carrier}) == pytest.approx(expected)
+
+
+def test_meshed_and_stepped_planets_turn_by_their_own_teeth() -> None:
+    """With the carrier held: sun 20 -> inner 10 -> outer 12, and a pair of rims 14 and 28."""
+    members = {"sun": 1, "ring": 2, "carrier": 3}
+    teeth = {"sun": 20, "ring": 60, "inner": 10, "outer": 12}
+    masses = {"inner": PlanetMass(1.0), "outer": PlanetMass(10.0)}
+    double = Element("D", "double_planet", members, teeth, planets=1, planet_masses=masses)
+    assert energy(double, {1: 1.0, 2: 20 / 60, 3: 0.0}) == pytest.approx(
+        (20 / 10) ** 2 / 2 + 10 * (20 / 12) ** 2 / 2
+    )
+    wheels = [
+        CentralWheel("s", 1, 28, internal=False, rim="A"),
+        CentralWheel("r", 2, 70, internal=True, rim="B"),
+    ]
+    stepped = Element(
+        "G",
+        "planet_group",
+        {"carrier": 3},
+        planets=2,
+        rims={"x": {"A": 14, "B": 28}},
+        wheels=wheels,
+        planet_masses={"x": PlanetMass(1.0)},
+    )
+    assert energy(stepped, {1: 1.0, 2: -28 / 14 * 28 / 70, 3: 0.0}) == pytest.approx(2 * 2**2 / 2)
+
+
+def test_planets_of_a_bevel_set_turn_about_axes_across() -> None:
+    """So what turns with the carrier adds nothing to their spin; the housing has no share."""
+    members, teeth = {"left": 1, "right": 2, "carrier": 3}, {"left": 16, "right": 16, "planet": 10}
+    masses = {"planet": PlanetMass(0.001, 0.2, 0.03)}
+    bevel = Element("B", "bevel", members, teeth, planets=2, planet_masses=masses)
+    assert energy(bevel, {1: 11.0, 2: 9.0, 3: 10.0}) == pytest.approx(
+        2 * (0.001 * 1.6**2 + 0.2 * 0.03**2 * 10**2) / 2
+    )
+    held = Element("B", "bevel", {**members, "carrier": 0}, teeth, planets=2, planet_masses=masses)
+    [spin] = planet_inertias(DrawingFields(2, [held]))
+    assert spin.speed == {1: 1.6}
+    assert math.isclose(spin.inertia, 0.002)

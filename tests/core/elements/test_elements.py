@@ -1,0 +1,445 @@
+"""Cases made of elements: what they become, what is shown of them, what is refused."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import vstatics as library
+from tests.commands import CASES, vstatics
+from tests.core.elements.element_texts import AOD, SET, changed, loaded, problems
+from vstatics.core.cli.new import TEMPLATES, template
+from vstatics.core.elements import Drawing, Element, transmission
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.kinds import KINDS
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
+from vstatics.core.readers import read
+
+
+def test_links_are_the_names_that_elements_use() -> None:
+    case = loaded(SET)
+    assert list(case.link_names) == ["sun", "ring", "carrier"]
+    assert library.solve(case).ratio == pytest.approx([1 + 75 / 30, 1])
+
+
+def test_efficiency_of_a_set_is_the_product_of_its_meshes() -> None:
+    [mechanism] = loaded(SET).mechanisms
+    assert mechanism.efficiency == 0.98 * 0.99
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + SET).mechanisms
+    assert mechanism.efficiency == 0.97 * 0.99
+    own = changed("ring: 75}}", "ring: 75}, mesh_efficiency: {internal: 1}}")
+    [mechanism] = loaded("mesh_efficiency: {external: .97}" + own).mechanisms
+    assert mechanism.efficiency == 0.97
+    [mechanism] = loaded(changed("ring: 75}}", "ring: 75}, efficiency: .96}")).mechanisms
+    assert mechanism.efficiency == 0.96
+
+
+def test_a_gear_pair_an_idler_a_bevel_set_lose_at_each_mesh() -> None:
+    text = """
+input: a
+output: d
+elements:
+  pair: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 30}}
+  idler: {kind: idler, first: b, second: c, teeth: {first: 20, idler: 7, second: 30}}
+  ring: {kind: internal_pair, first: c, second: d, teeth: {first: 20, second: 60}}
+gears: {all: {}}
+"""
+    results = library.solve(loaded(text))
+    assert results.ratio == pytest.approx([-1.5 * 1.5 * 3])
+    assert results.efficiency == pytest.approx([0.98**3 * 0.99])
+    bevel = Element("B", "bevel", {"left": 1, "right": 2, "carrier": 3})
+    case = transmission(Drawing(3, [bevel]), gears=[Gear([1])], shift_elements=[ShiftElement(3)])
+    assert case.mechanisms[0].efficiency == pytest.approx(0.97**2)
+    assert case.mechanisms[0].ratio == -1
+
+
+def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
+    two = changed(
+        "shift_elements:",
+        "  P2: {kind: double_planet, sun: sun2, ring: ring, carrier: carrier,"
+        " teeth: {sun: 27, ring: 75}}\nshift_elements:",
+    )
+    told = [str(p) for p in read(two.encode(), "case.yaml").warnings if p.severity == "note"]
+    assert sum("P2: has a wheel and the carrier in common with P1" in one for one in told) == 1
+
+
+def test_a_planet_and_a_link_of_one_name_are_told() -> None:
+    text = AOD.replace("reverse sun", "set.long")
+    assert any("planet long is called `set.long`, as a link is" in told for told in problems(text))
+
+
+def test_ratio_is_the_exact_fraction_rounded_once() -> None:
+    text = changed("teeth: {sun: 30, ring: 75}", "teeth: {sun: 31, ring: 83}")
+    assert loaded(text).mechanisms[0].ratio == float(Fraction(-83, 31))
+
+
+def test_a_held_link_is_one_with_the_housing() -> None:
+    text = changed("shift_elements:", "  H: {kind: held, link: ring}\nshift_elements:")
+    text = changed("low: {engaged: [B]}", "low: {}", changed("  B: [ring, housing]\n", "", text))
+    results = library.solve(loaded(changed("  direct: {engaged: [C]}\n", "", text)))
+    assert results.ratio == pytest.approx([3.5])
+
+
+def test_mechanisms_may_stand_beside_elements() -> None:
+    axle = "mechanisms:\n  axle: {first: carrier, second: out, ratio: -4, efficiency: .97}\n"
+    case = loaded(changed("output: carrier", "output: out", SET) + axle)
+    assert [mechanism.name for mechanism in case.mechanisms] == ["P1", "axle"]
+    assert library.solve(case).ratio == pytest.approx([-14, -4])
+
+
+def test_every_kind_has_a_template_or_a_case() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in CASES.glob("*.yaml")]
+    texts += map(template, TEMPLATES)
+    unused = {kind for kind in KINDS if not any(f"kind: {kind}" in text for text in texts)}
+    assert unused == {"internal_pair", "belt"}
+
+
+FAULTS = {
+    "a misspelt kind": ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+    "a misspelt member": ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
+    "a member missing": (", carrier: carrier", "", "`carrier` is missing"),
+    "no kind": ("kind: planetary, ", "", "`kind` is missing"),
+    "no teeth": (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
+    "teeth of the ring": (", ring: 75}", "}", "teeth of `ring` missing"),
+    "broken teeth": ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
+    "no teeth at all": ("ring: 75}", "ring: 0}", "read '0', expected a whole number from 1"),
+    "a small ring": ("ring: 75}", "ring: 25}", "read 25, expected more teeth than the 30 of sun"),
+    "an efficiency": ("ring: 75}}", "ring: 75}, efficiency: 1.2}", "read 1.2, expected an eff"),
+    "a link twice": ("ring: ring", "ring: sun", "sun and ring are the same link"),
+    "no input": ("input: sun\n", "", "`input` is missing"),
+    "losses": ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
+    "a load": ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
+    "an angle": ("input: sun", "load: {speed: 35 Hz}\ninput: sun", "such as `2100 rpm`"),
+    "a torque": ("input: sun", "load: {torque: 9 rpm}\ninput: sun", "such as `1200 N*m`"),
+    "a comma": ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
+    "drag": ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
+    "a unit": ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
+    "powers of powers": ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
+    "negative drag": (
+        "input: sun",
+        "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",
+        ":3:8: error: drag.ring: read -3 N*m, expected a torque of 0 or more",
+    ),
+    "drag of the housing": (
+        "input: sun",
+        "drag: {housing: .1}\ninput: sun",
+        "drag.housing: the housing does not turn",
+    ),
+    "no output": ("output: carrier\n", "", "`output` is missing"),
+    "nothing under elements": (
+        SET[SET.index("  P1:") : SET.index("shift_el")],
+        "",
+        "elements: read nothing, expected a mapping: a name for each element",
+    ),
+    "two efficiencies": (
+        "ring: 75}}",
+        "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
+        "`efficiency` is that of the whole element",
+    ),
+    "too many teeth": (
+        "ring: 75}}",
+        "ring: 9000000}}",
+        "read 9e+06, expected a number above 0 and below 1e+06",
+    ),
+    "a rim": ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
+}
+
+
+@pytest.mark.parametrize(("before", "after", "words"), FAULTS.values(), ids=FAULTS.keys())
+def test_a_fault_is_told_with_its_place(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after))
+    assert any(words in problem for problem in found), found
+    assert all(problem.startswith("case.yaml:") for problem in found)
+
+
+GROUP = """
+links: [a, b, c, h]
+output: c
+elements:
+  G:
+    kind: planet_group
+    carrier: h
+    rims: {A: {A1: 20, A2: 18}, B: {B1: 20}}
+    suns: [{link: a, teeth: 30, rim: A1}]
+    rings: [{link: b, teeth: 70, rim: A1}, {link: c, teeth: 80, rim: B1}]
+    meshes: [[A2, B1]]
+gears: {all: {}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        (
+            "rim: A1}]\n    rings",
+            "rim: A3}]\n    rings",
+            "elements.G.suns[1].rim: read `A3`, expected the name of a rim: A1, A2, B1",
+        ),
+        (
+            "meshes: [[A2, B1]]",
+            "meshes: [[A2, B2]]",
+            "read `B2`, expected the name of a rim: A1, A2, B1",
+        ),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on one planet"),
+        ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block one another"),
+        ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
+        ("B: {B1: 20}", "B: {A1: 20}", "rim `A1` is there already"),
+        ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
+        ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several paths"),
+        ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
+        ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
+        ("link: b, teeth: 70", "link: a, teeth: 70", "they would lock"),
+        ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
+    ],
+)
+def test_a_fault_in_a_group_is_told(before: str, after: str, words: str) -> None:
+    found = problems(changed(before, after, GROUP))
+    assert any(words in problem for problem in found), found
+
+
+NUMBERED = """
+links: 4
+output: 3
+elements:
+  R:
+    {kind: ravigneaux, small_sun: 1, large_sun: 2, ring: 3, carrier: 4,
+     teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}}
+shift_elements: {B: [4, 0]}
+gears:
+  1: {engaged: [B], speeds: {2: 0}, drag: {2: 0.01}}
+"""
+"""The planets are links 5 and 6 of the mechanisms, but no links of the case."""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "place"),
+    [
+        ("output: 3", "output: 6", "3:9: error: output"),
+        ("carrier: 4", "carrier: 5", "6:70: error: elements.R.carrier"),
+        ("B: [4, 0]", "B: [5, 0]", "8:22: error: shift_elements.B[1]"),
+        ("speeds: {2: 0}", "speeds: {5: 0}", "10:30: error: gears.1.speeds"),
+        ("drag: {2: 0.01}", "drag: {5: 0.01}", "10:44: error: gears.1.drag"),
+        ("speeds: {2: 0}", "torques: {6: 1}", "10:31: error: gears.1.torques"),
+        ("speeds: {2: 0}", "output: 6", "10:29: error: gears.1.output"),
+    ],
+)
+def test_a_planet_has_no_link_number(before: str, after: str, place: str) -> None:
+    [told] = problems(changed(before, after, NUMBERED))
+    assert told.startswith(f"case.yaml:{place}")
+    assert "expected a link number from 1 to 4" in told
+
+
+@pytest.mark.parametrize("given", ["housing", "0"])
+@pytest.mark.parametrize(
+    "text",
+    [SET.replace("output: carrier", "output: X"), NUMBERED.replace("output: 3", "output: X")],
+)
+def test_the_housing_is_no_output(text: str, given: str) -> None:
+    told, *_ = problems(text.replace("output: X", f"output: {given}"))
+    assert "error: output: read the housing, expected the link that drives the load" in told
+
+
+def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:
+    [told] = problems("""
+links: 2
+elements:
+  G:
+    kind: planet_group
+    carrier: 2
+    rims: {A: {a: 20}}
+    suns: [{link: 1, teeth: 30, rim: a}]
+    rings: [{link: 3, teeth: 70, rim: a}]
+gears: {1: {}}
+""")
+    assert told.startswith("case.yaml:9:20: error: elements.G.rings[1].link: read '3'")
+
+
+def test_a_wheel_with_teeth_but_no_link_is_told() -> None:
+    """It is left out; the one who forgot its link wants to know."""
+    text = """
+links: [in, out]
+elements:
+  W: {kind: stepped, sun: in, ring: housing, carrier: out,
+      teeth: {sun: 20, planet: 20, ring: 60, planet2: 18, ring2: 58}}
+gears: {1: {}}
+"""
+    told = [str(one) for one in read(text.encode(), "case.yaml").warnings]
+    assert told[0].startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the wheel is left")
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
+        ("kind: planetary, ", "", "`kind` is missing; expected one of"),
+        ("kind: planetary", "kind: [planetary]", "read a list, expected text"),
+        ("kind: planetary, sun: sun, ring: ring, carrier: carrier", "kind: planet", "expected"),
+    ],
+)
+def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more(
+    before: str, after: str, words: str
+) -> None:
+    """Its links are known all the same, those of gears and ports too."""
+    (told,) = problems(changed(before, after))
+    assert "elements.P" in told
+    assert words in told
+
+
+@pytest.mark.parametrize("links", ["[sun, ring, carrier]", "3", ""])
+def test_links_that_are_empty_and_given_again_are_given_twice(links: str) -> None:
+    told = problems(f"links:{SET}links: {links}\n")
+    assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
+        "key `links` is given twice, the first is on line 1, column 1 [E192]"
+    ]
+
+
+def test_where_no_link_is_named_no_port_is_told() -> None:
+    told = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
+    assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing [E191]"]
+
+
+def test_a_merge_key_is_told_where_it_brings_the_kind() -> None:
+    text = changed("ring, carrier: carrier", "ring, <<: *x, carrier: carrier")
+    text = changed("kind: planetary, ", "", text).replace("SET", "")
+    told = problems(text.replace("*x", "{kind: planetary}"))
+    assert "merge key" in " ".join(told)
+    assert "`kind` is missing" not in " ".join(told)
+
+
+def test_drag_below_0_is_told_as_it_was_read() -> None:
+    text = changed("{engaged: [B]}", '{engaged: [B], drag: {ring: "-100 N*m"}}')
+    told, *_ = problems(text + "load: {torque: -100 N*m}\n")
+    assert "drag.ring: read -100 N*m, expected a torque of 0 or more" in told
+
+
+def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
+    text = changed("B: [ring, housing]", "B: [rign, housing]")
+    told = read(text.encode(), "case.yaml").warnings
+    assert [str(problem) for problem in told if problem.severity == "warning"] == [
+        "case.yaml:5:41: warning: link `ring` is joined to nothing else; did you mean `rign`? [W102]",
+        "case.yaml:7:7: warning: link `rign` is joined to nothing else; did you mean `ring`? [W102]",
+    ]
+
+
+def test_a_library_user_gets_all_faults_at_once() -> None:
+    bad = Element("P", "planetery", {})
+    worse = Element("Q", "planetary", {"sun": 1, "ring": 2}, {"sun": 30})
+    with pytest.raises(CaseError) as refused:
+        transmission(Drawing(3, [bad, worse]), gears=[Gear()])
+    assert [problem.path[:2] for problem in refused.value.problems] == [
+        ("elements", 1),
+        ("elements", 2),
+        ("elements", 2),
+    ]
+
+
+def drawn_with(case: library.Transmission, **teeth: float) -> Drawing:
+    """The drawing of a case with other teeth of its first element."""
+    drawing = drawing_of(case)
+    assert drawing is not None
+    first, *others = drawing.elements
+    changed = replace(first, teeth={**first.teeth, **teeth})
+    return replace(drawing, elements=(changed, *others))
+
+
+def test_another_drawing_makes_another_case() -> None:
+    """Teeth that are changed in it count; ratios that are changed beside it do as well."""
+    case = loaded(SET)
+    other = replace(case, drawing=drawn_with(case, sun=25))
+    assert library.solve(other).ratio == pytest.approx([1 + 75 / 25, 1])
+    assert other == loaded(changed("sun: 30", "sun: 25"))
+    assert library.solve(replace(other, coast=True)).ratio[0] == pytest.approx(4)
+    varied = replace(case, mechanisms=[case.mechanisms[0]._replace(ratio=-2.0)])
+    assert library.solve(varied).ratio == pytest.approx([3, 1])
+    assert library.solve(case, ratios=[-2.0]).ratio == pytest.approx([3, 1])
+    back = replace(varied, drawing=drawn_with(case, sun=25))
+    assert back == other
+
+
+def test_another_drawing_may_have_other_planets_as_links() -> None:
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    reduced = replace(case, drawing=replace(drawing, losses="reduced"))
+    assert reduced == loaded(f"losses: reduced\n{AOD}")
+    assert reduced.links == drawing.links < case.links
+    assert replace(reduced, drawing=drawing) == case
+
+
+@pytest.mark.parametrize("more", [1, 2, 4])
+def test_another_drawing_may_have_more_links(more: int) -> None:
+    """Links of the case keep their names and numbers, planets come after the new ones."""
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    ring = case.link_names.index("ring") + 1
+    pairs = [Mechanism(ring + n, ring + n + 1, 0, -2.0, name=f"pair {n}") for n in range(more)]
+    longer = replace(drawing, links=ring + more, mechanisms=pairs)
+    names = [*case.link_names[:ring], *map(str, range(ring + 1, ring + more + 1))]
+    for other in (case.replace(drawing=longer), replace(case, drawing=longer)):
+        assert list(other.link_names) == [*names, "set.short", "set.long"]
+        results = library.solve(other)
+        assert results.ratio == pytest.approx(library.solve(case).ratio)
+        by_ring = results.speeds[:, ring : ring + more] / results.speeds[:, [ring - 1]]
+        assert by_ring == pytest.approx(np.tile((-0.5) ** np.arange(1, more + 1), (5, 1)))
+        assert replace(other, drawing=drawing) == case
+
+
+def test_links_of_another_drawing_may_have_names() -> None:
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    longer = replace(drawing, links=6, mechanisms=[Mechanism(5, 6, 0, -2.0, name="final drive")])
+    names = ["input", "forward sun", "reverse sun", "carrier", "ring", "axle"]
+    other = case.replace(drawing=longer, link_names=names, output=6)
+    assert list(other.link_names) == [*names, "set.short", "set.long"]
+    assert library.solve(other).ratio == pytest.approx(-2 * library.solve(case).ratio)
+
+
+def test_a_planet_of_another_drawing_is_no_output() -> None:
+    """With fewer links a number of today would be that of a planet."""
+    case = loaded(AOD)
+    drawing = drawing_of(case)
+    assert drawing is not None
+    [element] = drawing.elements
+    members = {name: link for name, link in element.members.items() if link != case.output}
+    teeth = {name: count for name, count in element.teeth.items() if name != "ring"}
+    shorter = replace(element, members=members, teeth=teeth)
+    with pytest.raises(CaseError, match=r"output: read 5, expected a link number from 1 to 4"):
+        case.replace(drawing=replace(drawing, links=4, elements=[shorter], losses="meshes"))
+
+
+def test_other_teeth_change_a_case_with_planets_as_links() -> None:
+    case = loaded(AOD)
+    other = drawn_with(case, small_sun=32, short=16)
+    expected = loaded(
+        AOD.replace("small_sun: 30", "small_sun: 32").replace("short: 18", "short: 16")
+    )
+    assert case.replace(drawing=other) == replace(case, drawing=other) == expected
+
+
+def test_another_drawing_is_checked() -> None:
+    case = loaded(SET)
+    with pytest.raises(CaseError, match="expected more teeth than the 80 of sun"):
+        replace(case, drawing=drawn_with(case, sun=80))
+
+
+def test_a_case_may_be_made_with_its_drawing_alone() -> None:
+    drawing = drawing_of(loaded(SET))
+    case = library.Transmission(
+        3, [ShiftElement(2)], [], [Gear([1])], link_names=["s", "r", "c"], drawing=drawing
+    )
+    assert library.solve(case).ratio == pytest.approx([3.5])
+    assert library.solve(pickle.loads(pickle.dumps(case))).ratio == pytest.approx([3.5])  # noqa: S301
+
+
+def test_an_equivalent_deck_gives_the_same_gears() -> None:
+    deck = vstatics("convert", CASES / "ravigneaux-aod.yaml", "-", "--to", "deck").out
+    here, there = library.solve(loaded(AOD)), library.solve(read(deck.encode(), "a.dat").case)
+    assert there.ratio == pytest.approx(here.ratio)
+    assert there.efficiency == pytest.approx(here.efficiency)

@@ -1,0 +1,700 @@
+"""Every kind of element turns as its single meshes say, and as Willis says.
+
+Two ways to the expected speeds, neither of the program: exact fractions from the meshes
+of every wheel and planet (`single_meshes`), and the textbook formulas by hand in the tests.
+In the formulas a pair of wheels has the internal ratio k = (w_a - w_c)/(w_b - w_c).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from tests.core.elements.element_cases import (
+    LETTERS,
+    LOSSES,
+    NO_LOSS,
+    PRECISION,
+    RAVIGNEAUX,
+    STEPPED,
+    Held,
+    all_held,
+    bevel_teeth,
+    double_teeth,
+    efficiencies,
+    has_the_speeds_of_single_meshes,
+    link_speeds,
+    pair_case,
+    ratios,
+    ravigneaux_teeth,
+    set_case,
+    simple_teeth,
+    solved,
+    stepped_teeth,
+    torque,
+)
+from tests.oracle.single_meshes import ContradictionError, speeds
+
+Teeth = Mapping[str, int]
+
+EXTERNAL, INTERNAL = 0.98, 0.99
+"""Efficiencies of meshes when nothing is said."""
+FAR_FROM_ONE = Fraction(1, 50)
+"""An internal ratio of 1 makes one piece of a set; near it digits are lost."""
+WHEELS = st.integers(12, 90)
+
+EXAMPLES = settings(max_examples=4)
+
+
+def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:
+    """The ratio of a gear by Willis's equation.
+
+    Parameters
+    ----------
+    internal : mapping
+        Wheels, with their speed for a speed 1 of any one of them, the carrier `C` held.
+    gear : Held
+        Which link is held, which ones take power in and give it out.
+    """
+
+    def on_a_standing_carrier(first: str, second: str) -> Fraction:
+        return internal[first] / internal[second]
+
+    match gear:
+        case Held("C", first, second):
+            return on_a_standing_carrier(first, second)
+        case Held(held, first, "C"):
+            return 1 - on_a_standing_carrier(first, held)
+        case Held(held, "C", second):
+            return 1 / (1 - on_a_standing_carrier(second, held))
+    return (1 - on_a_standing_carrier(gear.input, gear.held)) / (
+        1 - on_a_standing_carrier(gear.output, gear.held)
+    )
+
+
+def far_from_one(internal: Mapping[str, Fraction]) -> bool:
+    """Whether no two wheels have nearly the same speed on a standing carrier."""
+    found = list(internal.values())
+    return all(
+        abs(1 - a / b) > FAR_FROM_ONE
+        for i, a in enumerate(found)
+        for j, b in enumerate(found)
+        if i != j
+    )
+
+
+def turns_as_willis_says(element: Mapping[str, Any], internal: Mapping[str, Fraction]) -> None:
+    """Check a set with any link held, solved at its meshes and as three-link mechanisms.
+
+    `internal` are the speeds of its wheels on a standing carrier, see `willis`.
+    """
+    members = [*internal, "C"]
+    for losses in LOSSES:
+        document = set_case(element, members, losses=losses)
+        results = solved(document)
+        has_the_speeds_of_single_meshes(document, results)
+        found = ratios(results)
+        for gear in all_held(members):
+            expected = willis(internal, gear)
+            assert speeds(document, gear.name)[gear.output] == 1 / expected
+            assert found[gear.name] == pytest.approx(float(expected), rel=PRECISION), gear.name
+        assert found["direct"] == pytest.approx(1, rel=PRECISION)
+        assert link_speeds(results, "direct") == pytest.approx(
+            dict.fromkeys(results.case.link_names, 1), rel=PRECISION
+        )
+        ideal = {**element, "mesh_efficiency": NO_LOSS}
+        if element["kind"] == "bevel":  # one mechanism, with an efficiency of its own
+            ideal = {**element, "efficiency": 1}
+        _conserves_power(set_case(ideal, members, losses=losses))
+
+
+@given(teeth=simple_teeth())
+@EXAMPLES
+def test_without_losses_in_the_whole_case_power_is_conserved(teeth: Teeth) -> None:
+    for losses in LOSSES:
+        case = set_case(planetary(teeth), "SRC", losses=losses, mesh_efficiency=NO_LOSS)
+        _conserves_power(case)
+
+
+def _conserves_power(document: Mapping[str, Any]) -> None:
+    """Without losses the output torque is the ratio, and nothing is missing."""
+    results = solved(document)
+    assert results.efficiency == pytest.approx(1, rel=1e-11)
+    assert results.output_torque == pytest.approx(results.ratio, rel=1e-11)
+    assert results.lossy_torques[..., -1] == pytest.approx(results.ratio, rel=1e-11)
+    assert results.power_balance == pytest.approx(0, abs=1e-9)
+
+
+def planetary(teeth: Teeth) -> dict[str, Any]:
+    return {"kind": "planetary", "sun": "S", "ring": "R", "carrier": "C", "teeth": dict(teeth)}
+
+
+def double_planet(teeth: Teeth) -> dict[str, Any]:
+    return {"kind": "double_planet", "sun": "S", "ring": "R", "carrier": "C", "teeth": dict(teeth)}
+
+
+def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
+    return {
+        "kind": kind,
+        **{wheel: LETTERS[wheel] for wheel in wheels},
+        "carrier": "C",
+        "teeth": dict(teeth),
+    }
+
+
+@given(teeth=simple_teeth())
+@EXAMPLES
+def test_planetary_set(teeth: Teeth) -> None:
+    """(w_s - w_c)/(w_r - w_c) = -z_r/z_s."""
+    turns_as_willis_says(
+        planetary(teeth), {"S": Fraction(1), "R": Fraction(-teeth["sun"], teeth["ring"])}
+    )
+
+
+@given(teeth=simple_teeth())
+@EXAMPLES
+def test_the_three_reductions_of_a_planetary_set_in_teeth(teeth: Teeth) -> None:
+    found = ratios(solved(set_case(planetary(teeth), "SRC")))
+    sun, ring = teeth["sun"], teeth["ring"]
+    expected = {
+        "S to C, R held": 1 + ring / sun,
+        "R to C, S held": 1 + sun / ring,
+        "S to R, C held": -ring / sun,
+        "C to S, R held": sun / (sun + ring),
+        "C to R, S held": ring / (sun + ring),
+        "R to S, C held": -sun / ring,
+        "direct": 1,
+    }
+    assert found == pytest.approx(expected, rel=PRECISION)
+
+
+@given(teeth=simple_teeth())
+@EXAMPLES
+def test_the_planet_of_a_planetary_set(teeth: Teeth) -> None:
+    """Against the carrier it turns as z_s/z_p of the sun, backward; told or solved as a link."""
+    for losses in LOSSES:
+        document = set_case(planetary(teeth), "SRC", losses=losses)
+        results = solved(document)
+        for number, gear in enumerate(results.case.gears):
+            exact = speeds(document, gear.name)
+            against_carrier = float(exact["P.planet"] - exact["C"])
+            if "P.planet" in results.case.link_names:
+                found = link_speeds(results, gear.name)
+                assert found["P.planet"] - found["C"] == pytest.approx(against_carrier, abs=1e-11)
+            else:
+                at = [mechanism.name for mechanism in results.case.mechanisms].index("P")
+                told = results.planet_speeds[number, at]
+                assert told == pytest.approx(against_carrier, rel=PRECISION, abs=1e-11)
+
+
+def test_a_planetary_set_needs_no_teeth_of_the_planet() -> None:
+    teeth = {"sun": 48, "ring": 96}
+    assert ratios(solved(set_case(planetary(teeth), "SRC")))["S to C, R held"] == 3
+
+
+@given(teeth=double_teeth())
+@EXAMPLES
+def test_set_with_meshed_planets(teeth: Teeth) -> None:
+    """(w_s - w_c)/(w_r - w_c) = +z_r/z_s."""
+    turns_as_willis_says(
+        double_planet(teeth), {"S": Fraction(1), "R": Fraction(teeth["sun"], teeth["ring"])}
+    )
+
+
+@given(teeth=double_teeth())
+@EXAMPLES
+def test_ring_held_a_set_with_meshed_planets_runs_backward(teeth: Teeth) -> None:
+    found = ratios(solved(set_case(double_planet(teeth), "SRC")))
+    assert found["S to C, R held"] == pytest.approx(1 - teeth["ring"] / teeth["sun"], rel=1e-12)
+    assert found["S to C, R held"] < 0
+
+
+def test_meshed_planets_need_no_teeth() -> None:
+    teeth = {"sun": 30, "ring": 90}
+    for losses in LOSSES:
+        found = ratios(solved(set_case(double_planet(teeth), "SRC", losses=losses)))
+        assert found["S to C, R held"] == pytest.approx(-2, rel=PRECISION)
+
+
+def stepped_internal(wheels: Sequence[str], teeth: Teeth) -> dict[str, Fraction]:
+    """Speeds on a standing carrier when the planet turns at 1: outer meshes turn round."""
+    by_hand = {
+        "sun": lambda: Fraction(-teeth["planet"], teeth["sun"]),
+        "ring": lambda: Fraction(teeth["planet"], teeth["ring"]),
+        "sun2": lambda: Fraction(-teeth["planet2"], teeth["sun2"]),
+        "ring2": lambda: Fraction(teeth["planet2"], teeth["ring2"]),
+    }
+    return {LETTERS[wheel]: by_hand[wheel]() for wheel in wheels}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
+@given(data=st.data())
+@EXAMPLES
+def test_set_with_stepped_planets(wheels: Sequence[str], data: st.DataObject) -> None:
+    teeth = data.draw(stepped_teeth(wheels))
+    internal = stepped_internal(wheels, teeth)
+    assume(far_from_one(internal))
+    turns_as_willis_says(wheels_of("stepped", wheels, teeth), internal)
+
+
+@pytest.mark.slow
+@given(teeth=stepped_teeth(("sun", "ring2")))
+@EXAMPLES
+def test_sun_and_ring_on_stepped_planets_in_teeth(teeth: Teeth) -> None:
+    """The internal ratio is -(z_b z_1)/(z_a z_2): ring held, 1 + (z_b z_1)/(z_a z_2)."""
+    case = set_case(wheels_of("stepped", ("sun", "ring2"), teeth), ("S", "R2", "C"))
+    reduction = 1 + teeth["ring2"] * teeth["planet"] / (teeth["sun"] * teeth["planet2"])
+    assert ratios(solved(case))["S to C, R2 held"] == pytest.approx(reduction, rel=PRECISION)
+
+
+def test_two_rings_of_nearly_the_same_speed_reduce_far() -> None:
+    """Wolfrom: (1 + zr/zs)/(1 - zr z2/(z1 zr2)) = (1 + 90/18)/(1 - 90*34/(36*87)) = 261."""
+    teeth = {"sun": 18, "planet": 36, "planet2": 34, "ring": 90, "ring2": 87}
+    element = wheels_of("stepped", ("sun", "ring", "ring2"), teeth)
+    for losses in LOSSES:
+        found = ratios(solved(set_case(element, ("S", "R", "R2", "C"), losses=losses)))
+        assert found["S to R2, R held"] == pytest.approx(261, rel=1e-12)
+
+
+@pytest.mark.parametrize("wheels", RAVIGNEAUX, ids=" ".join)
+@given(data=st.data())
+@EXAMPLES
+def test_ravigneaux_set(wheels: Sequence[str], data: st.DataObject) -> None:
+    """On a standing carrier the large sun turns against the ring, the small one with it."""
+    teeth = data.draw(ravigneaux_teeth())
+    of_long_planet = {
+        "small_sun": Fraction(teeth["long"], teeth["small_sun"]),
+        "large_sun": Fraction(-teeth["long"], teeth["large_sun"]),
+        "ring": Fraction(teeth["long"], teeth["ring"]),
+    }
+    used = {key: value for key, value in teeth.items() if key in (*wheels, "short", "long")}
+    internal = {LETTERS[wheel]: of_long_planet[wheel] for wheel in wheels}
+    assume(far_from_one(internal))
+    turns_as_willis_says(wheels_of("ravigneaux", wheels, used), internal)
+
+
+@given(teeth=ravigneaux_teeth())
+@EXAMPLES
+def test_ravigneaux_gears_in_teeth(teeth: Teeth) -> None:
+    """Ring out: small sun in with large sun held, large sun in with the carrier held, ..."""
+    wheels = ("small_sun", "large_sun", "ring")
+    assume(abs(teeth["small_sun"] - teeth["ring"]) > 5)
+    found = ratios(solved(set_case(wheels_of("ravigneaux", wheels, teeth), ("s", "S", "R", "C"))))
+    small, large, ring = (teeth[wheel] for wheel in wheels)
+    expected = {
+        "s to R, C held": ring / small,
+        "S to R, C held": -ring / large,
+        "s to R, S held": (1 + large / small) / (1 + large / ring),
+        "C to R, S held": 1 / (1 + large / ring),
+        "C to R, s held": 1 / (1 - small / ring),
+    }
+    assert {gear: found[gear] for gear in expected} == pytest.approx(expected, rel=PRECISION)
+
+
+def test_a_ravigneaux_set_needs_no_teeth_of_the_planets() -> None:
+    wheels = ("small_sun", "large_sun", "ring")
+    element = wheels_of("ravigneaux", wheels, {"small_sun": 30, "large_sun": 36, "ring": 72})
+    for losses in LOSSES:
+        found = ratios(solved(set_case(element, ("s", "S", "R", "C"), losses=losses)))
+        assert found["s to R, C held"] == pytest.approx(2.4, rel=PRECISION)
+        assert found["s to R, S held"] == pytest.approx(2.2 / 1.5, rel=PRECISION)
+
+
+@st.composite
+def groups(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, Fraction]]:
+    """One to three planets in a chain, of one to three rims, with wheels on any of them.
+
+    Drawn with the speeds of the wheels when the first planet turns at 1, carrier held.
+    """
+    rims: dict[str, dict[str, int]] = {}
+    turned: dict[str, Fraction] = {}
+    meshes: list[list[str]] = []
+    for planet in "XYZ"[: draw(st.integers(1, 3))]:
+        count = draw(st.integers(1, 3))
+        rims[planet] = {f"{planet}{n}": draw(st.integers(14, 40)) for n in range(1, count + 1)}
+        if not turned:
+            turned[planet] = Fraction(1)
+            continue
+        before = list(rims)[-2]
+        first = draw(st.sampled_from(list(rims[before])))
+        second = draw(st.sampled_from(list(rims[planet])))
+        meshes.append([first, second])
+        turned[planet] = -turned[before] * Fraction(rims[before][first], rims[planet][second])
+    all_rims = [(planet, rim) for planet, of_planet in rims.items() for rim in of_planet]
+    wheels: dict[str, list[dict[str, Any]]] = {"suns": [], "rings": []}
+    internal: dict[str, Fraction] = {}
+    for number in range(1, draw(st.integers(2, 4)) + 1):
+        planet, rim = draw(st.sampled_from(all_rims))
+        kind = draw(st.sampled_from(["suns", "rings"]))
+        teeth = draw(st.integers(14, 50) if kind == "suns" else st.integers(60, 120))
+        wheels[kind].append({"link": f"L{number}", "teeth": teeth, "rim": rim})
+        sign = -1 if kind == "suns" else 1
+        internal[f"L{number}"] = sign * turned[planet] * Fraction(rims[planet][rim], teeth)
+    element = {
+        "kind": "planet_group",
+        "carrier": "C",
+        "rims": rims,
+        **{kind: found for kind, found in wheels.items() if found},
+        **({"meshes": meshes} if meshes else {}),
+    }
+    return element, internal
+
+
+@given(group=groups())
+@EXAMPLES
+def test_group_of_planets(group: tuple[dict[str, Any], dict[str, Fraction]]) -> None:
+    element, internal = group
+    assume(far_from_one(internal))
+    turns_as_willis_says(element, internal)
+
+
+@given(teeth=simple_teeth())
+@EXAMPLES
+def test_a_group_of_one_planet_with_one_rim_is_a_planetary_set(teeth: Teeth) -> None:
+    group = {
+        "kind": "planet_group",
+        "carrier": "C",
+        "rims": {"X": {"X1": teeth["planet"]}},
+        "suns": [{"link": "S", "teeth": teeth["sun"], "rim": "X1"}],
+        "rings": [{"link": "R", "teeth": teeth["ring"], "rim": "X1"}],
+    }
+    as_group, as_set = (solved(set_case(element, "SRC")) for element in (group, planetary(teeth)))
+    assert ratios(as_group) == pytest.approx(ratios(as_set), rel=PRECISION)
+    assert efficiencies(as_group) == pytest.approx(efficiencies(as_set), rel=1e-9)
+
+
+@given(teeth=bevel_teeth())
+@EXAMPLES
+def test_bevel_differential(teeth: Teeth) -> None:
+    """(w_left - w_c)/(w_right - w_c) = -z_right/z_left."""
+    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", "teeth": dict(teeth)}
+    turns_as_willis_says(element, {"L": Fraction(1), "R": Fraction(-teeth["left"], teeth["right"])})
+
+
+def test_a_bevel_differential_without_teeth_is_open() -> None:
+    """The carrier turns at the mean of both sides."""
+    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C"}
+    found = ratios(solved(set_case(element, "LRC")))
+    assert found["L to C, R held"] == 2
+    assert found["L to R, C held"] == -1
+
+
+@pytest.mark.parametrize("mode", [{}, *({"losses": losses} for losses in LOSSES)])
+@given(teeth=st.fixed_dictionaries({"first": WHEELS, "second": WHEELS}))
+@EXAMPLES
+def test_pairs_of_wheels(mode: dict[str, str], teeth: Teeth) -> None:
+    """Outer wheels turn against one another; a wheel in a ring, a chain and a belt do not."""
+    assume(teeth["first"] != teeth["second"])  # no wheel turns inside a ring of its own size
+    signs = {"gear_pair": -1, "internal_pair": 1, "chain": 1, "belt": 1}
+    for kind, sign in signs.items():
+        sizes = "diameters" if kind == "belt" else "teeth"
+        element = {"kind": kind, "first": "A", "second": "B", sizes: dict(teeth)}
+        document = pair_case(element, "A", "B", **mode)
+        results = solved(document)
+        has_the_speeds_of_single_meshes(document, results)
+        ratio = sign * teeth["second"] / teeth["first"]
+        expected = {"forth": ratio, "back": 1 / ratio}
+        assert ratios(results) == pytest.approx(expected, rel=PRECISION)
+
+
+@given(teeth=st.fixed_dictionaries({"first": WHEELS, "idler": WHEELS, "second": WHEELS}))
+@EXAMPLES
+def test_an_idler_turns_the_sense_and_leaves_the_ratio(teeth: Teeth) -> None:
+    element = {"kind": "idler", "first": "A", "second": "B", "teeth": dict(teeth)}
+    document = pair_case(element, "A", "B")
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results)["forth"] == pytest.approx(teeth["second"] / teeth["first"], rel=1e-12)
+
+
+@given(threads=st.integers(1, 6), wheel=st.integers(20, 80))
+@EXAMPLES
+def test_a_worm_turns_once_for_each_start_of_the_wheel(threads: int, wheel: int) -> None:
+    element = {
+        "kind": "worm",
+        "worm": "A",
+        "wheel": "B",
+        "teeth": {"worm": threads, "wheel": wheel},
+        "efficiency": {"worm": 0.8, "wheel": 0.7},
+    }
+    document = pair_case(element, "A", "B")
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results)["forth"] == pytest.approx(wheel / threads, rel=PRECISION)
+    assert efficiencies(results) == pytest.approx({"forth": 0.8, "back": 0.7}, rel=1e-9)
+
+
+def test_a_self_locking_worm_drives_and_is_not_driven() -> None:
+    element = {
+        "kind": "worm",
+        "worm": "A",
+        "wheel": "B",
+        "teeth": {"worm": 1, "wheel": 60},
+        "efficiency": {"worm": 0.4, "wheel": 0},
+    }
+    results = solved(pair_case(element, "A", "B"))
+    assert results.locked.tolist() == [False, True]
+    assert results.efficiency[0] == pytest.approx(0.4, rel=1e-9)
+    assert np.isnan(results.efficiency[1])
+
+
+def test_a_shaft_turns_both_ends_alike_and_loses_what_it_says() -> None:
+    element = {"kind": "shaft", "first": "A", "second": "B", "efficiency": 0.97}
+    document = pair_case(element, "A", "B")
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results) == pytest.approx({"forth": 1, "back": 1}, rel=PRECISION)
+    assert efficiencies(results) == pytest.approx({"forth": 0.97, "back": 0.97}, rel=PRECISION)
+
+
+def held_ring(how: str) -> dict[str, Any]:
+    """A planetary set whose ring stands: held for good, or part of the housing."""
+    set_ = planetary({"sun": 30, "ring": 78, "planet": 24})
+    if how == "housing":
+        set_["ring"] = "housing"
+    elements = {"P": set_} | ({"H": {"kind": "held", "link": "R"}} if how == "held" else {})
+    links = ["S", "R", "C"] if how == "held" else ["S", "C"]
+    return {"links": links, "elements": elements, "gears": {"only": {}}}
+
+
+@pytest.mark.parametrize("how", ["held", "housing"])
+@pytest.mark.parametrize("losses", LOSSES)
+def test_a_ring_that_stands_for_good(how: str, losses: str) -> None:
+    """1 + 78/30 = 3.6."""
+    document = held_ring(how) | {"losses": losses}
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results)["only"] == pytest.approx(3.6, rel=PRECISION)
+
+
+def freewheel_case() -> dict[str, Any]:
+    """A freewheel keeps the ring from turning backward."""
+    return {
+        "links": ["S", "R", "C"],
+        "elements": {"P": planetary({"sun": 30, "ring": 78, "planet": 24})},
+        "shift_elements": {
+            "L": {"kind": "freewheel", "links": ["R", "housing"]},
+            "K": {"kind": "clutch", "links": ["S", "C"]},
+        },
+        "gears": {"low": {}, "direct": {"engaged": ["K"]}},
+    }
+
+
+@pytest.mark.parametrize("losses", LOSSES)
+def test_a_freewheel_holds_the_ring_in_low_gear_and_overruns_in_direct_drive(losses: str) -> None:
+    """The sun drives the ring backward; clutched to the carrier it takes the ring along."""
+    document = freewheel_case() | {"losses": losses}
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results, {"low": ["L"]})
+    assert ratios(results) == pytest.approx({"low": 3.6, "direct": 1}, rel=PRECISION)
+    slips = results.slip_speeds[:, 0]
+    assert slips == pytest.approx([0, 1], abs=PRECISION)
+    assert torque(results, "low", "L") == pytest.approx(1 - 3.6, rel=1e-11)
+    assert torque(results, "direct", "L") == pytest.approx(0, abs=1e-11)
+
+
+def overdrive_case() -> dict[str, Any]:
+    """The carrier must not turn backward against the sun; a brake may stop the sun."""
+    return {
+        "links": ["C", "S", "R"],
+        "elements": {"P": planetary({"sun": 30, "ring": 78, "planet": 24})},
+        "shift_elements": {"L": {"kind": "freewheel", "links": ["C", "S"]}, "B": ["S", "housing"]},
+        "gears": {"direct": {}, "overdrive": {"engaged": ["B"]}},
+    }
+
+
+@pytest.mark.parametrize("losses", LOSSES)
+def test_a_freewheel_between_two_links_gives_direct_drive_and_overruns_in_overdrive(
+    losses: str,
+) -> None:
+    """The load on the ring lets the sun run ahead of the carrier, which the freewheel forbids.
+
+    With the sun stopped the carrier runs ahead: 78/(30 + 78), slip 1.
+    """
+    document = overdrive_case() | {"losses": losses}
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results, {"direct": ["L"]})
+    assert ratios(results) == pytest.approx({"direct": 1, "overdrive": 78 / 108}, rel=PRECISION)
+    assert results.slip_speeds[:, 0] == pytest.approx([0, 1], abs=PRECISION)
+
+
+@pytest.mark.parametrize(
+    ("brake", "clutch"),
+    [
+        (["R", "housing"], ["S", "C"]),
+        ({"kind": "brake", "links": ["R"]}, {"kind": "clutch", "links": ["S", "C"]}),
+        ({"kind": "brake", "links": ["R", "housing"]}, {"kind": "dog_clutch", "links": ["S", "C"]}),
+        (
+            {"kind": "dog_clutch", "links": ["R", "housing"]},
+            {"kind": "clutch", "links": ["C", "R"]},
+        ),
+    ],
+)
+def test_a_shift_element_joins_its_links_however_it_is_written(brake: Any, clutch: Any) -> None:
+    document = {
+        "links": ["S", "R", "C"],
+        "elements": {"P": planetary({"sun": 30, "ring": 78, "planet": 24})},
+        "shift_elements": {"B": brake, "K": clutch},
+        "gears": {"low": {"engaged": ["B"]}, "direct": {"engaged": ["K"]}},
+    }
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results) == pytest.approx({"low": 3.6, "direct": 1}, rel=PRECISION)
+
+
+CHAINED = (
+    ("planetary", {"sun": 30, "ring": 78, "planet": 24}, EXTERNAL * INTERNAL),
+    ("double_planet", {"sun": 30, "inner": 20, "outer": 20, "ring": 90}, EXTERNAL**2 * INTERNAL),
+)
+
+
+@pytest.mark.parametrize(("kind", "teeth", "expected"), CHAINED)
+@pytest.mark.parametrize("losses", LOSSES)
+def test_carrier_held_a_set_loses_at_every_mesh(
+    kind: str, teeth: dict[str, int], expected: float, losses: str
+) -> None:
+    element = planetary(teeth) if kind == "planetary" else double_planet(teeth)
+    found = efficiencies(solved(set_case(element, "SRC", losses=losses)))
+    assert found["S to R, C held"] == pytest.approx(expected, rel=1e-9)
+    assert found["R to S, C held"] == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
+def test_carrier_held_stepped_planets_lose_at_both_wheels(wheels: Sequence[str]) -> None:
+    teeth = {"sun": 20, "sun2": 33, "ring": 97, "ring2": 83, "planet": 26, "planet2": 31}
+    used = {wheel: teeth[wheel] for wheel in (*wheels, "planet", "planet2")}
+    links = [LETTERS[wheel] for wheel in wheels]
+    case = set_case(wheels_of("stepped", wheels, used), [*links, "C"], losses="meshes")
+    found = efficiencies(solved(case))
+    mesh = {"S": EXTERNAL, "S2": EXTERNAL, "R": INTERNAL, "R2": INTERNAL}
+    for first in links:
+        for second in links:
+            if first != second:
+                expected = pytest.approx(mesh[first] * mesh[second], rel=1e-9)
+                assert found[f"{first} to {second}, C held"] == expected
+
+
+def test_carrier_held_a_ravigneaux_set_loses_at_every_mesh_on_the_way() -> None:
+    """Small sun, short planet, long planet, ring or large sun.
+
+    Three-link mechanisms cannot have it so for all pairs of three wheels at once.
+    """
+    teeth = {"small_sun": 30, "large_sun": 36, "ring": 72, "short": 20, "long": 18}
+    element = wheels_of("ravigneaux", ("small_sun", "large_sun", "ring"), teeth)
+    found = efficiencies(solved(set_case(element, ("s", "S", "R", "C"), losses="meshes")))
+    expected = {
+        "s to R, C held": EXTERNAL**2 * INTERNAL,
+        "S to R, C held": EXTERNAL * INTERNAL,
+        "s to S, C held": EXTERNAL**3,
+    }
+    assert {gear: found[gear] for gear in expected} == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["planetary", "double_planet", "stepped"])
+@given(data=st.data())
+@EXAMPLES
+def test_a_set_of_two_wheels_loses_the_same_at_its_meshes_as_in_one(
+    kind: str, data: st.DataObject
+) -> None:
+    """All power of one wheel against the carrier goes through every mesh to the other one."""
+    if kind == "planetary":
+        element, members = planetary(data.draw(simple_teeth())), ["S", "R", "C"]
+    elif kind == "double_planet":
+        element, members = double_planet(data.draw(double_teeth())), ["S", "R", "C"]
+    else:
+        wheels = data.draw(st.sampled_from([pair for pair in STEPPED if len(pair) == 2]))
+        teeth = data.draw(stepped_teeth(wheels))
+        assume(far_from_one(stepped_internal(wheels, teeth)))
+        element = wheels_of("stepped", wheels, teeth)
+        members = [*(LETTERS[wheel] for wheel in wheels), "C"]
+    at_meshes, reduced = (
+        efficiencies(solved(set_case(element, members, losses=losses))) for losses in LOSSES
+    )
+    assert at_meshes == pytest.approx(reduced, rel=1e-9, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("kind", "expected"),
+    [("gear_pair", EXTERNAL), ("internal_pair", INTERNAL), ("idler", EXTERNAL**2)],
+)
+def test_a_pair_loses_at_its_meshes(kind: str, expected: float) -> None:
+    teeth = {"first": 20, "second": 41} | ({"idler": 17} if kind == "idler" else {})
+    element = {"kind": kind, "first": "A", "second": "B", "teeth": teeth}
+    found = efficiencies(solved(pair_case(element, "A", "B")))
+    assert found == pytest.approx({"forth": expected, "back": expected}, rel=1e-9)
+
+
+def test_an_element_may_have_mesh_efficiencies_of_its_own() -> None:
+    element = planetary({"sun": 30, "ring": 78}) | {
+        "mesh_efficiency": {"external": 0.9, "internal": 0.95}
+    }
+    for losses in LOSSES:
+        found = efficiencies(solved(set_case(element, "SRC", losses=losses)))
+        assert found["S to R, C held"] == pytest.approx(0.9 * 0.95, rel=1e-9)
+
+
+def test_links_may_be_left_out() -> None:
+    """They are the names used, in order of appearance; the first drives."""
+    document = {
+        "input": "engine",
+        "output": "axle",
+        "elements": {
+            "low": {
+                "kind": "planetary",
+                "sun": "engine",
+                "ring": "drum",
+                "carrier": "shaft",
+                "teeth": {"sun": 30, "ring": 78},
+            },
+            "final": {
+                "kind": "gear_pair",
+                "first": "shaft",
+                "second": "axle",
+                "teeth": {"first": 13, "second": 41},
+            },
+        },
+        "shift_elements": {"B": ["drum", "housing"]},
+        "gears": {1: {"engaged": ["B"]}},
+    }
+    results = solved(document)
+    assert results.case.link_names[0] == "engine"
+    assert set(results.case.link_names) >= {"engine", "drum", "shaft", "axle"}
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results)["1"] == pytest.approx(-3.6 * 41 / 13, rel=PRECISION)
+
+
+def test_mechanisms_may_stand_beside_elements() -> None:
+    document = {
+        "links": ["S", "R", "C", "out"],
+        "elements": {"P": planetary({"sun": 30, "ring": 78, "planet": 24})},
+        "mechanisms": {
+            "pair": {"first": "C", "second": "out", "ratio": "-41/13", "efficiency": 0.98}
+        },
+        "shift_elements": {"B": ["R", "housing"]},
+        "gears": {"low": {"engaged": ["B"]}},
+    }
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    assert ratios(results)["low"] == pytest.approx(-3.6 * 41 / 13, rel=PRECISION)
+
+
+def test_single_meshes_leave_out_what_they_do_not_determine() -> None:
+    """With nothing held a planetary set has no speed but the input's."""
+    document = set_case(planetary({"sun": 30, "ring": 78}), "SRC")
+    document["gears"]["free"] = {}
+    assert speeds(document, "free") == {"S": 1}
+
+
+def test_single_meshes_tell_when_the_input_cannot_turn() -> None:
+    document = set_case(planetary({"sun": 30, "ring": 78}), "SRC")
+    document["gears"]["blocked"] = {"engaged": ["brake S", "brake R"]}
+    with pytest.raises(ContradictionError):
+        speeds(document, "blocked")

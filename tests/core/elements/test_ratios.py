@@ -1,0 +1,76 @@
+"""A Ravigneaux set of which the ratios are known, and no teeth."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vstatics import CaseError, solve
+from vstatics.core.elements.drawing import Drawing, transmission
+from vstatics.core.elements.element import Element
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers import from_dict
+from vstatics.core.writers.named import mapping
+from vstatics.synthesis import find_teeth
+
+MEMBERS = {"small_sun": 1, "large_sun": 2, "ring": 3, "carrier": 4}
+ELEMENTS = [ShiftElement(4), ShiftElement(2), ShiftElement(1, 4), ShiftElement(1, 2)]
+GEARS = [Gear([1]), Gear([2]), Gear([3]), Gear([4])]
+
+
+def drawn(element: Element) -> Transmission:
+    return transmission(
+        Drawing(4, (element,)), shift_elements=ELEMENTS, gears=GEARS, input=1, output=3
+    )
+
+
+def of_ratios(small: float, large: float, **others: object) -> Transmission:
+    ratios = {"small_sun": small, "large_sun": large}
+    own: dict[str, object] = {"efficiency": 0.97, **others}
+    return drawn(Element("R", "ravigneaux", MEMBERS, ratios=ratios, **own))  # type: ignore[arg-type]
+
+
+def test_it_is_two_sets_of_one_carrier_and_ring() -> None:
+    rng = np.random.default_rng(12)
+    for large in -rng.uniform(1.3, 4.0, 5):
+        small = -large * rng.uniform(1.05, 1.5)
+        sets = [Mechanism(1, 3, 4, small, 0.97), Mechanism(2, 3, 4, large, 0.97)]
+        apart = solve(Transmission(4, ELEMENTS, sets, GEARS, input=1, output=3))
+        own = solve(of_ratios(small, large))
+        assert own.speeds.tolist() == apart.speeds.tolist()
+        assert own.efficiency.tolist() == apart.efficiency.tolist()
+        assert own.torques[:, :4].tolist() == apart.torques[:, :4].tolist()
+
+
+def test_it_turns_as_one_with_such_teeth() -> None:
+    """Ring 85, suns 31 and 38; the long planets fill the gap between ring and large sun."""
+    teeth = {"small_sun": 31, "large_sun": 38, "ring": 85}
+    toothed = solve(drawn(Element("R", "ravigneaux", MEMBERS, teeth)))
+    own = solve(of_ratios(85 / 31, -85 / 38))
+    assert own.speeds == pytest.approx(toothed.speeds, rel=1e-12, nan_ok=True)
+    assert own.planet_speeds == pytest.approx(toothed.planet_speeds, rel=1e-12, nan_ok=True)
+
+
+def test_it_is_written_and_gets_teeth() -> None:
+    case = of_ratios(85 / 31, -85 / 38)
+    assert from_dict(mapping(case)) == case
+    best = find_teeth(case, {case.gears[0].name: 85 / 31}).solutions[0]
+    small, ring = (best.teeth["R"][wheel] for wheel in ("small_sun", "ring"))
+    assert ring / small == pytest.approx(85 / 31, rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("small", "large", "others"),
+    [
+        (2.0, -2.5, {}),
+        (-2.5, -2.0, {}),
+        (2.5, -0.5, {}),
+        (float("nan"), -2.0, {}),
+        (2.5, -2.0, {"efficiency": None}),
+        (2.5, -2.0, {"teeth": {"ring": 85}}),
+        (2.5, -2.0, {"stiffness": 1e5}),
+    ],
+)
+def test_what_is_no_such_set_is_told(small: float, large: float, others: dict[str, object]) -> None:
+    with pytest.raises(CaseError, match="E797"):
+        of_ratios(small, large, **others)

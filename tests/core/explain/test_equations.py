@@ -1,0 +1,81 @@
+"""The equations of a gear, as in the figures of the source."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.chance import seeded
+from tests.commands import CASES
+from tests.core.explain.explained import check, equations, explained
+from tests.trains import random_train
+from vstatics import load, solve
+from vstatics.core.explain.sums import Equation, in_symbols
+
+SHIPPED = [
+    CASES / f"{name}.yaml"
+    for name in (
+        "belaz7516",
+        "gm-6t70",
+        "mercedes-9g",
+        "power-split",
+        "self-locking",
+        "simpson-th400",
+        "toyota-p410",
+        "umdm",
+        "wheel-hub",
+        "wolfrom",
+        "zf-6hp26",
+        "zf-8hp70",
+    )
+]
+"""Of every kind: sets, groups of planets, freewheels, given speeds, several inputs."""
+
+
+def test_speeds_are_written_as_in_figure_3_of_the_source() -> None:
+    """Figure 3 b: brake engaged, u = -2.5; w3 = 1/3.5 in the text."""
+    brake = explained("differential.yaml", "2")
+    assert equations(brake.speeds) == ["w_1 + 2.5 w_2 - 3.5 w_3 = 0", "w_2 = 0", "w_1 = 1"]
+    clutch = explained("differential.yaml", "1")
+    assert equations(clutch.speeds)[1] == "w_1 - w_2 = 0"
+    assert brake.speeds.values["w_3"] == pytest.approx(1 / 3.5)
+    first = brake.speeds.equations[0]
+    assert " ".join(in_symbols(first)) == "w_1 - u_D w_2 + (u_D - 1) w_3 = 0"
+
+
+def test_torques_are_written_as_in_figure_4_of_the_source() -> None:
+    """Figure 4 a and b, without the terms that are 0 and the elements that carry no torque."""
+    clutch, brake = (explained("differential.yaml", gear) for gear in "12")
+    assert equations(clutch.torques) == [
+        "M_F + M_D = 1",
+        "-M_F + 2.5 M_D = 0",
+        "-3.5 M_D + Mx = 0",
+    ]
+    assert equations(brake.torques) == ["M_D = 1", "M_T + 2.5 M_D = 0", "-3.5 M_D + Mx = 0"]
+
+
+@pytest.mark.parametrize("file", SHIPPED, ids=lambda file: file.name)
+def test_equations_hold_and_formulas_give_the_ratios_of_shipped_cases(file: Path) -> None:
+    results = solve(load(file))
+    check(results, range(len(results.case.gears)))
+
+
+def test_equations_hold_and_formulas_give_the_ratios_of_random_trains() -> None:
+    rng = seeded(7)
+    for _ in range(12):
+        results = solve(random_train(rng, regular=False))
+        check(results, range(len(results.case.gears)))
+
+
+def residual(equation: Equation, values: Mapping[str, float]) -> float:
+    """Left less right side at given values, NaN where one of them does not exist."""
+    terms = [term.coefficient * values[term.unknown] for term in equation.terms if term.coefficient]
+    return math.fsum([*terms, -equation.right])
+
+
+def test_a_residual_shows_what_does_not_hold() -> None:
+    speeds = explained("differential.yaml", "2").speeds
+    assert residual(speeds.equations[0], {**speeds.values, "w_1": 2.0}) == pytest.approx(1)

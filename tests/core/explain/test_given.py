@@ -1,0 +1,234 @@
+"""An exercise can be solved from its sheet: whatever changes a blank changes what is given."""
+
+from __future__ import annotations
+
+import copy
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from tests.chance import seeded
+from tests.commands import CASES
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.explain import explain_gear
+from vstatics.core.explain.given import given
+from vstatics.core.explain.worksheet import worksheet
+from vstatics.core.tables import markdown
+from vstatics.core.writers.named import mapping
+
+LAWFUL = """
+links: [in, mid, out]
+shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewheel, links: [out]}}
+elements:
+  pair: {kind: gear_pair, first: in, second: mid, teeth: {first: 20, second: 41}}
+mechanisms:
+  M: {first: mid, second: out, ratio: -1.5, efficiency: {over: torque, points: [[0, 0.9], [150, 0.97]]}}
+load: {speed: 1000 rpm, torque: 100 N*m}
+gears: {g: {engaged: [], drag: {out: 2 N*m}, torques: {mid: 10 N*m}}}
+"""
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
+
+
+def numbers(data: Any, way: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Ways to all numbers of plain data, also those of texts."""
+    parts = data.items() if isinstance(data, dict) else enumerate(data)
+    for key, one in parts:
+        if isinstance(one, dict | list):
+            yield from numbers(one, (*way, key))
+        elif isinstance(one, bool):
+            continue
+        elif isinstance(one, int | float) or NUMBER.match(one):
+            yield (*way, key)
+
+
+def other(one: Any) -> Any:
+    """Another number of the kind, not far away."""
+    if isinstance(one, str):
+        return NUMBER.sub(lambda found: str(other(float(found[0]))), one, count=1)
+    if isinstance(one, int):
+        return one + 2
+    return 0.97 * one if one else 0.01
+
+
+def filled(case: Transmission) -> dict[str, Any]:
+    """A case as plain data, with the defaults that solving reads."""
+    data = mapping(case)
+    if "elements" in data:
+        efficiencies = {"external": 0.98, "internal": 0.99, "bevel": 0.97}
+        data["mesh_efficiency"] = efficiencies | data.get("mesh_efficiency", {})
+    for one in data.get("mechanisms", {}).values():
+        one.setdefault("efficiency", 1.0)
+    return data
+
+
+def said_and_asked(case: Transmission, place: int) -> tuple[str, list[tuple[Any, ...]]]:
+    """What is given on the sheet, and its blanks with nine digits."""
+    sheet = worksheet(solve(case), place)
+    told = markdown.write([], given(sheet.results, place))
+    return told, [(one.table, one.row, f"{one.value:.8e}") for one in sheet.blanks]
+
+
+def unsaid(case: Transmission, random: Random, most: int) -> list[str]:
+    """Numbers that change a blank of some gear, but nothing that is given."""
+    place = random.randrange(len(case.gears))
+    data = filled(case)
+    gear = case.gears[place].name
+    data["gears"] = {gear: data["gears"][gear]}
+    try:
+        before = said_and_asked(Transmission.from_dict(data), 0)
+    except CaseError:  # a gear without numbers
+        return []
+    ways = [*numbers({k: v for k, v in data.items() if k != "links"})]
+    missed = []
+    for way in random.sample(ways, min(most, len(ways))):
+        changed = copy.deepcopy(data)
+        part = changed
+        for key in way[:-1]:
+            part = part[key]
+        part[way[-1]] = other(part[way[-1]])
+        try:
+            after = said_and_asked(Transmission.from_dict(changed), 0)
+        except (CaseError, ReadError):  # teeth that can't be, a name that is a number
+            continue
+        if after[1] != before[1] and after[0] == before[0]:
+            missed.append(f"{case.name} {gear}: {way}")
+    return missed
+
+
+def shipped() -> list[Path]:
+    return sorted((*CASES.glob("*.yaml"), *CASES.glob("*.dat")))
+
+
+def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
+    file = tmp_path / "laws.yaml"
+    file.write_text(LAWFUL, encoding="utf-8")
+    case = load(file)
+    assert {"AMLGP", "losses", "ETA"} <= {one.table for one in worksheet(solve(case), 0).blanks}
+    assert unsaid(case, seeded(1), 99) == []
+    random = seeded(2)
+    for path in random.sample(shipped(), 12):
+        assert unsaid(load(path), random, 4) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+def test_what_changes_a_blank_of_any_shipped_case_stands_on_its_sheet(path: Path) -> None:
+    case = load(path)
+    for seed in range(min(len(case.gears), 3)):
+        assert unsaid(case, seeded(seed), 60) == []
+
+
+def test_what_is_given_is_not_asked() -> None:
+    """Speeds of links, and signs that a convention sets."""
+    case = load(CASES / "toyota-p410.yaml")
+    asked = {(one.table, one.row) for one in worksheet(solve(case), 0).blanks}
+    assert {row for table, row in asked if table == "W"} == set(case.link_names) - {
+        *("engine", "MG1", "right wheel")
+    }
+    case = load(CASES / "mzkt7922.yaml")
+    results = solve(case)
+    assert results.idle[0].tolist() == [False, True, False]
+    assert ("IX", "D2") not in {(one.table, one.row) for one in worksheet(results, 0).blanks}
+
+
+def test_a_converter_is_solved_from_its_sheet() -> None:
+    """K at .3 lies between 2.2 and 1 at 0 and .6; its loss is what it does not pass on."""
+    case = loads(
+        """
+        links: [pump, turbine]
+        mechanisms: {TC: {kind: converter, first: pump, second: turbine, points: [[0, 2.2], [0.6, 1]]}}
+        gears: {g: {speed_ratios: {TC: 0.3}}}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    told, _ = said_and_asked(case, 0)
+    points = "(speed ratio, K): (0, 2.2), (0.6, 1)"
+    assert f"| TC | converter | pump | turbine | - | - | 0.3 | {points} |" in told
+    assert "Losses, third link held" not in told
+    k = 2.2 + (1 - 2.2) * 0.3 / 0.6
+    blanks = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert blanks["AMLGP", "Mx"] == pytest.approx(k)
+    assert blanks["losses", "TC"] == pytest.approx(1 - k * 0.3)
+    with pytest.raises(CaseError, match="gear g: TC is a converter"):
+        explain_gear(solve(case), "g")
+
+
+def test_a_sheet_tells_over_what_a_law_goes() -> None:
+    """Those of efficiency and drag, each where the case has such; a belt has no teeth."""
+    told = said_and_asked(loads(LAWFUL), 0)[0]
+    plain = said_and_asked(load(CASES / "differential.yaml"), 0)[0]
+    for law in ("over the torque on the first link with losses", "w in a formula, in rad/s"):
+        assert law in told
+        assert law not in plain
+    belt = "{B: {kind: belt, first: in, second: out, diameters: {first: 120, second: 90}}}"
+    told = said_and_asked(loads(f"links: [in, out]\nelements: {belt}\ngears: {{g: []}}\n"), 0)[0]
+    assert "| B | belt | first in, second out | diameters: first 120, second 90 |" in told
+    assert told.count("120") == 1
+
+
+def test_a_gear_of_drag_alone_asks_for_torques_in_newton_metres() -> None:
+    """2 N*m between two pairs, the second driven from the output: 2 * 3/.97 N*m."""
+    case = loads(
+        """
+        links: [in, mid, out]
+        load: {speed: 1000 rpm, torque: 0 N*m}
+        drag: {mid: 2 N*m}
+        mechanisms:
+          P: {first: in, second: mid, ratio: -2, efficiency: 0.98}
+          Q: {first: mid, second: out, ratio: -3, efficiency: 0.97}
+        gears: {g: []}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert ("W", "in") not in asked
+    assert asked["AMLGP_Nm", "Mx"] == pytest.approx(-6 / 0.97)
+    assert asked["IX", "Q"] == -1
+    assert asked["AMLGP_Nm", "Q"] == pytest.approx(2)
+    assert "M (w_first - w_third) > 0, M with drag" in sheet.worksheet()
+
+
+def test_teeth_of_planets_that_fill_a_gap_are_told() -> None:
+    """Long planets between the large sun (42) and the ring (84) have 21: w_ring 84/21."""
+    case = loads(
+        """
+        links: [small, large, ring, carrier]
+        output: ring
+        shift_elements: {C: [carrier, housing]}
+        elements:
+          set:
+            {kind: ravigneaux, small_sun: small, large_sun: large, ring: ring, carrier: carrier,
+             teeth: {small_sun: 30, large_sun: 42, ring: 84}}
+        gears: {g: [C]}
+        """
+    )
+    sheet = worksheet(solve(case), 0)
+    asked = {(one.table, one.row): one.value for one in sheet.blanks}
+    assert asked["WSAT", "set.long"] == pytest.approx(asked["W", "ring"] * 84 / 21)
+    rule = "A planet between a sun and a ring has (ring - sun)/2 teeth"
+    assert rule in sheet.worksheet()
+    assert rule not in worksheet(solve(load(CASES / "simpson.yaml")), 0).worksheet()
+
+
+def test_a_neutral_gear_says_so_and_asks_nothing_of_power() -> None:
+    clutch, loose = ShiftElement(1, 2), Mechanism(2, 3, 4, -2.5, 0.96)
+    case = Transmission(4, [clutch], [loose], [Gear([1])], coast=True)
+    sheet = worksheet(solve(case), 0).worksheet()
+    assert "neutral: the speed of the output is not determined" in sheet
+    assert "Coasting" not in sheet
+    assert "eta^x" not in sheet
+
+
+def test_conventions_of_a_calculation_stand_on_the_sheet() -> None:
+    """Power that enters at the output, the sign of idle mechanisms, what freewheels do."""
+    case = load(CASES / "mzkt7922.yaml")
+    for one in (case.with_coast(coast=True), case.replace(idle="exact")):
+        assert said_and_asked(one, 0) != said_and_asked(case, 0)
+        assert said_and_asked(one, 0)[0] != said_and_asked(case, 0)[0]
+    told = said_and_asked(load(CASES / "ravigneaux-gf4a.yaml"), 0)[0]
+    assert "| one-way clutch 2 | freewheel | carrier | housing | holds |" in told

@@ -1,0 +1,241 @@
+"""Loops that may not be in the metal: a Ravigneaux set that is written as two mechanisms.
+
+Teeth 30, 36, 84 (those of cases/ravigneaux-gf4a.yaml), so the small sun has +84/30 to the
+ring and the large one -84/36. In gear 2 the small sun drives and the large one is held. By
+hand, with M = 1 on the small sun and nothing on the carrier: 1.8 + M2 (-10/3) = 0, so the
+other half has M2 = .54. With the large sun at rest c = .7 r, and 1 - c = 2.8 (r - c) gives
+r = 1/1.54. The first half gives the ring 2.8/1.54, of which 1.26/1.54 come back by the
+second half and the carrier.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from tests.core.flow.worked import only, sides
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.flow.circulation import CommonLinks, Loop, Node
+from vstatics.core.flow.grids import remarks
+from vstatics.core.flow.rows import flow_grids
+from vstatics.core.flow.shared_planets import shared
+from vstatics.core.flow.text import text
+from vstatics.core.readers.named.reader import read_yaml
+
+NAMES = ("s1", "s2", "r", "c")
+M1 = Mechanism(1, 3, 4, 84 / 30, 0.97, name="m1")
+M2 = Mechanism(2, 3, 4, -84 / 36, 0.97, name="m2")
+BRAKE = ShiftElement(2, 0, "B")
+SET = Transmission(4, [BRAKE], [M1, M2], [Gear([1])], output=3, link_names=NAMES)
+DOUBT = "may not be in the metal: m1 and m2 share r and c"
+
+DECK = """
+KJG= 4 KL= 1 KG= 2
+NZF(I,1),I=1,KL: 2
+NZF(I,2),I=1,KL: 0
+NZD(I,1),I=1,KG: 1 2
+NZD(I,2),I=1,KG: 3 3
+NZD(I,3),I=1,KG: 4 4
+IAB(I),I=1,KG: 2.8 -2.3333333333333333
+ETAI(I),I=1,KG: .97 .97
+NP= 1
+KFRI(I),I=1,NP: 1
+(NFRI(K,I),K=1,KFRI(I)),I=1,NP: 1
+IOUT= 3
+NAME J3: r
+NAME J4: c
+NAME D1: m1
+NAME D2: m2
+"""
+
+YAML = """
+links: [s1, s2, r, c]
+output: r
+shift_elements: {B: [s2, housing]}
+elements:
+  half: {kind: planetary, sun: s2, ring: r, carrier: c, teeth: {sun: 36, ring: 84}}
+mechanisms:
+  m1: {first: s1, second: r, third: c, ratio: 2.8, efficiency: .97}
+gears: {"2": {engaged: [B]}}
+"""
+
+BESIDE = """
+links: [s1, s2, r, c, out]
+shift_elements: {B: [s2, housing]}
+elements: {final: {kind: gear_pair, first: r, second: out, teeth: {first: 20, second: 60}}}
+mechanisms:
+  m1: {first: s1, second: r, third: c, ratio: 2.8}
+  m2: {first: s2, second: r, third: c, ratio: -7/3}
+gears: {"2": {engaged: [B]}}
+"""
+
+RAVIGNEAUX = """
+links: [s1, s2, r, c]
+output: r
+shift_elements: {B: [s2, housing]}
+elements:
+  set:
+    kind: ravigneaux
+    small_sun: s1
+    large_sun: s2
+    ring: r
+    carrier: c
+    teeth: {small_sun: 30, large_sun: 36, ring: 84, short: 22, long: 24}
+gears: {"2": {engaged: [B]}}
+"""
+
+
+def test_two_halves_of_one_set_are_marked_with_the_links_that_they_share() -> None:
+    flow = only(SET)
+    for side in sides(flow):
+        [loop] = side.loops
+        assert loop.note == DOUBT
+        assert side.doubtful == side.circulating == loop.power
+    assert sides(flow)[0].circulating == pytest.approx(1.26 / 1.54)
+    [line] = [line for line in remarks(flow) if DOUBT in line]
+    assert line.strip().startswith(f"{sides(flow)[1].circulating:.3f}".lstrip("0"))
+
+
+def test_a_deck_says_so_as_text_and_as_json(tmp_path: Path) -> None:
+    file = tmp_path / "case.dat"
+    file.write_text(DECK, encoding="utf-8")
+    assert DOUBT in vstatics("flow", file).out
+    [gear] = json.loads(vstatics("flow", file, "-f", "json").out)["gears"]
+    assert [loop["note"] for loop in gear["lossy"]["loops"]] == [DOUBT]
+    assert gear["ideal"]["loops"][0]["power"] == pytest.approx(1.26 / 1.54)
+    assert gear["ideal"]["doubtful"] == gear["ideal"]["circulating"]
+
+
+def test_tables_say_so_beside_the_sum_and_beside_the_loop() -> None:
+    tables = {grid.title: grid for grid in flow_grids([only(SET)])}
+    [balance], [loop] = tables["Balance"].texts, tables["Circulating power"].texts
+    assert balance[-1] == f"{balance[-2]} of it may not be in the metal"
+    assert loop[-1] == DOUBT
+
+
+def test_a_loop_inside_one_element_is_not_counted() -> None:
+    for side in sides(only(read_yaml(RAVIGNEAUX.encode(), "x").case)):
+        assert side.loops == ()
+
+
+def test_a_loop_through_an_element_and_a_mechanism_is_real() -> None:
+    """An element has planets of its own, so these are two sets; the power is that of one set."""
+    ideal, _ = sides(only(read_yaml(YAML.encode(), "x").case))
+    assert [loop.shared for loop in ideal.loops] == [()]
+    assert ideal.circulating == pytest.approx(1.26 / 1.54)
+    assert ideal.doubtful == 0
+
+
+def test_mechanisms_beside_elements_are_marked_like_any() -> None:
+    """The same two mechanisms; behind them a final drive is an element."""
+    case = read_yaml(BESIDE.encode(), "x").case
+    assert case.drawing is not None
+    ideal, _ = sides(only(case))
+    [loop] = ideal.loops
+    assert loop.note == DOUBT
+    assert loop.power == pytest.approx(1.26 / 1.54)
+
+
+def test_links_that_a_clutch_joins_are_not_common() -> None:
+    """Two carriers and a clutch between them are two sets: the power goes through the clutch."""
+    clutch = ShiftElement(4, 5, "C")
+    apart = replace(
+        SET,
+        links=5,
+        link_names=("s1", "s2", "r", "c1", "c2"),
+        shift_elements=[BRAKE, clutch],
+        mechanisms=[M1, M2._replace(third=5)],
+        gears=[Gear([1, 2])],
+    )
+    ideal, _ = sides(only(apart))
+    assert ideal.circulating == pytest.approx(1.26 / 1.54)
+    assert [loop.shared for loop in ideal.loops] == [()]
+
+
+def test_a_gear_pair_shares_no_planets() -> None:
+    """A differential and a gear pair between two of its links: a loop of the textbooks."""
+    pair = Mechanism(1, 2, 0, -4.0, name="pair")
+    case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0), pair], [Gear()])
+    ideal, _ = sides(only(case))
+    assert ideal.circulating == pytest.approx(1)
+    assert ideal.doubtful == 0
+    assert "metal" not in text(only(case))
+
+
+def around(*names: str) -> Loop:
+    """A loop through mechanisms 1, 2, 3, ... and links by their names."""
+    kinds = {name: "mechanism" if name[0] == "m" else "link" for name in names}
+    return Loop(
+        tuple(Node(kinds[name], int(name[1:]), name) for name in names),  # type: ignore[arg-type]
+        1.0,
+    )
+
+
+def many(*links: tuple[int, int, int]) -> Transmission:
+    """Mechanisms m1, m2, ... between links l1, l2, ..."""
+    mechanisms = [Mechanism(*own, -2.0, name=f"m{n}") for n, own in enumerate(links, 1)]
+    names = tuple(f"l{number}" for number in range(1, 1 + max(map(max, links))))
+    return Transmission(len(names), [], mechanisms, [Gear()], link_names=names)
+
+
+def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None:
+    """Suns 1, 2, rings 3, 4, carrier 5: the third shares a sun with the first, not with m2."""
+    case = many((1, 3, 5), (2, 3, 5), (1, 4, 5))
+    found = shared(case, around("l3", "m1", "l1", "m3", "l5", "m2"))
+    assert found == (CommonLinks("m1", "m2", ("l3", "l5")), CommonLinks("m1", "m3", ("l1", "l5")))
+    assert Loop((), 1.0, found).note == (
+        "may not be in the metal: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
+    )
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [*range(60), *(pytest.param(n, marks=pytest.mark.slow) for n in range(60, count(60, 200)))],
+)
+def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
+    """Wheels on one carrier, each written with any of those before it; one link is held.
+
+    Of such loops the most run through two mechanisms, one in eight through three.
+    """
+    rng = seeded(seed)
+    wheels = rng.randint(3, 6)
+    ratios = [round(rng.uniform(0.3, 0.95), 2) * rng.choice((-4, -1, 1, 4)) for _ in range(wheels)]
+    sets = [
+        Mechanism(wheel, rng.randint(1, wheel - 1), wheels + 1, ratio, 0.98)
+        for wheel, ratio in enumerate(ratios[1:], 2)
+    ]
+    entry, output, brake = rng.sample(range(1, wheels + 2), 3)
+    held = [ShiftElement(brake, 0)]
+    flow = only(Transmission(wheels + 1, held, sets, [Gear([1])], entry, output))
+    for side in (flow.ideal, flow.lossy):
+        assert all(loop.shared for loop in side.loops) if side else True
+
+
+def test_two_sets_that_are_joined_twice_are_marked_as_nobody_knows() -> None:
+    """Front and rear set of cases/gm-thm440.yaml: the carrier of each is the ring of the other."""
+    case = many((1, 2, 3), (4, 3, 2))
+    assert Loop((), 1.0, shared(case, around("l2", "m1", "l3", "m2"))).note == (
+        "may not be in the metal: m1 and m2 share l2 and l3"
+    )
+
+
+def test_a_loop_that_goes_on_through_another_set_is_real() -> None:
+    """Halves of one set, and between them a third mechanism that shares one link with each."""
+    case = many((1, 3, 5), (2, 3, 5), (1, 2, 6))
+    assert shared(case, around("l3", "m2", "l2", "m3", "l1", "m1")) == ()
+
+
+def test_three_sets_in_a_ring_that_share_one_link_each_are_real() -> None:
+    case = many((1, 2, 3), (2, 4, 5), (4, 1, 6))
+    assert shared(case, around("l2", "m2", "l4", "m3", "l1", "m1")) == ()
+
+
+def test_sets_without_a_link_common_to_all_have_no_common_carrier() -> None:
+    """Four in a ring; each shares two links with the next, and none is in all of them."""
+    case = many((1, 2, 3), (2, 3, 4), (3, 4, 5), (4, 5, 1))
+    assert shared(case, around("l2", "m2", "l3", "m3", "l5", "m4", "l1", "m1")) == ()

@@ -1,0 +1,195 @@
+"""A Dask cluster of processes on this machine; a worker is killed in the middle."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import vstatics
+from tests.commands import environment
+from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, wait_for
+from vstatics.core.extras import build
+from vstatics.core.jobs import cluster as workers
+
+pytest.importorskip("distributed")
+pytestmark = [pytest.mark.slow, pytest.mark.alone]
+
+SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:500")
+"""Half a million variants in 8 pieces."""
+MORE = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:1:1500")
+"""Three times as many, so that a signal comes before their end."""
+LONG = ("box.yaml", "--vary", "D.ratio=-4:-2:10000", "--vary", "D.efficiency=.9:1:10000")
+"""A hundred million variants, more than there is time for."""
+
+
+def started(module: str, *arguments: object, cwd: Path, **variables: str) -> Any:
+    """A process of Dask's."""
+    command = [sys.executable, "-m", module, "--no-dashboard", *map(str, arguments)]
+    null = subprocess.DEVNULL
+    return subprocess.Popen(
+        command, cwd=cwd, env=environment(**variables), stdout=null, stderr=null
+    )
+
+
+class Cluster:
+    """A scheduler and two workers, each a process."""
+
+    def __init__(self, folder: Path) -> None:
+        """Start them."""
+        (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+        self.folder = folder
+        file = folder / "scheduler.json"
+        options = ("--host", "127.0.0.1", "--port", 0, "--scheduler-file", file)
+        self.scheduler = started("distributed.cli.dask_scheduler", *options, cwd=folder)
+        wait_for(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("}"))
+        self.address = json.loads(file.read_text(encoding="utf-8"))["address"]
+        self.workers = [self.worker() for _ in range(2)]
+
+    def worker(self, **variables: str) -> Any:
+        """Start one more worker."""
+        more = (self.address, "--nthreads", 1, "--no-nanny", "--local-directory", self.folder / "w")
+        return started("distributed.cli.dask_worker", *more, cwd=self.folder, **variables)
+
+    def close(self) -> None:
+        """End all of them."""
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+    def begin(self, *arguments: object) -> Any:
+        """Start a sweep on the cluster."""
+        return begin(*arguments, "--scheduler", self.address, cwd=self.folder)
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[Cluster]:
+    made = Cluster(tmp_path)
+    yield made
+    made.close()
+
+
+def test_a_worker_that_is_killed_loses_nothing(cluster: Cluster) -> None:
+    """What it was at goes to the other; the file is that of one process, to the byte."""
+    folder = cluster.folder
+    assert end(begin(*SWEEP, "-o", "one.csv", cwd=folder))[0] == 0
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: len(finished(folder / "out.csv.parts")) >= 2)
+    cluster.workers[0].kill()
+    status, said = end(running)
+    assert (status, "500000 rows of 500000 variants" in said) == (0, True)
+    assert (folder / "out.csv").read_bytes() == (folder / "one.csv").read_bytes()
+
+
+def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
+    """The workers do not see the file of the table."""
+    folder = cluster.folder
+    assert end(begin(*SWEEP, "--out", "ratio[low]", "-o", "one.csv", cwd=folder))[0] == 0
+    lines = (folder / "one.csv").read_text(encoding="utf-8").splitlines()
+    table = "\n".join(",".join(line.split(",")[1:3]) for line in lines)
+    (folder / "own.csv").write_text(table, encoding="utf-8")
+    options = ("box.yaml", "--variants", "own.csv", "--max", "efficiency[low]", "--best", 5)
+    assert end(cluster.begin(*options, "-o", "two.csv"))[0] == 0
+    assert end(begin(*options, "-o", "three.csv", cwd=folder))[0] == 0
+    assert (folder / "two.csv").read_bytes() == (folder / "three.csv").read_bytes()
+    assert end(cluster.begin(*SWEEP, "--out", "ratio[low]", "-o", "four.csv"))[0] == 0
+    assert (folder / "four.csv").read_bytes() == (folder / "one.csv").read_bytes()
+
+
+def test_an_interrupted_sweep_goes_on_without_the_cluster(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*MORE, "-o", "out.npz")
+    wait_for(lambda: len(finished(folder / "out.npz.parts")) >= 2)
+    running.send_signal(signal.SIGINT)
+    status, said = end(running)
+    assert (status, said.startswith("stopped; ")) == (130, True)
+    assert "Traceback" not in said
+    assert end(begin(*MORE, "-o", "out.npz", "--resume", "-j", 2, cwd=folder))[0] == 0
+    assert end(begin(*MORE, "-o", "one.npz", cwd=folder))[0] == 0
+    assert (folder / "out.npz").read_bytes() == (folder / "one.npz").read_bytes()
+
+
+def test_a_scheduler_that_goes_away_is_told_in_a_line(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: finished(folder / "out.csv.parts"))
+    cluster.scheduler.kill()
+    status, said = end(running)
+    first, second = said.splitlines()
+    assert (status, first) == (
+        1,
+        f"{cluster.address}: error: the connection to the scheduler is lost",
+    )
+    assert second.endswith("the same command with --resume goes on")
+
+
+def test_the_loss_of_all_workers_is_told_as_such(cluster: Cluster) -> None:
+    folder = cluster.folder
+    running = cluster.begin(*SWEEP, "-o", "out.csv")
+    wait_for(lambda: finished(folder / "out.csv.parts"))
+    for worker in cluster.workers:
+        worker.kill()
+    status, said = end(running)
+    first, second = said.splitlines()
+    assert (status, first) == (
+        1,
+        f"{cluster.address}: error: all workers are lost, or all that were there in the beginning",
+    )
+    assert second.endswith("the same command with --resume goes on")
+
+
+def other_build(folder: Path) -> dict[str, str]:
+    """Where a copy of the package is found that calculates the same, as another build."""
+    package = Path(vstatics.__file__).parent
+    shutil.copytree(package, folder / "other" / "vstatics", ignore=lambda *_: ["__pycache__"])
+    with (folder / "other/vstatics/__main__.py").open("a", encoding="utf-8") as file:
+        file.write("# another\n")
+    return {"PYTHONPATH": str(folder / "other")}
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_a_worker_with_another_build_is_refused_also_when_it_joins_late(
+    late: bool, cluster: Cluster
+) -> None:
+    folder = cluster.folder
+    variables = other_build(folder)
+    if late:
+        running = cluster.begin(*LONG, "-o", "out.csv")
+        wait_for(lambda: finished(folder / "out.csv.parts"))
+        cluster.workers.append(cluster.worker(**variables))
+    else:
+        cluster.workers.append(cluster.worker(**variables))
+        time.sleep(5)
+        running = cluster.begin(*LONG, "-o", "out.csv")
+    status, said = end(running)
+    first = next(line for line in said.splitlines() if "error" in line)  # progress may be told
+    assert status == 1
+    assert re.search(
+        rf"error: worker \S+ has vstatics \S+ \(build \w+\), expected \S+ \(build {build()}\)",
+        first,
+    )
+
+
+def test_who_was_lost_is_asked_where_dask_does_not_know_it_yet(cluster: Cluster) -> None:
+    """The client has not seen the end of its connection; losing workers ends none."""
+    with workers.Cluster("state", str, cluster.address) as made:
+        assert "all workers are lost" in str(made._loss(OSError()))
+        cluster.scheduler.kill()
+        assert "the connection to the scheduler is lost" in str(made._loss(OSError()))
+
+
+def test_a_scheduler_that_came_back_was_lost(cluster: Cluster) -> None:
+    """Dask connects again, but what was under way is cancelled."""
+    cancelled = Exception("cancelled")
+    cancelled.reason = "scheduler-connection-lost"  # type: ignore[attr-defined]
+    with workers.Cluster("state", str, cluster.address) as made:
+        assert "the connection to the scheduler is lost" in str(made._loss(cancelled))

@@ -1,0 +1,238 @@
+"""Finished pieces of a sweep: taken up again, held by one process, not lost."""
+
+from __future__ import annotations
+
+import json
+import resource
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.chance import count, seeded
+from tests.commands import environment
+from tests.sweep.sweeps import names, plan
+from vstatics.core.errors import ReadError
+from vstatics.core.jobs import piece_file
+from vstatics.core.jobs.alone import Alone
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.sweep.output import Output, description
+
+VARY = ("D.ratio=-4:-2:30",)
+
+
+def store(path: Path, *, resume: bool = False, vary: str = VARY[0], **more: Any) -> Output:
+    """The output of 30 variants in pieces of 8, opened."""
+    made = plan(vary, piece=8, **more)
+    opened = FinishedPieces(str(path))
+    opened.open(description(made, "csv"), made.pieces, resume=resume)
+    return Output(made, "csv", opened)
+
+
+def calculate(written: Output) -> list[int]:
+    """Calculate what is not there; how many variants, as they came."""
+    told: list[int] = []
+    written.calculate(Alone(written.task, written.task.describe), told.append)
+    return told
+
+
+def assemble(written: Output) -> None:
+    written.assemble(Alone(written.task, written.task.describe))
+
+
+def whole(folder: Path) -> bytes:
+    """The output of an undisturbed sweep."""
+    written = store(folder / "whole.csv")
+    calculate(written)
+    assemble(written)
+    return (folder / "whole.csv").read_bytes()
+
+
+def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "out.csv"
+    written = store(path)
+    calculate(written)
+    for gone in (1, 3):
+        Path(piece_file.piece_path(written.store.directory, gone)).unlink()
+    written.store.unlock()
+    again = store(path, resume=True)
+    assert (again.finished, list(again.pending)) == (16, [1, 3])
+    assert calculate(again) == [8, 6]
+    assemble(again)
+    assert path.read_bytes() == whole(tmp_path)
+    assert names(tmp_path) == ["out.csv", "whole.csv"]
+
+
+def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_path: Path) -> None:
+    """Random pieces are replaced with those of a sweep that differs in one number alone."""
+    expected = whole(tmp_path)
+    rng = seeded(0)
+    for trial in range(count(6, 200)):
+        path, other = (tmp_path / f"{name}{trial}.csv" for name in ("out", "other"))
+        written = store(path)
+        calculate(written)
+        written.store.unlock()
+        last = rng.choice((-2.0, -1.9, -2.5))
+        foreign = store(other, vary=f"D.ratio=-4:{last!r}:30")
+        calculate(foreign)
+        replaced = sorted(rng.sample(range(4), rng.randint(1, 4)))
+        for piece in replaced:
+            ends = (one.store.directory for one in (foreign, written))
+            source, target = (Path(piece_file.piece_path(end, piece)) for end in ends)
+            target.write_bytes(source.read_bytes())
+        foreign.store.unlock()
+        again = store(path, resume=True)
+        assert list(again.pending) == ([] if last == -2 else replaced)
+        calculate(again)
+        assemble(again)
+        assert path.read_bytes() == expected
+
+
+def test_what_a_killed_process_left_unfinished_is_removed(tmp_path: Path) -> None:
+    path = tmp_path / "out.csv"
+    written = store(path)
+    calculate(written)
+    folder = Path(written.store.directory)
+    (folder / "00000001.999.tmp").write_bytes(b"half")
+    (folder / piece_file.ASSEMBLED).write_bytes(b"half")
+    (folder / "00000002").write_bytes(b"half")
+    written.store.unlock()
+    again = store(path, resume=True)
+    assert list(again.pending) == [2]
+    assert names(folder) == [f"0000000{n}" for n in (0, 1, 3)] + ["lock", "plan.json"]
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"resume": False}, "holds 4 of 4 finished pieces of this sweep.*--resume"),
+        ({"out": "ratio"}, "of another sweep: columns changed; .*remove the directory"),
+        ({"where": "ratio[low] > 3"}, "of another sweep: where changed"),
+        ({"coast": True}, "of another sweep: the case, a file that it names, or an option"),
+    ],
+)
+def test_pieces_that_are_not_asked_for_are_not_lost(
+    more: dict[str, Any], words: str, tmp_path: Path
+) -> None:
+    written = store(tmp_path / "out.csv")
+    calculate(written)
+    written.store.unlock()
+    before = names(Path(written.store.directory))
+    wanted = {name: value for name, value in more.items() if name != "resume"}
+    other = plan(*VARY, piece=8, **wanted)
+    with pytest.raises(ReadError, match=words), FinishedPieces(str(tmp_path / "out.csv")) as opened:
+        opened.open(description(other, "csv"), other.pieces, resume=more.get("resume", True))
+    assert not opened.is_open  # so the command does not say that it can go on
+    assert names(Path(written.store.directory)) == before
+
+
+def test_a_directory_of_others_is_left_alone(tmp_path: Path) -> None:
+    folder = tmp_path / "out.csv.parts"
+    folder.mkdir()
+    (folder / "letter.txt").write_text("dear", encoding="utf-8")
+    with pytest.raises(ReadError, match="holds no sweep"):
+        store(tmp_path / "out.csv", resume=True)
+    assert (folder / "letter.txt").read_text(encoding="utf-8") == "dear"
+
+
+def test_pieces_of_another_build_are_calculated_again_with_a_word(tmp_path: Path) -> None:
+    """Before builds were told the description had none, and another fingerprint."""
+    for build in ({"build": "0123456789ab"}, {}):
+        written = store(tmp_path / "out.csv", resume=True)
+        calculate(written)
+        written.store.unlock()
+        file = Path(written.store.path("plan.json"))
+        known = {**json.loads(file.read_text(encoding="utf-8")), "fingerprint": "other"}
+        known.pop("build")
+        file.write_text(json.dumps({**known, **build}), encoding="utf-8")
+        made = plan(*VARY, piece=8)
+        with FinishedPieces(str(tmp_path / "out.csv")) as opened:
+            with pytest.raises(ReadError, match=r"of this sweep, .*--resume"):
+                opened.open(description(made, "csv"), made.pieces, resume=False)
+            opened.unlock()
+            without = opened.open(description(made, "csv"), made.pieces, resume=True)
+            assert without == "what is there is of another build of vstatics"
+            assert opened.finished() == []
+
+
+def test_pieces_go_when_the_output_is_on_the_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A disk may refuse as late as that; then the output is as it was, and no piece is lost."""
+    path = tmp_path / "out.csv"
+    path.write_bytes(b"old")
+    written = store(path)
+    calculate(written)
+    synced = []
+    with monkeypatch.context() as patch:
+        patch.setattr("os.fsync", lambda _: (_ for _ in ()).throw(OSError(5, "I/O error")))
+        with pytest.raises(OSError, match="I/O error"):
+            assemble(written)
+    assert (path.read_bytes(), len(written.store.finished())) == (b"old", 4)
+    with monkeypatch.context() as patch:
+        patch.setattr("os.fsync", lambda _: synced.append(len(written.store.finished())))
+        assemble(written)
+    assert synced == [4, 4]  # the file, then the folder
+    assert names(tmp_path) == ["out.csv"]
+
+
+def test_where_nothing_is_finished_nothing_stays(tmp_path: Path) -> None:
+    with store(tmp_path / "out.csv").store:
+        assert names(tmp_path) == ["out.csv.parts"]
+    assert names(tmp_path) == []
+
+
+@pytest.mark.slow
+def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
+    """A process has the directory until it ends, however it ends."""
+    held = store(tmp_path / "out.csv")
+    calculate(held)
+    held.store.unlock()
+    code = f"""
+import time
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+FinishedPieces({str(tmp_path / "out.csv")!r}).lock()
+print("held", flush=True)
+time.sleep(60)
+"""
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, env=environment()
+    ) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == b"held\n"
+        with pytest.raises(ReadError, match=rf"another sweep \(process {other.pid}\)"):
+            store(tmp_path / "out.csv", resume=True)
+        other.send_signal(signal.SIGKILL)
+    assert store(tmp_path / "out.csv", resume=True).finished == 30
+
+
+def test_an_output_that_is_a_directory_is_told_at_once(tmp_path: Path) -> None:
+    with pytest.raises(IsADirectoryError):
+        store(tmp_path)
+
+
+def test_a_piece_that_does_not_fit_on_the_disk_leaves_nothing(tmp_path: Path) -> None:
+    """A limit on the size of files is a small disk for this process."""
+    written = store(tmp_path / "out.csv", out="ratio,efficiency,speeds,torques,lossy_torques")
+    before = names(Path(written.store.directory))
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (500, hard))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            calculate(written)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert names(Path(written.store.directory)) == before
+    calculate(written)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (5000, hard))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            assemble(written)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert piece_file.ASSEMBLED not in names(Path(written.store.directory))
+    assemble(written)
+    assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 31

@@ -1,0 +1,50 @@
+"""One process at a time has a directory."""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import os
+from pathlib import Path
+
+import pytest
+
+from tests.sweep.sweeps import names
+from vstatics.core.errors import ReadError
+from vstatics.core.jobs.lock import lock, unlock
+from vstatics.core.jobs.state_files import StateFolder
+
+
+def test_a_lock_names_its_process_until_it_is_let_go(tmp_path: Path) -> None:
+    folder = StateFolder(str(tmp_path))
+    held = lock(folder, "mine", "run")
+    with pytest.raises(ReadError, match=rf"another run \(process {os.getpid()}\) is writing"):
+        lock(folder, "mine", "run")
+    unlock(lock(folder, "other", "run"))
+    unlock(held)
+    unlock(lock(folder, "mine", "run"))
+
+
+@pytest.mark.parametrize("code", [errno.ENOLCK, errno.EOPNOTSUPP])
+def test_a_file_system_without_locks_is_used_without_them(
+    code: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As some that are mounted from afar."""
+
+    def flock(*_: int) -> None:
+        raise OSError(code, os.strerror(code))
+
+    monkeypatch.setattr(fcntl, "flock", flock)
+    assert lock(StateFolder(str(tmp_path)), "mine", "run") is None
+    assert names(tmp_path) == []
+
+
+def test_any_other_fault_of_locking_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def flock(*_: int) -> None:
+        raise OSError(errno.EIO, "I/O error")
+
+    monkeypatch.setattr(fcntl, "flock", flock)
+    with pytest.raises(OSError, match="I/O error"):
+        lock(StateFolder(str(tmp_path)), "mine", "run")

@@ -1,0 +1,70 @@
+"""A finished piece as a file: whole or absent, and copied to its place."""
+
+from __future__ import annotations
+
+import errno
+import os
+from pathlib import Path
+
+import pytest
+
+from vstatics.core.jobs import piece_file
+from vstatics.core.jobs.piece_file import (
+    Account,
+    Copy,
+    Noticed,
+    copy,
+    piece_bytes,
+    read_account,
+    write_piece,
+)
+
+
+def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
+    noticed = (Noticed("N605", "the control is cut", 7, 2),)
+    account, buffers = piece_bytes(
+        3, 2, {"ok": 2}, [b"columns", b"and more"], (1, 0), ("drag of C",), noticed
+    )
+    write_piece(str(tmp_path), 3, buffers)
+    assert read_account(str(tmp_path), 3) == account
+    assert (account.variants, account.length) == (2, 15)
+    assert read_account(str(tmp_path), 4) is None
+
+
+@pytest.mark.parametrize("damage", ["cut", "changed", "another", "empty"])
+def test_a_damaged_piece_is_none(damage: str, tmp_path: Path) -> None:
+    account, buffers = piece_bytes(3, 2, {"ok": 2}, [b"columns"])
+    write_piece(str(tmp_path), 3, buffers)
+    file = Path(piece_file.piece_path(str(tmp_path), 3))
+    data = file.read_bytes()
+    damaged = {"cut": data[:-1], "changed": b"C" + data[1:], "another": data, "empty": b""}
+    file.write_bytes(damaged[damage])
+    if damage == "another":
+        file.rename(piece_file.piece_path(str(tmp_path), 5))
+    assert read_account(str(tmp_path), 5 if damage == "another" else 3) is None
+    assert account.piece == 3
+
+
+@pytest.mark.parametrize("in_kernel", [True, False])
+def test_stretches_are_copied_to_their_places(
+    in_kernel: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By the kernel, or through this process where the file system can't do it."""
+    for number in range(2):
+        _, buffers = piece_bytes(number, 1, {}, [b"0123456789"])
+        write_piece(str(tmp_path), number, buffers)
+    (tmp_path / piece_file.ASSEMBLED).write_bytes(b".........")
+
+    def refused(*_: object) -> int:
+        raise OSError(errno.EXDEV, "no")
+
+    if not in_kernel:
+        monkeypatch.setattr(os, "copy_file_range", refused, raising=False)
+    assert copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
+    assert (tmp_path / piece_file.ASSEMBLED).read_bytes() == b".234..89."
+
+
+def test_an_account_is_made_of_plain_things() -> None:
+    account, _ = piece_bytes(0, 1, {"ok": 3}, [b"x"])
+    assert isinstance(account, Account)
+    assert account.variants == 3

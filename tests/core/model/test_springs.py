@@ -1,0 +1,199 @@
+"""Springs, dampings and inertias given to the library."""
+
+from __future__ import annotations
+
+import math
+import pickle
+import re
+from typing import Any
+
+import pytest
+
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.parts import NO_DAMPING, Damping, damping
+from vstatics.core.model.springs import Spring, between, ends
+
+
+def made(*springs: Spring, **others: Any) -> Transmission:
+    return Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()], springs=springs, **others)
+
+
+def test_a_spring_has_one_rate_whichever_is_given() -> None:
+    assert Spring(between(1, 2), stiffness=500).rate == 500
+    assert Spring(between(1, 2), compliance=1 / 1024).rate == 1024
+
+
+def test_the_housing_has_no_part_in_a_twist() -> None:
+    for twist in (between(2), {2: 1}, {2: 1, 0: -1}, ((2, 1), (0, 5))):
+        [spring] = made(Spring(twist, stiffness=3)).springs
+        assert (spring.form, ends(spring.twist)) == ({2: 1.0}, (2, 0))
+    assert ends({2: -1.0}) == (0, 2)
+    assert ends({2: 2.0}) is None
+    assert ends({2: 1.0, 1: -1.5}) is None
+
+
+def test_a_case_fills_in_names_and_kinds_of_numbers() -> None:
+    case = made(
+        Spring({1: 1, 2: -1}, stiffness=3, damping=2),
+        Spring({1: 1}, compliance=1),
+        inertias={1: 2},
+    )
+    assert [spring.name for spring in case.springs] == ["S1", "S2"]
+    assert case.springs[0] == Spring(
+        ((1, 1.0), (2, -1.0)), stiffness=3.0, damping=Damping(2.0), name="S1"
+    )
+    assert case.devices == ["D1", "S1", "S2"]
+    assert case.inertias == {1: 2.0}
+    assert pickle.loads(pickle.dumps(case)) == case  # noqa: S301 - our own
+    assert repr(case).endswith("1 mechanism, 1 gear, 2 springs>")
+
+
+def test_springs_alone_have_one_gear() -> None:
+    case = Transmission(1, [], [], [], springs=[Spring(between(1), stiffness=3)])
+    assert case.gears == (Gear(name="1"),)
+    with pytest.raises(CaseError, match=r"expected what each gear engages, such as .* \[T1\]"):
+        Transmission(2, [ShiftElement(2)], [Mechanism(1, 2, 0, 2)], [])
+
+
+def test_a_damping_may_be_a_number() -> None:
+    assert damping(3) == Damping(3.0)
+    assert damping(Damping(loss_factor=0.1)) == Damping(0.0, 0.1)
+    assert not NO_DAMPING
+    assert Damping(loss_factor=0.1)
+
+
+STEEL = Spring(between(1, 2), stiffness=3.0)
+
+
+@pytest.mark.parametrize(
+    ("spring", "said"),
+    [
+        (STEEL._replace(stiffness=0), "springs[1].stiffness: read 0, expected a stiffness above 0"),
+        (STEEL._replace(stiffness=math.nan), "springs[1].stiffness: read nan, expected a stiffness"),
+        (STEEL._replace(stiffness=math.inf), "springs[1].stiffness: read inf, expected a stiffness"),
+        (STEEL._replace(stiffness=1e-320), "read 9.99989e-321, expected a stiffness that is not so"),
+        (STEEL._replace(stiffness=None), "springs[1]: there is no `stiffness`, no `compliance`"),
+        (STEEL._replace(compliance=1), "springs[1]: read both `stiffness` and `compliance`"),
+        (Spring(between(1), None, -1), "springs[1].compliance: read -1, expected a compliance above"),
+        (STEEL._replace(damping=-1), "springs[1].damping.viscous: read -1, expected a damping of 0"),
+        (STEEL._replace(damping=math.inf), "springs[1].damping.viscous: read inf, expected a damp"),
+        (STEEL._replace(damping=Damping(0, -1)), "damping.loss_factor: read -1, expected a loss fac"),
+        (STEEL._replace(twist={}), "springs[1].twist: the twist is empty, expected at least one"),
+        (STEEL._replace(twist={0: 1}), "springs[1].twist: the twist is empty"),
+        (STEEL._replace(twist={1: 1, 2: 0}), "twist[2]: read 0, expected a finite coefficient other"),
+        (STEEL._replace(twist={1: 1, 2: math.nan}), "twist[2]: read nan, expected a finite coeff"),
+        (STEEL._replace(twist={1: 1, 2: math.inf, 3: 1}), "twist[2]: read inf, expected a finite"),
+        (STEEL._replace(twist={1: 1, 4: 2}), "twist[4]: read 4, expected a link number from 1 to 3"),
+        (STEEL._replace(twist=between(1, 4)), "springs[1].second: read 4, expected a link number"),
+        (STEEL._replace(twist=between(1, 1)), "springs[1].second: joins link 1 to itself"),
+        (STEEL._replace(twist=between(0, 0)), "springs[1].second: joins link 0 (the housing) to"),
+        (STEEL._replace(name="D1"), "springs[1]: `D1` is the name of a mechanism too, expected"),
+        (STEEL._replace(name="a\nb"), "expected one line of text"),
+    ],
+)  # fmt: skip
+def test_a_spring_that_cannot_be_is_told(spring: Spring, said: str) -> None:
+    with pytest.raises(CaseError, match=re.escape(said)) as caught:
+        made(spring)
+    assert len(caught.value.problems) == 1
+
+
+@pytest.mark.parametrize(
+    ("inertias", "said"),
+    [
+        ({1: -1}, "inertias[1]: read -1, expected an inertia of 0 or more"),
+        ({1: math.nan}, "inertias[1]: read nan, expected an inertia of 0 or more"),
+        ({2: math.inf}, "inertias[2]: read inf"),
+        ({0: 1}, "inertias[0]: read 0 (the housing), expected a link number from 1 to 3"),
+        ({4: 1}, "inertias[4]: read 4, expected a link number from 1 to 3"),
+    ],
+)
+def test_an_inertia_that_cannot_be_is_told(inertias: dict[int, float], said: str) -> None:
+    with pytest.raises(CaseError, match=re.escape(said)):
+        made(inertias=inertias)
+
+
+@pytest.mark.parametrize(
+    ("elastic", "said"),
+    [
+        ({"stiffness": 0}, "stiffness: read 0, expected a stiffness above 0"),
+        ({"stiffness": 3, "damping": -1}, "damping.viscous: read -1, expected a damping of 0 or more"),
+        ({"damping": 1}, "damping: there is a damping without `stiffness`"),
+    ],
+)  # fmt: skip
+def test_a_device_that_cannot_be_elastic_so_is_told(elastic: dict[str, Any], said: str) -> None:
+    with pytest.raises(CaseError, match=re.escape(f"mechanisms[1].{said}")):
+        Transmission(2, [], [Mechanism(1, 2, 0, 2, **elastic)], [Gear()])
+    brake = ShiftElement(1, **elastic)
+    with pytest.raises(CaseError, match=re.escape(f"shift_elements[1].{said}")):
+        Transmission(2, [brake], [Mechanism(1, 2, 0, 2)], [Gear()])
+
+
+def test_two_springs_have_two_names() -> None:
+    with pytest.raises(CaseError, match="spring 2 has the name `S1` of spring 1"):
+        made(STEEL, STEEL._replace(name="S1"))
+
+
+STAGES = [(0, 0), (0.02, 0), (0.05, 30), (0.06, 90)]
+"""A clutch disc: play, a soft stage, a stiff one."""
+
+
+def test_points_hold_in_both_directions_and_go_on_with_their_last_slope() -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    twists = [0.0, 0.02, 0.035, 0.05, 0.07]
+    torques = [0.0, 0.0, 15.0, 30.0, 150.0]  # by hand
+    assert [curve.at(twist) for twist in twists] == pytest.approx(torques)
+    assert [curve.at(-twist) for twist in twists] == pytest.approx([-one for one in torques])
+
+
+def test_points_with_a_twist_below_0_hold_as_they_are_written() -> None:
+    curve = Spring(between(1, 2), points=[(-0.1, -5), (0.1, -5), (0.2, 15)]).curve
+    assert [curve.at(twist) for twist in (-9, 0, 0.15, 0.3)] == pytest.approx([-5, -5, 5, 35])
+
+
+def test_the_energy_of_points_is_their_integral() -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    triangle, trapezium = 0.03 * 30 / 2, 0.01 * (30 + 90) / 2
+    for twist in (0.06, -0.06):
+        assert curve.energy(twist) == pytest.approx(triangle + trapezium)
+    assert curve.energy(0.01) == 0
+    assert Spring(between(1), stiffness=500).curve.energy(-0.2) == pytest.approx(500 * 0.02)
+
+
+@pytest.mark.parametrize(
+    ("torque", "twist", "slope"),
+    [(0, 0, 0), (15, 0.035, 1000), (-15, -0.035, 1000), (30, 0.05, 6000), (300, 0.095, 6000)],
+)
+def test_of_a_torque_points_tell_twist_and_slope(torque: float, twist: float, slope: float) -> None:
+    curve = Spring(between(1, 2), points=STAGES).curve
+    assert curve.twist_at(torque) == pytest.approx(twist)
+    assert curve.slope_at(torque) == pytest.approx(slope)
+
+
+def test_in_play_the_twist_is_the_one_nearest_0() -> None:
+    curve = Spring(between(1), points=[(-0.2, -9), (0.05, 0), (0.1, 0), (0.2, 7)]).curve
+    assert curve.twist_at(0) == pytest.approx(0.05)
+    assert curve.slope_at(0) == 0
+
+
+def test_a_torque_beyond_a_flat_end_has_no_twist() -> None:
+    curve = Spring(between(1), points=[(0, 0), (0.1, 8), (0.3, 8)]).curve
+    assert [curve.twist_at(one) for one in (8, 8.5, -9)] == [pytest.approx(0.1), None, None]
+    assert curve.slope_at(8.5) == 0
+
+
+@pytest.mark.parametrize(
+    ("spring", "message"),
+    [
+        ({"points": [(0, 0), (0.1, 5), (0.1, 6)]}, "3][1]: read 0.1 behind 0.1, expected twists"),
+        ({"points": [(0, 0), (0.1, 5), (0.2, 4)]}, "3][2]: read 4 behind 5, expected torques"),
+        ({"points": [(0, 1), (0.1, 5)]}, "1]: read 0, 1, expected [0, 0] first"),
+        ({"points": [(0, 0), (0.1, 0)]}, "expected two points at least, and a torque that rises"),
+        ({"points": STAGES, "stiffness": 5}, "stiffness: read `stiffness` beside `points`"),
+        ({"points": STAGES, "limit": 5}, "limit: read `limit` beside `points`"),
+        ({"points": STAGES, "damping": Damping(1, 0.1)}, "read a loss factor or ratio beside"),
+        ({"stiffness": 5, "friction": -1}, "friction: read -1, expected a torque of 0 or more"),
+    ],
+)
+def test_points_that_are_no_curve_are_told(spring: dict[str, Any], message: str) -> None:
+    with pytest.raises(CaseError, match=re.escape(message)):
+        made(Spring(between(1, 2), **spring))

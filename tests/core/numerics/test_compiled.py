@@ -1,0 +1,196 @@
+"""Machine code that is kept is by all files from which it is made."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import vstatics
+from tests.chance import count, seeded, some
+from tests.commands import environment
+from vstatics.core.numerics import compiled
+
+PACKAGE = Path(vstatics.__file__).parent
+
+
+def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
+    """It holds the files with the words by which `vstatics.core.numerics.compiled` tells them."""
+    for file in PACKAGE.rglob("*.py"):
+        text = file.read_text()
+        if "@compiled" in text:
+            assert "import compiled" in text, file
+            for room in re.findall(
+                r"^from vstatics\.([\w.]+)\.tolerances import", text, re.MULTILINE
+            ):
+                assert (
+                    "Tolerances of"
+                    in (PACKAGE / room.replace(".", "/") / "tolerances.py").read_text()
+                )
+
+
+PUT = """
+import numpy as np
+from vstatics.core.numerics import compiled
+
+values, into = np.arange(3.0), np.zeros(3)
+compiled.put(values, into)
+assert (values == into).all()
+print(len(compiled.CACHE_TROUBLE), bool(compiled.put.stats.cache_hits))
+"""
+
+
+def put(cache: Path, program: str = PUT) -> str:
+    """How many troubles another process tells, and whether it found machine code."""
+    made = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**environment(XDG_CACHE_HOME=str(cache)), "NUMBA_DISABLE_JIT": "0"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return made.stdout.strip()
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with machine code, which is made once and found then."""
+    made = tmp_path_factory.mktemp("kept")
+    assert put(made) == "0 False"
+    assert put(made) == "0 True"
+    return made
+
+
+@pytest.fixture
+def cache(tmp_path: Path, kept: Path) -> Path:
+    """A copy of it."""
+    return shutil.copytree(kept, tmp_path / "cache")
+
+
+def garbage(file: Path) -> None:
+    file.write_bytes(b"garbage")
+
+
+def cut(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[:100])
+
+
+def folder(file: Path) -> None:
+    file.unlink()
+    file.mkdir()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("damage", some([garbage, cut, folder]))
+def test_machine_code_that_is_damaged_is_compiled_again(
+    cache: Path, damage: Callable[[Path], None]
+) -> None:
+    for file in [path for path in cache.rglob("*") if path.suffix == ".nbc"]:
+        damage(file)
+    assert put(cache) == "1 False"
+    assert put(cache) == ("1 False" if damage is folder else "0 True")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", ["vstatics", "vstatics/*/*", "vstatics/*/*/*.nbi"])
+def test_machine_code_where_others_may_write_is_not_read(cache: Path, part: str) -> None:
+    shared = next(iter(cache.glob(part)))
+    shared.chmod(0o777)
+    assert put(cache) == "1 False"
+    shared.chmod(0o700)
+    assert put(cache) == "0 True"
+
+
+@pytest.fixture
+def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder for machine code below others, as they are by default."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "home" / "cache"))
+    monkeypatch.setattr(compiled, "CACHE_TROUBLE", [])
+    made = Path(compiled._cache())
+    assert made.stat().st_mode & 0o777 == 0o700
+    assert made.parents[2] == tmp_path / "home"
+    for number in range(3):
+        (made / f"room_{number}").mkdir()
+        for name in ("code.nbi", "code.1.nbc"):
+            (made / f"room_{number}" / name).write_bytes(b"code")
+    return made
+
+
+def is_used(tree: Path) -> bool:
+    """Whether machine code is kept in the tree; otherwise one line says why not."""
+    compiled.CACHE_TROUBLE.clear()
+    used = compiled._cache()
+    assert used in ("", str(tree))
+    assert len(compiled.CACHE_TROUBLE) == (not used)
+    return bool(used)
+
+
+def test_whatever_others_can_change_is_not_used(tree: Path, tmp_path: Path) -> None:
+    """A folder above, in the tree or a file: its mode, its owner, or a link in its place."""
+    choose, above = seeded(22), [tree, *list(tree.parents)[:3]]
+    entries = [*above, *tree.rglob("*")]
+    for _ in range(count(200, 2000)):
+        entry = choose.choice(entries)
+        mode = entry.stat().st_mode & 0o7777
+        opened = choose.choice([0o020, 0o002, 0o022])
+        entry.chmod(mode | opened)
+        assert not is_used(tree), entry
+        entry.chmod(mode | opened | 0o1000)
+        assert is_used(tree) == (entry in above[1:]), entry  # the sticky bit
+        entry.chmod(mode)
+        if os.geteuid() == 0:
+            os.chown(entry, 65534, -1)
+            assert not is_used(tree), entry
+            os.chown(entry, 0, -1)
+        if entry not in above:
+            entry.rename(tmp_path / "moved")
+            entry.symlink_to(tmp_path / "moved")
+            assert not is_used(tree), entry
+            entry.unlink()
+            (tmp_path / "moved").rename(entry)
+        assert is_used(tree), compiled.CACHE_TROUBLE
+
+
+@pytest.mark.slow
+def test_the_path_of_machine_code_is_resolved_once(cache: Path, tmp_path: Path) -> None:
+    """A link that is turned elsewhere when Numba is there leads nobody to other machine code."""
+    garbage_code = shutil.copytree(cache, tmp_path / "garbage")
+    for file in garbage_code.rglob("*.nb*"):
+        garbage(file)
+    linked = tmp_path / "linked"
+    linked.mkdir()
+    (linked / "vstatics").symlink_to(cache / "vstatics")
+    turn = f"""
+import os
+os.unlink({str(linked / "vstatics")!r})
+os.symlink({str(garbage_code / "vstatics")!r}, {str(linked / "vstatics")!r})
+"""
+    head, tail = PUT.split("\n\n", 1)
+    assert put(linked, f"{head}\n{turn}\n{tail}") == "0 True"
+
+
+@pytest.mark.slow
+def test_a_link_within_the_machine_code_is_not_followed(cache: Path, tmp_path: Path) -> None:
+    code = next(iter(cache.glob("vstatics/*/*/*.nbc")))
+    code.rename(tmp_path / "code")
+    code.symlink_to(tmp_path / "code")
+    assert put(cache) == "1 False"
+
+
+@pytest.mark.slow
+def test_machine_code_is_kept_whatever_the_umask_is(tmp_path: Path) -> None:
+    """Files and folders that others of the group may change would not be read again."""
+    umask = "import os; os.umask(0o002)\n"
+    assert [put(tmp_path / "cache", umask + PUT) for _ in range(2)] == ["0 False", "0 True"]
+
+
+@pytest.mark.slow
+def test_machine_code_that_can_be_kept_nowhere_is_no_error(tmp_path: Path) -> None:
+    garbage(tmp_path / "file")
+    assert put(tmp_path / "file") == "1 False"

@@ -1,0 +1,92 @@
+"""The elimination as such: what is determined, what contradicts, what depends."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vstatics.core.numerics.elimination import RIGHT, Equation, dependencies, solve
+from vstatics.core.numerics.traced import plain
+
+
+def rows(matrix: list[list[float]], right: list[float]) -> list[Equation]:
+    """Dense equations as sparse rows."""
+    return [
+        {**{j: value for j, value in enumerate(line) if value}, RIGHT: b}
+        for line, b in zip(matrix, right, strict=True)
+    ]
+
+
+def test_a_regular_system_has_one_solution() -> None:
+    solution = solve(rows([[2, 1], [1, 3]], [5, 10]), 2)
+    assert solution.values == pytest.approx([1, 3])
+    assert solution[1:] == (True, 0, 0)
+
+
+def test_what_is_determined_is_given_though_the_rest_is_open() -> None:
+    # x0 = 1; x1 - x2 = 4 leaves x1 and x2 open, but not their difference
+    system = rows([[1, 0, 0], [0, 1, -1]], [1, 4])
+    solution = solve(system, 3, sums=[{1: 1.0, 2: -1.0}, {1: 1.0, 2: 1.0}])
+    assert solution.values == pytest.approx([1, math.nan, math.nan, 4, math.nan], nan_ok=True)
+    assert solution.missing == 1
+
+
+def test_a_contradiction_leaves_no_value() -> None:
+    solution = solve(rows([[1, 1], [2, 2], [1, 0]], [1, 3, 0]), 2)
+    assert not solution.consistent
+    assert all(math.isnan(plain(one)) for one in solution.values)
+
+
+def test_an_equation_in_excess_that_agrees_does_no_harm() -> None:
+    solution = solve(rows([[0.1, 0.2], [0.3, 0.6], [1, -1]], [0.3, 0.9, 0]), 2)
+    assert solution.values == pytest.approx([1, 1])
+    assert (solution.consistent, solution.excess) == (True, 1)
+
+
+def test_zero_is_told_from_small_by_what_it_was_made_of() -> None:
+    # .1 + .2 is not .3 in binary; 1e-12 is a number
+    assert solve(rows([[0.1 + 0.2, 1], [0.3, 1]], [1, 1]), 2).missing == 1
+    assert solve(rows([[0.3 + 1e-12, 1], [0.3, 1]], [1, 1]), 2).missing == 0
+
+
+def test_scales_that_differ_widely_are_no_trouble() -> None:
+    # a chain of three stages of 1e10: x3 = 1e-30
+    system = rows(
+        [[1, 0, 0, 0], [1, -1e10, 0, 0], [0, 1, -1e10, 0], [0, 0, 1, -1e10]], [1, 0, 0, 0]
+    )
+    solution = solve(system, 4)
+    assert solution.values == pytest.approx([1, 1e-10, 1e-20, 1e-30], rel=1e-14)
+
+
+def test_dependencies_name_their_equations() -> None:
+    system = rows([[1, -1, 0], [0, 1, -1], [1, 0, -1], [0, 0, 1]], [0, 0, 0, 1])
+    assert list(dependencies(system)) == [([0, 1, 2], True)]
+    system = rows([[1, 0], [0, 1], [1, 1]], [1, 1, 3])
+    assert list(dependencies(system)) == [([0, 1, 2], False)]
+
+
+@given(st.integers(1, 6), st.randoms(use_true_random=False))
+def test_solutions_are_those_of_dense_elimination(size: int, rng: st.DataObject) -> None:
+    random = np.random.default_rng(rng.randrange(2**32))  # type: ignore[attr-defined]
+    matrix = random.normal(size=(size, size)) * (random.random((size, size)) < 0.7)
+    matrix += np.diag(random.choice([-2.0, 2.0], size))
+    right = random.normal(size=size)
+    if np.linalg.cond(matrix) > 1e6:
+        return
+    expected = np.linalg.solve(matrix, right)
+    found = [plain(one) for one in solve(rows(matrix.tolist(), right.tolist()), size).values]
+    np.testing.assert_allclose(found, expected, rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.parametrize("stage", [1e300, 1e-300])
+def test_overflow_harms_nothing_before_it(stage: float) -> None:
+    # the stages multiply to 1e900, or to 1e-900
+    chain: list[Equation] = [{0: 1.0, RIGHT: 1.0}]
+    chain += [{i: 1.0, i + 1: -stage} for i in range(3)]
+    values = solve(chain, 4).values
+    assert values[0] == 1
+    assert values[1] == pytest.approx(1 / stage, rel=1e-14)

@@ -1,0 +1,134 @@
+"""Fronts: points of which no other is better in all numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from tests.chance import count
+from vstatics.core.numerics import fronts
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.numerics.fronts import merged, non_dominated
+from vstatics.sweep.kept.selection import limited
+
+RANDOM = settings(max_examples=count(30, 225))
+
+
+FEW_VALUES = st.sampled_from([0.0, -0.0, 1.0, 2.0, 3.0, math.nan, math.inf, -math.inf])
+
+
+ANY_VALUE = st.one_of(FEW_VALUES, st.floats())
+
+
+def points(objectives: st.SearchStrategy[int], most: int = 60) -> st.SearchStrategy[Floats]:
+    """Points with many ties, with NaN and infinite numbers."""
+    sizes = st.tuples(st.integers(0, most), objectives)
+    return sizes.flatmap(lambda size: arrays.arrays(np.float64, size, elements=ANY_VALUE))
+
+
+def dominates(one: Sequence[float], other: Sequence[float]) -> bool:
+    """The definition: as good in all, better in one."""
+    pairs = list(zip(one, other, strict=True))
+    return all(a <= b for a, b in pairs) and any(a < b for a, b in pairs)
+
+
+def front_by_definition(objectives: Floats) -> list[int]:
+    rows = objectives.tolist()
+    existing = [row for row in rows if not any(map(math.isnan, row))]
+    return [
+        number
+        for number, row in enumerate(rows)
+        if row in existing and not any(dominates(other, row) for other in existing)
+    ]
+
+
+def chunks(objectives: Floats, size: int) -> list[Floats]:
+    return [objectives[start : start + size] for start in range(0, len(objectives), size)]
+
+
+@RANDOM
+@given(points(st.integers(1, 5)))
+def test_a_front_is_what_its_definition_says(objectives: Floats) -> None:
+    assert non_dominated(objectives).tolist() == front_by_definition(objectives)
+
+
+@RANDOM
+@given(points(st.integers(2, 5), most=40), st.integers(1, 15))
+def test_the_front_of_chunks_is_the_front_of_all(objectives: Floats, size: int) -> None:
+    kept = np.zeros((0, objectives.shape[1]))
+    rows: Integers = np.zeros(0, dtype=np.int64)
+    for number, chunk in enumerate(chunks(objectives, size)):
+        new = non_dominated(chunk)
+        of_kept, of_new = merged(kept, chunk[new])
+        rows = np.concatenate([rows[of_kept], number * size + new[of_new]])
+        kept = objectives[rows]
+    assert rows.tolist() == front_by_definition(objectives)
+
+
+@pytest.mark.parametrize("objectives", [1, 2, 3, 4, 5])
+@pytest.mark.parametrize("levels", [4, 30, 10**6])
+def test_fronts_of_many_points(
+    objectives: int, levels: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """More than all numbers at which the method changes, which are made small."""
+    monkeypatch.setattr(fronts, "LEAF", 32)
+    monkeypatch.setattr(fronts, "BLOCK", 15)
+    count = 8 * fronts.LEAF
+    rng = np.random.default_rng(objectives)
+    made = rng.integers(0, levels, (count, objectives)).astype(float)
+    assert non_dominated(made).tolist() == front_by_definition(made)
+
+
+@pytest.mark.parametrize("objectives", [2, 3, 4])
+def test_points_of_which_none_is_better_are_all_kept(objectives: int) -> None:
+    """All lie on one plane: what is better in one is worse in another."""
+    rng = np.random.default_rng(7)
+    plane = rng.integers(0, 100, (5 * fronts.BLOCK, objectives)).astype(float)
+    plane[:, -1] = -plane[:, :-1].sum(axis=1)
+    assert non_dominated(plane).tolist() == list(range(len(plane)))
+    worse = plane + 1
+    of_plane, of_worse = merged(plane, worse[non_dominated(worse)])
+    assert (len(of_plane), len(of_worse)) == (len(plane), 0)
+    of_worse, of_plane = merged(worse, plane)
+    assert (len(of_plane), len(of_worse)) == (len(plane), 0)
+
+
+@pytest.mark.parametrize("objectives", [1, 2, 3, 4])
+def test_equal_points_are_all_kept(objectives: int) -> None:
+    equal = np.ones((4 * fronts.BLOCK, objectives))
+    assert non_dominated(equal).tolist() == list(range(len(equal)))
+    of_first, of_second = merged(equal, equal)
+    assert len(of_first) == len(of_second) == len(equal)
+
+
+@RANDOM
+@given(points(st.integers(1, 4)), st.integers(1, 30))
+def test_a_limited_front_is_a_part_of_it(objectives: Floats, count: int) -> None:
+    front = objectives[non_dominated(objectives)]
+    rows = limited(front, count)
+    assert len(rows) == min(count, len(front))
+    assert all(one < other for one, other in pairwise(rows.tolist()))
+    if len(front) > 0 and front.shape[1] <= count:
+        assert (front[rows].min(axis=0) == front.min(axis=0)).all()
+
+
+def test_a_limited_front_is_spread() -> None:
+    """101 points on a line: ends, middle, quarters."""
+    line = np.column_stack([np.arange(101.0), np.arange(100.0, -1, -1)])
+    assert limited(line, 1).tolist() == [0]
+    assert limited(line, 2).tolist() == [0, 100]
+    assert limited(line, 3).tolist() == [0, 50, 100]
+    assert limited(line, 5).tolist() == [0, 25, 50, 75, 100]
+    assert limited(line * [1, 1000], 5).tolist() == [0, 25, 50, 75, 100]
+
+
+def test_equal_points_come_last_in_a_limited_front() -> None:
+    front = np.array([[0.0, 2.0], [0.0, 2.0], [1.0, 1.0], [2.0, 0.0]])
+    assert limited(front, 3).tolist() == [0, 2, 3]

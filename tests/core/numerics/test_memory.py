@@ -1,0 +1,296 @@
+"""Memory of results: used again only when nobody looks at it any more."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import pickle
+import threading
+import weakref
+from collections import deque
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics.core.numerics import memory
+from vstatics.core.numerics.memory import Block, Form, Layout, shown
+
+Array = np.ndarray[Any, Any]
+
+FORMS = {"ratio": Form((2, 1, 50), np.float64), "locked": Form((2, 1, 50), np.bool_)}
+CASE = Transmission(
+    3,
+    [ShiftElement(1, 2), ShiftElement(2, 0)],
+    [Mechanism(1, 2, 3, -2.5, 0.96)],
+    [Gear([1]), Gear([2])],
+)
+ARRAYS = [name for name in Results._fields if name not in ("case", "messages", "points")]
+
+
+@pytest.fixture(autouse=True)
+def free(monkeypatch: pytest.MonkeyPatch) -> Iterator[deque[Block]]:
+    """Nothing is kept from other tests."""
+    gc.collect()
+    kept: deque[Block] = deque()
+    monkeypatch.setattr(memory, "_free", kept)
+    yield kept
+    gc.collect()
+
+
+def sweep(low: float, high: float, variants: int = 50) -> Results:
+    return solve(CASE, ratios=np.linspace(low, high, variants)[:, None])
+
+
+def expected(low: float, high: float, variants: int = 50) -> Array:
+    """Ratio of the second gear, ring held: 1 - u."""
+    return 1 - np.linspace(low, high, variants)
+
+
+def pickled(something: Any) -> Any:
+    return pickle.loads(pickle.dumps(something))  # noqa: S301
+
+
+def constant(value: float) -> Layout:
+    """The first row holds one value."""
+    return Layout([], [(0, value)])
+
+
+def right(ratio: Array, numbers: Array) -> bool:
+    return ratio.shape == numbers.shape and np.allclose(ratio, numbers, rtol=1e-14, atol=0)
+
+
+def test_memory_that_nobody_looks_at_is_used_again() -> None:
+    block = memory.block(FORMS)
+    arrays = shown(block)
+    assert memory.block(FORMS) is not block
+    del arrays
+    assert memory.block(FORMS) is block
+    assert memory.block(FORMS) is not block
+
+
+def test_memory_of_another_form_is_not() -> None:
+    block = memory.block(FORMS)
+    shown(block)
+    for other in (
+        {"ratio": FORMS["ratio"]},
+        {**FORMS, "ratio": Form((2, 1, 51), np.float64)},
+        {**FORMS, "locked": Form((2, 1, 50), np.int16)},
+    ):
+        assert memory.block(other) is not block
+    assert memory.block(dict(FORMS)) is block
+
+
+LOOKS: dict[str, Callable[[Array], object]] = {
+    "the array": lambda array: array,
+    "a view": lambda array: array.view(),
+    "a slice": lambda array: array[1:, :, ::7],
+    "a slice of a slice": lambda array: array[1:][0][0][3:],
+    "a row, turned": lambda array: array.T[0],
+    "another shape": lambda array: array.reshape(-1),
+    "another type": lambda array: array.view(np.uint8),
+    "a broadcast": lambda array: np.broadcast_to(array, (3, *array.shape)),
+    "an asarray": np.asarray,
+    "a subclass": lambda array: array.view(np.recarray),
+    "an iterator": lambda array: array.flat,
+    "a memoryview": lambda array: array.data,
+    "a slice of a memoryview": lambda array: array.data[1:],
+    "through a buffer": lambda array: np.frombuffer(array.data.cast("B")),
+    "bytes of a memoryview": lambda array: array.data.cast("B"),
+    "one of a list": lambda array: [*array],
+    "an attribute": lambda array: array.real,
+}
+
+
+@pytest.mark.parametrize("look", LOOKS.values(), ids=LOOKS)
+def test_who_looks_at_a_part_keeps_the_whole(look: Callable[[Array], object]) -> None:
+    block = memory.block(FORMS)
+    arrays = shown(block)
+    seen = look(arrays["ratio"])
+    del arrays
+    gc.collect()
+    assert memory.block(FORMS) is not block
+    del seen
+    gc.collect()
+    assert memory.block(FORMS) is block
+
+
+@pytest.mark.parametrize(
+    "copied",
+    [copy.copy, copy.deepcopy, pickled, np.copy, np.sum],
+)
+def test_copies_need_the_memory_no_longer(copied: Callable[[Array], object]) -> None:
+    block = memory.block(FORMS)
+    for rows in block.gears:
+        rows.lay_out(constant(2.5))
+    arrays = shown(block)
+    found = copied(arrays["ratio"])
+    total = np.sum(found)  # type: ignore[call-overload]
+    del arrays
+    again = memory.block(FORMS)
+    assert again is block
+    for rows in again.gears:
+        rows.lay_out(constant(-1.0))
+    assert np.sum(found) == total == 250  # type: ignore[call-overload]
+
+
+@pytest.mark.parametrize("same", [True, False], ids=["the same layout", "one that is alike"])
+def test_what_memory_holds_is_not_written_again(same: bool) -> None:
+    """A mark put there by the test shows what is written."""
+    block = memory.block(FORMS)
+    layout = constant(2.5)
+    block.gears[1].lay_out(layout)
+    shown(block)
+    rows = memory.block(FORMS).gears[1]
+    assert (rows.arrays[0] == 2.5).all()
+    rows.arrays[0][7] = -1
+    rows.lay_out(layout if same else constant(2.5))
+    assert rows.arrays[0][7] == -1
+    rows.vary(0)
+    rows.lay_out(layout if same else constant(2.5))
+    assert (rows.arrays[0] == 2.5).all()
+
+
+def test_rows_that_vary_in_between_are_filled_again() -> None:
+    rows = memory.block(FORMS).gears[0]
+    layout = constant(2.5)
+    rows.lay_out(layout)
+    (varied,) = rows.lay_out(Layout([0], []))
+    varied[:] = 7
+    rows.lay_out(layout)
+    assert (rows.arrays[0] == 2.5).all()
+
+
+def test_results_can_only_be_read() -> None:
+    for results in (sweep(-3, -2), solve(CASE)):
+        for name in ARRAYS:
+            array = getattr(results, name)
+            with pytest.raises(ValueError, match="read-only"):
+                array[...] = 0
+            if array.size and any(array.strides):  # one number shown for all is nobody's
+                with pytest.raises(ValueError, match="WRITEABLE"):
+                    array.flags.writeable = True
+                for base in bases(array):
+                    assert not base.flags.writeable
+
+
+def bases(array: Array) -> Iterator[Array]:
+    """The arrays that an array is a view of."""
+    while isinstance(array.base, np.ndarray):
+        array = array.base
+        yield array
+
+
+def test_copies_of_results_can_be_written_to() -> None:
+    results = sweep(-3, -2)
+    for copied in (copy.deepcopy(results), pickled(results)):
+        copied.ratio[:] = 0
+        assert not copied.ratio.any()
+    assert right(results.ratio[:, 1], expected(-3, -2))
+
+
+def test_results_that_are_kept_stay_as_they_are() -> None:
+    kept, parts = [], []
+    for number in range(12):
+        results = sweep(-3 - number, -2)
+        if number % 3 == 0:
+            kept.append((number, results))
+        elif number % 3 == 1:
+            parts.append((number, results.ratio[::7, 1], results.locked[:5]))
+    for number, results in kept:
+        assert right(results.ratio[:, 1], expected(-3 - number, -2))
+        assert right(results.output_torque, results.ratio)
+    for number, ratio, locked in parts:
+        assert right(ratio, expected(-3 - number, -2)[::7])
+        assert not locked.any()
+
+
+def test_results_of_threads_do_not_meet() -> None:
+    wrong: list[object] = []
+
+    def work(number: int) -> None:
+        before = None
+        for turn in range(60):
+            low = -3 - number - turn / 100
+            results = sweep(low, -2)
+            if not right(results.ratio[:, 1], expected(low, -2)):
+                wrong.append((number, turn))
+            if before is not None and not right(before[0], expected(before[1], -2)):
+                wrong.append((number, turn, "before"))
+            before = (results.ratio[:, 1], low) if turn % 2 else None
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+def test_results_in_a_circle_of_references_are_given_back() -> None:
+    """By the collector, which runs whenever it likes: also while memory is given back."""
+
+    class Node:
+        pass
+
+    forms = {"ratio": Form((1, 1, 10), np.float64)}
+    threshold = gc.get_threshold()
+    try:
+        for number in range(300):
+            gc.disable()
+            node = Node()
+            node.itself = node  # type: ignore[attr-defined]
+            node.arrays = shown(memory.block(forms))  # type: ignore[attr-defined]
+            gone = weakref.ref(node)
+            del node
+            arrays = shown(memory.block(forms))
+            gc.set_threshold(number % 7 + 1)
+            gc.enable()
+            del arrays
+            gc.collect()
+            assert gone() is None
+    finally:
+        gc.enable()
+        gc.set_threshold(*threshold)
+
+
+def test_no_more_than_the_limit_is_kept(
+    free: deque[Block], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(memory, "KEPT_BYTES", 10_000)
+    forms = [{"ratio": Form((1, 1, count), np.float64)} for count in (300, 400, 500, 600)]
+    lent = [shown(memory.block(form)) for form in forms]
+    assert not free
+    lent.clear()
+    kept = [block.bytes.nbytes for block in free]
+    assert kept == [4000, 3200, 2400]  # 4800 came first and had to go first
+    shown(memory.block({"ratio": Form((1, 1, 5000), np.float64)}))  # too large by itself
+    assert sum(block.bytes.nbytes for block in free) <= 10_000
+
+
+def test_tables_of_all_types_stand_one_after_another() -> None:
+    forms = {
+        "ratio": Form((2, 3, 7), np.float64),
+        "choices": Form((2, 1, 7), np.int16),
+        "locked": Form((2, 2, 7), np.bool_),
+    }
+    block = memory.block(forms)
+    for gear, rows in enumerate(block.gears):
+        assert [row.dtype for row in rows.arrays] == [np.float64] * 3 + [np.int16] + [np.bool_] * 2
+        numbers = [10 * gear + number for number in range(6)]
+        numbers[4:] = [number % 2 for number in numbers[4:]]
+        rows.lay_out(Layout([], list(enumerate(numbers))))
+    tables = shown(block)
+    assert tables["ratio"][:, :, 0].tolist() == [[0, 1, 2], [10, 11, 12]]
+    assert tables["choices"][:, 0].tolist() == [[3] * 7, [13] * 7]
+    assert tables["locked"][1, :, 3].tolist() == [False, True]
+    assert all((table == table[..., :1]).all() for table in tables.values())
+
+
+def test_nothing_needs_no_memory() -> None:
+    assert shown(memory.block({})) == {}
+    empty = shown(memory.block({"ratio": Form((2, 1, 0), np.float64)}))
+    assert empty["ratio"].shape == (2, 1, 0)
+    assert sweep(-3, -2, variants=0).ratio.shape == (0, 2)

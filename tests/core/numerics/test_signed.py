@@ -1,0 +1,89 @@
+"""Numbers of any sign: what a plan gives for each variant is what its numbers alone give."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+
+from tests.core.numerics.programs import rows_for
+from vstatics.core.numerics.elimination import RIGHT, solve
+from vstatics.core.numerics.plans import plan_of_any_sign, prepared
+from vstatics.core.numerics.signed import Condition
+from vstatics.core.numerics.tape import Residual
+from vstatics.core.numerics.traced import Number, absolute, chosen, counted, opposite, sign, where
+
+VALUES = np.random.default_rng(5).uniform(-3, 3, (3, 400))
+Calculation = Callable[[Sequence[Number]], list[Number | Residual | Condition]]
+
+
+def replayed(function: Calculation, values: np.ndarray = VALUES) -> tuple[np.ndarray, np.ndarray]:
+    """Results of the plan of the first variant, and who passed its guards."""
+    inputs = prepared(values)
+    plan = plan_of_any_sign(function, inputs, 0, again=False)
+    rows = rows_for(len(function(values[:, 0].tolist())), values.shape[1])
+    with np.errstate(all="ignore"):
+        passed = plan.suits(inputs) & plan.run(inputs, rows)
+    return np.array(rows.arrays), passed
+
+
+def check(function: Calculation, passing: float = 1.0) -> None:
+    found, passed = replayed(function)
+    assert passed.mean() >= passing
+    for variant in np.flatnonzero(passed):
+        expected = np.array(function(VALUES[:, variant].tolist()), dtype=float)
+        assert found[:, variant] == pytest.approx(expected, rel=1e-15, nan_ok=True)
+
+
+def test_arithmetic_of_any_sign_decides_nothing() -> None:
+    check(lambda abc: [-(abc[0] - abc[1]) * 2, 1 / (abc[0] * -abc[2]), abc[0] - (3 - abc[1])])
+
+
+def test_magnitudes_and_signs() -> None:
+    check(lambda abc: [absolute(abc[0] - abc[1]), sign(-abc[2]), sign(abc[0]) * abc[1]])
+
+
+def test_a_choice_is_made_for_each_variant() -> None:
+    def choices(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
+        a, b, c = abc
+        both = (a > b) & (c > 0)
+        one = (a > b) | opposite(c > 0)
+        return [chosen(both, a, -b), chosen(one, 1.0, c), where(both, a * b), both]
+
+    check(choices)
+
+
+def test_a_condition_of_python_is_a_guard() -> None:
+    def branch(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
+        return [abc[0] if abc[0] > abc[1] else abc[2]]
+
+    _, passed = replayed(branch)
+    same = (VALUES[0] > VALUES[1]) == (VALUES[0, 0] > VALUES[1, 0])
+    assert (passed == same).all()
+    assert 0 < same.mean() < 1
+
+
+def test_variants_in_which_as_many_hold_pass() -> None:
+    def count(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
+        return [counted([number > 0 for number in abc])]
+
+    found, passed = replayed(count)
+    above = (VALUES > 0).sum(axis=0)
+    assert (passed == (above == above[0])).all()
+    assert (found[0, passed] == above[0]).all()
+
+
+def test_a_sum_that_nearly_cancels_does_not_pass() -> None:
+    """X = 1/(a - b) by elimination; where a is nearly b rounding would be large."""
+    values = np.array([[2.0, -1.0, 2.0, 2.0], [-1.0, 2.0, 2.0 - 1e-7, 1.0]])
+
+    def pivot(ab: Sequence[Number]) -> list[Number | Residual | Condition]:
+        a, b = ab
+        equations = [{0: 1.0, 1: a, RIGHT: 1.0}, {0: 1.0, 1: b, RIGHT: 0.0}]
+        return [*solve(equations, 2).values]
+
+    found, passed = replayed(pivot, values)
+    assert passed.tolist() == [True, True, False, True]
+    expected = 1 / (values[0] - values[1])
+    assert found[1, passed] == pytest.approx(expected[passed], rel=1e-15)

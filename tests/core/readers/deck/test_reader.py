@@ -1,0 +1,326 @@
+"""The deck reader: the published example, the rules of reading, and broken decks."""
+
+import time
+from pathlib import Path
+from random import Random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.chance import count
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers.deck import reader as deck
+from vstatics.core.readers.deck.text import decode, head, holds_deck
+
+PUBLISHED = (Path(__file__).parents[4] / "cases" / "mzkt7922.dat").read_bytes()
+SMALL = (Path(__file__).parents[3] / "bad" / "no-fault.dat").read_bytes()
+
+OPENING = """\
+KJG — число основных подвижных звеньев механизма;
+KL — число муфт и тормозов;
+KG — число преобразующих механизмов;
+KNM — число нестандартных преобразующих механизмов (из числа KG).
+"""
+
+MZKT7922 = Transmission(
+    links=6,
+    shift_elements=[
+        ShiftElement(2, 0),
+        ShiftElement(2, 3),
+        ShiftElement(3, 0),
+        ShiftElement(5, 0),
+        ShiftElement(4, 6),
+    ],
+    mechanisms=[
+        Mechanism(1, 2, 4, ratio=-0.8, efficiency=0.94, planet_ratio=0.9),
+        Mechanism(1, 3, 4, ratio=2.6, efficiency=0.95, planet_ratio=2.6),
+        Mechanism(4, 5, 6, ratio=-2.461, efficiency=0.97),
+    ],
+    gears=[Gear(pair) for pair in ([1, 4], [2, 4], [5, 1], [5, 2], [3, 4], [3, 5])],
+    idle="published",
+)
+"""The published deck, typed from its print."""
+
+
+def case_of(text: str) -> Transmission:
+    return deck.read(text.encode(), "case.dat").case
+
+
+def errors_of(text: str) -> list[str]:
+    with pytest.raises(ReadError) as raised:
+        deck.read(text.encode(), "case.dat")
+    return [str(problem) for problem in raised.value.problems if problem.severity == "error"]
+
+
+def published(old: str, new: str) -> str:
+    """The published deck with one change."""
+    text = PUBLISHED.decode()
+    assert text.count(old) == 1
+    return text.replace(old, new)
+
+
+@pytest.mark.parametrize("opening", ["", OPENING])
+@pytest.mark.parametrize("ends", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1251", "cp866", "koi8-r"])
+def test_published_deck(encoding: str, ends: str, opening: str) -> None:
+    if encoding in ("cp866", "koi8-r"):
+        opening = opening.replace("—", "-")  # they lack the long dash
+    text = opening + PUBLISHED.decode()
+    data = text.replace("\n", ends).encode(encoding)
+    reading = deck.read(data, "mzkt7922.dat")
+    assert reading.case == MZKT7922
+    assert reading.warnings == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("KJG= 6 KL= 5 KG= 3 KNM = 2", "KJG=6,KL=5,KG=3,KNM=2"),
+        ("KJG= 6 KL= 5 KG= 3 KNM = 2", "  kjg = 6\nKL=\n5\n\tKG=3 (three) K N M=2 NP=6"),
+        ("KJG= 6 KL= 5", "К J G= 6 links, К L= 5"),
+        ("NZF(I,1),I=1,KL: 2 2 3 5 4", "NZF(I,1) , I = 1 , KL :\n2, 2,\t3\n5,4"),
+        ("NZF(I,2),I=1,KL: 0 3 0 0 6", "NZF(I,2) 0 3 2*0 6"),
+        ("NZF(I,2),I=1,KL: 0 3 0 0 6", "NZF(I,2)= 0 3 2*0 6"),
+        ("NZF(I,2),I=1,KL: 0 3 0 0 6", "(NZF(I,2),I=1,KL): 0 3 0 0 6 (3 brakes)"),
+        ("IAB(I),I=1,KG:\n-.8000Е+00 .2600Е+01", "IAB(I),I=1,KG -8D-1 26-1"),
+        ("IAB(I),I=1,KG:\n-.8000Е+00", "IАВ= -.8"),
+        ("IAB(I),I=1,KG:\n-.8000Е+00", "IAB(I),I=1,3: -.8\n\n"),
+        (".9400Е+00 .9500Е+00 .9700Е+00", ".94 , .95,.97,"),
+        (".9400Е+00 .9500Е+00 .9700Е+00", "+9.4e-1 .95Q0 .97\nProse 2.5\n3"),
+        ("K FRI(I),I=1,N P:\n2 2 2 2 2 2", "KFRI(I),I=1,NP: 6*2"),
+        ("1 4\n2 4\n5 1\n5 2\n3 4\n3 5", "1 4 2 4 5 1 5 2 3 4 3 5"),
+        ("1 4\n2 4\n5 1\n5 2\n3 4\n3 5", "1 4\n\n2,4\n5 1\n5 2\n3 4\n3 5\n2 lines"),
+        ("KM Z(I),I=1,N P:\n0 0 0 0 0 0", "KMZ(I),I=1,NP: 6*0\nName of a thing: A\nName A: B"),
+    ],
+)
+def test_same_deck_written_otherwise(old: str, new: str) -> None:
+    text = published(old, new)
+    if "NP=6" in new:
+        text = text.replace("N P=  6\n", "")
+    assert case_of(text) == MZKT7922
+
+
+def test_idle_is_published_unless_said() -> None:
+    assert case_of(SMALL.decode()).idle == "published"
+    assert case_of(SMALL.decode() + "IDLE= 1\n").idle == "exact"
+
+
+def test_own_fields() -> None:
+    case = case_of(
+        SMALL.decode() + "INP= 3 IOUT= 2\nCOAST= 1\nINP(I),I=1,NP: 1 0\nIOUT(I),I=1,NP: 2*4\n"
+        "NAME T: Коробка: 2\nname f3 :  Сцепление  \nNAME J2: ring\nNAME D1: ряд\nNAME P2: R\n"
+    )
+    assert (case.input, case.output, case.coast, case.name) == (3, 2, True, "Коробка: 2")
+    assert [(gear.input, gear.output) for gear in case.gears] == [(1, 4), (None, 4)]
+    assert [element.name for element in case.shift_elements] == ["T1", "T2", "Сцепление"]
+    assert case.link_names == ("1", "ring", "3", "4")
+    assert [mechanism.name for mechanism in case.mechanisms] == ["ряд", "D2"]
+    assert [gear.name for gear in case.gears] == ["1", "R"]
+
+
+def test_what_may_be_left_out() -> None:
+    text = (
+        "KJG=2\nKL=0\nKG=1\nNZD(I,1): 1\nNZD(I,2)= 2\nNZD(I,3): 0\nIAB= -2\nETAI= 1\n"
+        "NP= 1\nKFRI= 0\nKWZ= 0\nKMZ= 0\n"
+    )
+    gears = [Gear()]
+    expected = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], gears, idle="published")
+    assert case_of(text) == expected
+
+
+def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
+    text = PUBLISHED.decode()
+    text = text[: text.index("KWZ")]
+    last = text.count("\n")
+    reading = deck.read(text.encode(), "cut.dat")
+    assert reading.case == MZKT7922
+    assert [problem.severity for problem in reading.warnings] == ["warning"] * 2
+    for problem, field in zip(reading.warnings, ("KWZ", "KMZ"), strict=True):
+        assert problem.message == f"{field} is missing: taken as 0; a cut file looks the same"
+        assert problem.place is not None
+        assert problem.place.line == last
+
+
+def test_results_end_the_input() -> None:
+    tables = (
+        "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nNP= 3\n"
+        "NZF(I,1),I=1,KL: 9\nW(I,J): ***\n"
+    )
+    assert case_of(PUBLISHED.decode() + tables) == MZKT7922
+    text = published("Число передач:", "W (угловые скорости), ETA (КПД):\nW = 3")
+    assert case_of(text) == MZKT7922
+
+
+def test_a_second_report_is_an_error() -> None:
+    text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
+    (error,) = errors_of(text)
+    assert "KJG: another report begins here, expected one case in a file" in str(error)
+
+
+def test_planet_warning_has_the_place_of_its_ratio() -> None:
+    text = published("K N M :\n1 2", "K N M :\n1 3")
+    (warning,) = deck.read(text.encode(), "case.dat").warnings
+    assert str(warning).startswith("case.dat:17:12: warning: IAB(2): ratio 2.6 ")
+
+
+def test_all_errors_are_told_in_the_order_of_the_text() -> None:
+    text = published("2 2 3 5 4", "2 2 3 7 4").replace("-.2461Е+01", "x")
+    text = text.replace(".9700Е+00", "1.97").replace("3 4\n3 5", "3 4\n3 3")
+    starts = ["5:24: error: NZF(4,1)", "17:22: error: IAB(3)", "20:21: error: ETAI(3)"]
+    starts.append("41:3: error: NFRI(2,6)")
+    errors = errors_of(text)
+    assert [
+        error.startswith(f"case.dat:{start}: ") for error, start in zip(errors, starts, strict=True)
+    ]
+    assert len(errors) == 4
+
+
+def test_mistyped_numbers_of_a_full_line_are_told_one_by_one() -> None:
+    errors = errors_of(published(".9400Е+00 .9500Е+00 .9700Е+00", ".9x .95 1.97"))
+    assert [error.split(": ")[2] for error in errors] == ["ETAI(1)", "ETAI(3)"]
+
+
+def test_an_unknown_size_gives_no_further_errors() -> None:
+    for old in ("KJG= 6", "KL= 5", "KG= 3", "N P=  6"):
+        name = old.split("=")[0].replace(" ", "")
+        (error,) = errors_of(published(old, ""))
+        assert f"error: {name} is missing" in error
+
+
+def test_unreadable_lists_give_no_further_errors() -> None:
+    (error,) = errors_of(published("NZF(I,1),I=1,KL: 2", "NZF(I,1),I=1,KL: two"))
+    assert error == "case.dat:5:18: error: NZF(1,1): read 'two', expected a whole number [E102]"
+
+
+def test_locate_gives_problems_of_the_model_their_place() -> None:
+    locate = deck.read(SMALL, "small.dat").locate
+    for path, start in (
+        (("mechanisms", 2, "ratio"), "small.dat:9:6: error: IAB(2): "),
+        (("mechanisms", 2, "efficiency"), "small.dat:11:5: error: ETAI(2): "),
+        (("mechanisms", 2, "planet_ratio"), "small.dat:13:17: error: UAQ(1): "),
+        (("mechanisms", 1, "third"), "small.dat:7:18: error: NZD(1,3): "),
+        (("shift_elements", 3, "second"), "small.dat:4:22: error: NZF(3,2): "),
+        (("gears", 1, "engaged", 2), "small.dat:17:3: error: NFRI(2,1): "),
+        (("gears", 2, "speeds", 2), "small.dat:20:31: error: NWZ(1,2): "),
+        (("gears", 1, "torques", 3), "small.dat:23:31: error: NMZ(1,1): "),
+        (("gears",), "small.dat:14:5: error: NP: "),
+        (("links",), "small.dat:2:6: error: KJG: "),
+        (("output",), "small.dat:2:6: error: KJG: "),
+    ):
+        assert str(locate(Problem("E234", "wrong", path))) == f"{start}wrong [E234]"
+    assert locate(Problem("E234", "wrong")) == Problem("E234", "wrong")
+
+
+def test_text_of_decks() -> None:
+    assert decode("KJG= 6 — звенья".encode(), "case.dat") == "KJG= 6 — звенья"
+    assert decode("КG= 3".encode("koi8-r"), "case.dat") == "КG= 3"
+    assert [head(line) for line in ("(NFRI(K,I)", "  WSAT(K,I)", "KJG - links", "IAB")] == [
+        *("NFRI", "WSAT", "", ""),
+    ]
+    assert holds_deck(PUBLISHED)
+    assert not holds_deck(b"links: 6\noutput: 3\n")
+    assert not holds_deck(b"\0")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "text",
+    [
+        "KJG= 2 KL= 0 KG= 0 NP= 1\nKFRI= 900000000*0",
+        "KJG= 9 KL= 30000 KG= 0 NP= 1\nNZF(I,1): " + "1x " * 30000 + "\nNZF(I,2): 30000*99\n",
+        "KJG= 9 KL= 9000 KG= 9000 NP= 9000\nIAB: 9000*0\nKFRI: 9000*1\nNFRI: 9000*77\n" * 2
+        + "z" * 9000,
+        "KJG= " + "9" * 300000 + " KL= " + "=" * 30000 + "\nIAB(" + "(" * 300000 + "\n" * 30000,
+        "IAB(I)"
+        + " " * 100000
+        + "x\nNZF(I,1)"
+        + ",I=1,KL" * 30000
+        + "\n"
+        + "KJG KL " * 30000
+        + "=",
+        "KJG= 2 KG= 1\nIAB= ." + "9" * 300000 + "\nETAI= 1e" + "9" * 300000,
+        "NAME J1: a\n" * 20000 + "KJG= 5\n" + "ABC= 1\n" * 20000,
+    ],
+)
+def test_hostile_decks_end_quickly(text: str) -> None:
+    start = time.process_time()
+    assert errors_of(text)
+    assert time.process_time() - start < 5
+
+
+def check_ends_well(data: bytes) -> None:
+    """A case, or errors with places in the file."""
+    start = time.process_time()
+    try:
+        problems = deck.read(data, "case.dat").warnings
+        severity = "warning"
+    except ReadError as error:
+        problems, severity = error.problems, "error"
+    assert time.process_time() - start < 1
+    assert severity == "warning" or any(problem.severity == "error" for problem in problems)
+    for problem in problems:
+        assert problem.place is not None
+        assert problem.place.file == "case.dat"
+        assert min(problem.place.line, problem.place.column) >= 1
+
+
+DECKS = st.sampled_from([PUBLISHED, SMALL, PUBLISHED.decode().encode("cp866")])
+TOKENS = st.sampled_from(
+    [
+        *(
+            b"-.8",
+            b"0",
+            b"-1",
+            b"7",
+            b"1000000000",
+            b"1000000000*0",
+            b"3*2",
+            b"1e999",
+            b"nan",
+            b",",
+        ),
+        *(b"KJG=", b"KL= 2", b"NP=", b"IAB(I):", b"NZF(I,1):", b"NAME J1: 2", b"AJK(I,J):", b"("),
+        *(b"INP(I)=", b"IOUT=", b"KWZ= 2", b"NWZ= 1", b"\xd0", b"\0", b"\n", b"x", b"KNM= 3", b"="),
+    ]
+)
+
+
+@given(DECKS, st.integers(0, 3000))
+def test_cut_decks(data: bytes, length: int) -> None:
+    check_ends_well(data[:length])
+
+
+@given(DECKS, st.lists(st.tuples(st.integers(0, 3000), st.integers(0, 9), TOKENS), max_size=4))
+@settings(max_examples=count(60, 450))
+def test_decks_with_bytes_and_tokens_replaced(
+    data: bytes, edits: list[tuple[int, int, bytes]]
+) -> None:
+    for at, deleted, token in edits:
+        data = data[:at] + token + data[at + deleted :]
+    check_ends_well(data)
+
+
+@given(DECKS, st.data())
+@settings(max_examples=count(60, 450))
+def test_decks_with_words_replaced_dropped_or_doubled(data: bytes, draws: st.DataObject) -> None:
+    lines = [line.split(b" ") for line in data.split(b"\n")]
+    for _ in range(draws.draw(st.integers(1, 4))):
+        line = draws.draw(st.sampled_from(lines))
+        at = draws.draw(st.integers(0, len(line) - 1)) if line else 0
+        line[at : at + 1] = draws.draw(st.lists(TOKENS, max_size=2)) or line[at : at + 1] * 2
+    check_ends_well(b"\n".join(b" ".join(line) for line in lines))
+
+
+@given(DECKS, st.randoms(use_true_random=False), st.integers(0, 3), st.integers(0, 3))
+def test_decks_with_lines_shuffled(data: bytes, rng: Random, dropped: int, doubled: int) -> None:
+    lines = data.splitlines()
+    rng.shuffle(lines)
+    check_ends_well(b"\n".join(lines[dropped:] + lines[:doubled]))
+
+
+@given(st.binary(max_size=200))
+def test_any_bytes(data: bytes) -> None:
+    check_ends_well(data)
+    check_ends_well(b"KJG= 2 KL= 1 KG= 0 NP= 1\n" + data)

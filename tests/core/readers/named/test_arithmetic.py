@@ -1,0 +1,109 @@
+"""Arithmetic in numbers of a case: as by hand, and in bounded time whatever is written."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import re
+import time
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vstatics.core.readers.named.arithmetic import ARITHMETIC, LONGEST_ARITHMETIC, calculated
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "behind"),
+    [
+        ("-96/39", -96 / 39, ""),
+        ("1.3*400 Nm", 520.0, "Nm"),
+        ("(2+3)*100 rpm", 500.0, "rpm"),
+        (" 1 + 78 / 30 ", 3.6, ""),
+        ("2 - 3 - 4", -5.0, ""),
+        ("24/2/3", 4.0, ""),
+        ("-(1 + 30/60)*2", -3.0, ""),
+        ("3 - -2", 5.0, ""),
+        ("96/-39", -96 / 39, ""),
+        ("1e3N*m", 1000.0, "N*m"),
+        ("3000 1/min", 3000.0, "1/min"),
+        ("3000/min", 3000.0, "/min"),
+        ("60/2/min", 30.0, "/min"),
+        ("1.05*FL", 1.05, "*FL"),
+        ("400 N·m", 400.0, "N·m"),
+    ],
+)
+def test_a_number_and_what_stands_behind_it(text: str, value: float, behind: str) -> None:
+    assert calculated(text) == (value, behind)
+
+
+@st.composite
+def sums(draw: st.DrawFn, depth: int = 3) -> str:
+    """Arithmetic of whole numbers, with the blanks that people leave."""
+    if depth == 0 or draw(st.booleans()):
+        return str(draw(st.integers(1, 999)))
+    sign = draw(st.sampled_from(("+", "-", "*", "/", " + ", " * ", " / ")))
+    both = f"{draw(sums(depth - 1))}{sign}{draw(sums(depth - 1))}"
+    return f"({both})" if draw(st.booleans()) else both
+
+
+@given(sums())
+def test_arithmetic_is_that_of_exact_fractions(text: str) -> None:
+    exact = re.sub(r"[0-9]+", r"Fraction(\g<0>)", text)
+    try:
+        expected = eval(exact, {"Fraction": Fraction})  # noqa: S307
+    except ZeroDivisionError:
+        with pytest.raises(ValueError, match="other than 0"):
+            calculated(text)
+        return
+    size = eval(exact.replace("-", "+"), {"Fraction": Fraction})  # noqa: S307
+    assert calculated(text).value == pytest.approx(float(expected), abs=1e-12 * float(size))
+    assert re.fullmatch(ARITHMETIC, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1/0", "other than 0"),
+        ("1/(3-3)", "other than 0"),
+        ("1e999", "not so large"),
+        ("1e999999999/3", "not so large"),
+        ("1/1e999", "not so large"),
+        ("1e308*10", "not so large"),
+        ("1/(1e308*1e308)", "not so large"),
+        ("(1,5)", "with a decimal point"),
+        ("\u22122.6", "with `-` in place of `\u2212`"),
+        ("\u20132.6 kg", "with `-` in place of `\u2013`"),
+        ("(1 + 2", "and `)` behind it"),
+        ("(3 Nm)", "and `)` behind it"),
+        ("--5", "a number or a calculation"),
+        ("", "a number or a calculation"),
+        ("٣", "a number or a calculation"),
+        ("9" * 10**6, f"at most {LONGEST_ARITHMETIC} characters"),
+        ("(" * 900 + "1" + ")" * 90, "at most 20 open brackets"),
+    ],
+)
+def test_what_is_no_number_is_told(text: str, words: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(words)):
+        calculated(text)
+
+
+@given(st.text("0123456789.eE+-*/() ^Nm", max_size=LONGEST_ARITHMETIC))
+def test_any_text_is_evaluated_in_bounded_time(text: str) -> None:
+    begin = time.process_time()
+    with contextlib.suppress(ValueError):
+        assert math.isfinite(calculated(text).value)
+    re.match(f"{ARITHMETIC}$", text)
+    assert time.process_time() - begin < 0.5
+
+
+@pytest.mark.parametrize("unit", ["9**9**9**9", "10**10**10", "9^9^9^9", "*9" * 400, "/9e-9" * 150])
+def test_there_are_no_powers_and_long_chains_end(unit: str) -> None:
+    begin = time.process_time()
+    try:
+        assert math.isfinite(calculated("1" + unit).value)
+    except ValueError as error:
+        assert "not so large" in str(error)  # noqa: PT017
+    assert time.process_time() - begin < 0.5

@@ -1,0 +1,134 @@
+"""Laws in a case: formulas, points, files; what is said of those that can't be read."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from vstatics import ReadError, VstaticsError, load, loads
+from vstatics.core.model.laws import PointLaw
+from vstatics.core.writers.named import write_yaml
+
+CASE = """\
+links: [a, b]
+load: {{speed: 1000 rpm, torque: 100 N*m}}
+drag: {{b: {drag}}}
+mechanisms: {{D: {{first: a, second: b, ratio: -2, efficiency: {efficiency}}}}}
+gears: {{low: []}}
+"""
+
+
+def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
+    file = folder / "case.yaml"
+    file.write_text(CASE.format(drag=drag, efficiency=efficiency), encoding="utf-8")
+    return file
+
+
+def test_points_have_units_of_their_own(tmp_path: Path) -> None:
+    case = load(case_of(tmp_path, "[[0, 2], [300 rpm, 3.5 N*m]]"))
+    law = case.drag[2]
+    assert isinstance(law, PointLaw)
+    assert law.points[1] == pytest.approx((31.41592653589793, 3.5))
+
+
+def test_a_file_stands_beside_the_case(tmp_path: Path) -> None:
+    (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", encoding="utf-8")
+    law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
+    assert isinstance(law, PointLaw)
+    assert law.at(15.707963267948966) == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the head"),
+        ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
+        ("speed [rpm],torque [N*m]\n", "expected a point at least"),
+        ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
+        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
+        ("x" * 1_000_001, "can't be read: larger than 1 MB"),
+    ],
+)
+def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "drag.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(ReadError) as caught:
+        load(case_of(tmp_path, "{file: drag.csv}"))
+    assert "case.yaml:3:11: error: drag.b: " in str(caught.value)
+    assert said in str(caught.value)
+
+
+def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
+    with pytest.raises(ReadError, match=r"read `none.csv`, which can't be read: No such file"):
+        load(case_of(tmp_path, "{file: none.csv}"))
+
+
+@pytest.mark.parametrize(
+    ("drag", "efficiency", "said"),
+    [
+        ("1 + v*w", "1", "a formula of w: read `v` in it, expected a number, the speed w"),
+        ("1 + 2*sin(w)", "1", "sin"),
+        ("[]", "1", "expected points"),
+        ("[[0, 1, 2]]", "1", "expected 2 numbers: [speed, torque]"),
+        ("[[5, 1], [5, 2]]", "1", "read 5, expected a speed above 5"),
+        ("[[0, -1]]", "1", "read -1, expected a torque of 0 or more"),
+        ("0", "{over: sped, points: [[0, 1]]}", "did you mean `speed`"),
+        ("0", "{over: speed}", "`points` is missing"),
+        ("0", "{over: torque, points: [[0, .9], [1, 1.1]]}", "read 1.1, expected an efficiency"),
+        ("0", "{over: torque, points: []}", "there is no point"),
+    ],
+)
+def test_a_law_that_can_not_be_is_told(
+    tmp_path: Path, drag: str, efficiency: str, said: str
+) -> None:
+    with pytest.raises(VstaticsError) as caught:
+        load(case_of(tmp_path, drag, efficiency))
+    assert said in str(caught.value)
+    assert "case.yaml:" in str(caught.value)
+
+
+def test_what_depends_without_a_load_is_told_at_its_place(tmp_path: Path) -> None:
+    file = case_of(tmp_path, "1 + w")
+    text = file.read_text("utf-8").replace("load: {speed: 1000 rpm, torque: 100 N*m}\n", "")
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(VstaticsError, match=r"case.yaml:2:8: error: drag.b: it depends on"):
+        load(file)
+
+
+SIZES = {
+    "speed": {"rad/s": 1.0, "rpm": math.pi / 30, "rev/s": 2 * math.pi, "deg/s": math.pi / 180},
+    "torque": {"N*m": 1.0, "kNm": 1000.0, "N*mm": 1e-3, "kgf*m": 9.80665},
+}
+"""Units of points by what they are over: exact conversions to rad/s and N*m."""
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
+    seed: int, tmp_path: Path
+) -> None:
+    """Random units point by point, also bare, in YAML and written again; other units are named."""
+    rng = seeded(seed)
+    over, other = rng.sample(sorted(SIZES), 2)
+    points, written = [], []
+    for place in range(rng.randint(1, 5)):
+        value, efficiency = 10.0 * place + rng.randint(0, 9), rng.randint(80, 100)
+        unit = rng.choice(["", *SIZES[over]])
+        number = value / SIZES[over].get(unit, 1.0)
+        points.append((value, efficiency / 100))
+        written.append(f"[{number!r} {unit}, {efficiency} %]")
+    text = f"{{over: {over}, points: [{', '.join(written)}]}}"
+    case = load(case_of(tmp_path, efficiency=text))
+    for one in (case, loads(write_yaml(case))):
+        law = one.mechanisms[0].efficiency
+        assert isinstance(law, PointLaw)
+        assert law.over == over
+        np.testing.assert_allclose(law.points, points, rtol=1e-12)
+    wrong = text.replace(written[-1], f"[1 {rng.choice(sorted(SIZES[other]))}, .9]")
+    with pytest.raises(
+        ReadError, match=f"expected a {over} in .*, bare or with its unit"
+    ) as caught:
+        load(case_of(tmp_path, efficiency=wrong))
+    assert f"efficiency.points[{len(points)}][1]" in str(caught.value)

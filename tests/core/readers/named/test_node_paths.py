@@ -1,0 +1,107 @@
+"""Dotted paths into documents: what they find, what they say where they find nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from vstatics.core.readers.named.node_paths import (
+    NoValueError,
+    found,
+    number_of,
+    number_text,
+    replaced,
+    split,
+    written,
+)
+from vstatics.core.readers.named.nodes import Node, decode
+from vstatics.core.readers.named.yaml_nodes import yaml_tree
+
+TEXT = b"""
+start: {speed: 600 rpm}
+controls:
+  F.1: [[0, 3000], [2, 0]]
+  C: "182*(1 - exp(-60*t))"
+shifts:
+  - {at: 2, overlap: 0.3}
+  - {at: 4}
+"""
+
+
+def tree() -> Node:
+    return yaml_tree(decode(TEXT, "scenario.yaml"))
+
+
+def text_at(root: Node, path: str) -> str:
+    node = found(root, split(path))
+    return getattr(node, "text", repr(node))
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("start.speed", "600 rpm"),
+        ("shifts.1.overlap", "0.3"),
+        (' controls."F.1".2.1 ', "2"),
+        ("controls.'F.1'.1.2", "3000"),
+        ("shifts.2.overlap", "None"),  # may be put there
+    ],
+)
+def test_a_path_finds_what_the_document_says(path: str, text: str) -> None:
+    assert text_at(tree(), path) == text
+
+
+@pytest.mark.parametrize(
+    ("path", "said", "marked"),
+    [
+        ("shifts.3.at", "`3`, expected the number of an item, 1 to 2: `shifts` is a list", "3.at"),
+        ("shift.1.at", "no `shift`, expected `start`, `controls` or `shifts`; did you", "shift.1"),
+        ("start.speed.x", "`start.speed` is '600 rpm', with nothing below it", "x"),
+        ("controls.D.1.2", "no `D` in `controls`, expected `F.1` or `C`", "D.1.2"),
+        ("start..x", "read nothing, expected a name", ".x"),
+        ('controls."F.1', "the quote is not closed", '"F.1'),
+        ("a" + ".a" * 16, "expected at most 16 parts", ".a"),
+    ],
+)
+def test_a_path_that_leads_nowhere_says_where_and_what_is_there(
+    path: str, said: str, marked: str
+) -> None:
+    with pytest.raises(NoValueError) as caught:
+        found(tree(), split(path))
+    assert said in str(caught.value)
+    assert path[caught.value.at :].startswith(marked)
+
+
+@pytest.mark.parametrize("keys", [("a", "1"), ("F.1",), ("F 1", 'say "so"'), ("вал", "a-b")])
+def test_a_written_path_is_split_into_the_same_parts(keys: tuple[str, ...]) -> None:
+    assert tuple(part.name for part in split(written(keys))) == keys
+
+
+def test_only_the_value_of_the_path_is_replaced() -> None:
+    """The first tree stays as it was, too."""
+    root = tree()
+    other = replaced(root, ("shifts", "1", "overlap"), "0.1")
+    other = replaced(other, ("shifts", "2", "overlap"), "0.2")
+    assert [text_at(other, f"shifts.{n}.overlap") for n in (1, 2)] == ["0.1", "0.2"]
+    assert [text_at(other, f"shifts.{n}.at") for n in (1, 2)] == ["2", "4"]
+    assert root == tree()
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("controls.C", "expected a number"),
+        ("controls.'F.1'", "is a list: name a number in it"),
+        ("start", "is a mapping: name a number in it"),
+    ],
+)
+def test_what_is_no_number_says_what_it_is(path: str, said: str) -> None:
+    node = found(tree(), split(path))
+    assert node is not None
+    with pytest.raises(ValueError, match=said):
+        number_of(node)
+
+
+@pytest.mark.parametrize("value", [0.0, -3.0, 1e-9, 0.1, 2.0**60, 1 / 3])
+def test_a_number_is_written_so_that_it_is_read_again(value: float) -> None:
+    assert float(number_text(value)) == value
+    assert number_text(42.0) == "42"  # as counts of teeth are written

@@ -1,0 +1,246 @@
+"""Trees of nodes from YAML and JSON: what is in them, where, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import time
+
+import pytest
+import yaml
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vstatics.core.errors import ReadError
+from vstatics.core.readers.named.json_nodes import json_tree
+from vstatics.core.readers.named.nodes import Found, Listing, Mapping, Node, Scalar
+from vstatics.core.readers.named.yaml_nodes import yaml_tree
+from vstatics.core.readers.reading import Source
+
+LEAVES = (
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats(allow_nan=False, allow_infinity=False)
+    | st.text(st.characters(codec="utf-8"))
+)
+
+
+@pytest.fixture(params=["libyaml", "python"])
+def parser(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both parsers of PyYAML, the C one and its own."""
+    if request.param == "python":
+        monkeypatch.delattr(yaml, "CSafeLoader", raising=False)
+    elif not hasattr(yaml, "CSafeLoader"):
+        pytest.skip("PyYAML has no libyaml here")
+
+
+def of_yaml(text: str) -> Node:
+    return yaml_tree(Found(Source("f", text)))
+
+
+def of_json(text: str) -> Node:
+    return json_tree(Found(Source("f", text)))
+
+
+def plain(node: Node) -> object:
+    """A tree without its places."""
+    match node:
+        case Mapping():
+            return {key.text: plain(value) for key, value in node.entries}
+        case Listing():
+            return [plain(item) for item in node.items]
+    return node.text
+
+
+def refusal(text: str, kind: str = "yaml") -> tuple[int, int, str]:
+    with pytest.raises(ReadError) as caught:
+        (of_yaml if kind == "yaml" else of_json)(text)
+    problem = caught.value.problems[-1]
+    assert problem.place is not None
+    return problem.place.line, problem.place.column, problem.message
+
+
+@pytest.mark.usefixtures("parser")
+def test_yaml_keeps_texts_and_places() -> None:
+    assert of_yaml("a: [on, '1', ж x]\n1e3: {b: c}\n") == Mapping(
+        [
+            (
+                Scalar("a", 1, 1),
+                Listing(
+                    [Scalar("on", 1, 5), Scalar("1", 1, 9, plain=False), Scalar("ж x", 1, 14)], 1, 4
+                ),
+            ),
+            (Scalar("1e3", 2, 1), Mapping([(Scalar("b", 2, 7), Scalar("c", 2, 10))], 2, 6)),
+        ],
+        1,
+        1,
+    )
+
+
+def test_json_keeps_texts_and_places() -> None:
+    assert of_json('{"a": [1e3, "1",\n\ttrue], "б": {}, "\\u0431\\/": [\n]}') == Mapping(
+        [
+            (
+                Scalar("a", 1, 2, plain=False),
+                Listing(
+                    [Scalar("1e3", 1, 8), Scalar("1", 1, 13, plain=False), Scalar("true", 2, 2)],
+                    1,
+                    7,
+                ),
+            ),
+            (Scalar("б", 2, 9, plain=False), Mapping([], 2, 14)),
+            (Scalar("б/", 2, 18, plain=False), Listing([], 2, 30)),
+        ],
+        1,
+        1,
+    )
+
+
+def test_columns_count_characters_outside_the_basic_plane_once() -> None:
+    assert refusal('{"🚜": x}', "json")[:2] == (1, 7)
+    tree = of_yaml("{🚜🚜: x}")
+    assert isinstance(tree, Mapping)
+    assert tree.entries[0][1][1:3] == (1, 6)
+
+
+@pytest.mark.usefixtures("parser")
+def test_yaml_aliases_share_nodes() -> None:
+    tree = of_yaml("a: &x [1]\nb: *x\nc: &x 2\nd: *x")
+    assert isinstance(tree, Mapping)
+    values = [value for _, value in tree.entries]
+    assert values[1] is values[0]
+    assert plain(tree) == {"a": ["1"], "b": ["1"], "c": "2", "d": "2"}
+
+
+@pytest.mark.usefixtures("parser")
+@pytest.mark.parametrize(
+    ("text", "line", "column", "words"),
+    [
+        ("", 1, 1, "the file is empty"),
+        ("# only words\n", 1, 1, "the file is empty"),
+        ("a: 1\n---\nb: 2\n", 2, 1, "a second document starts here"),
+        ("a: &x\n- *x\n", 2, 3, "alias *x stands inside what it repeats"),
+        ("a: &x 1\nb: *y", 2, 4, "alias *y of no anchor before it"),
+        ("a:\n ? {b: c}\n : d", 2, 4, "a key that is a list or a mapping"),
+        ("a: b: c", 1, 5, "mapping values are not allowed"),
+        ("a: 'b", 1, 6, "not YAML"),
+        ("a: \x00", 1, 4, "U+0000"),
+        ("a: \x85b\x7f", 1, 6, "U+007F"),
+        ("# \u2028\n- [b", 2, 5, "not YAML"),
+        ("a: !x b", 1, 4, "tag !x is not taken"),
+        ("a: !!binary b", 1, 4, "tag !!binary is not taken"),
+        ("a: !!map b", 1, 4, "tag !!map is not taken"),
+        ("a: !!set {b}", 1, 4, "tag !!set is not taken"),
+    ],
+)
+def test_yaml_refuses(text: str, line: int, column: int, words: str) -> None:
+    found = Found(Source("f", text))
+    try:
+        yaml_tree(found)
+    except ReadError as error:
+        problems = error.problems
+    else:
+        problems = found.problems  # tags are told, and the rest is read
+    assert problems[-1].place is not None
+    assert problems[-1].place[1:3] == (line, column)
+    assert words in problems[-1].message
+
+
+@pytest.mark.usefixtures("parser")
+@pytest.mark.parametrize(
+    "text",
+    ['"\\ud800"', '"\\U00110000"', '"\\UFFFFFFFF"', f"%YAML {'1' * 10_000}.1\n---\na", "\ta"],
+)
+def test_yaml_refuses_what_the_parsers_tell_differently(text: str) -> None:
+    assert refusal(text)[2]
+
+
+@pytest.mark.usefixtures("parser")
+def test_standard_tags_are_taken_and_quote() -> None:
+    found = Found(Source("f", "{a: !!str true, b: !!int 1, c: ! x, d: !!seq [], e: !!map {}}"))
+    tree = yaml_tree(found)
+    assert isinstance(tree, Mapping)
+    quoted = [isinstance(value, Scalar) and not value.plain for _, value in tree.entries]
+    assert (found.problems, quoted) == ([], [True, False, True, False, False])
+
+
+@pytest.mark.usefixtures("parser")
+@pytest.mark.parametrize("opening", ["[", "{", "- ", "? ", "[{a: ", "&a [", "!!seq [", "{? "])
+def test_yaml_nests_16_levels(opening: str) -> None:
+    start = time.process_time()
+    line, _, message = refusal(opening * 200_000)
+    assert (line, message) == (1, "nested deeper than 16 levels, expected at most that")
+    assert time.process_time() - start < 5
+
+
+def test_16_levels_are_taken() -> None:
+    text = "[" * 16 + "]" * 16
+    assert plain(of_yaml(text)) == plain(of_json(text))
+    assert refusal(f"[{text}]", "json") == refusal(f"[{text}]")
+
+
+@pytest.mark.usefixtures("parser")
+def test_yaml_aliases_do_not_blow_up() -> None:
+    laughs = "".join(f"- &l{n} [{', '.join([f'*l{n - 1}'] * 9)}]\n" for n in range(1, 30))
+    line, _, message = refusal("- &l0 [x]\n" + laughs)
+    assert line == 7  # l5 on line 6 makes 9**5 * 2 + ... = 125,479 values, l6 nine times as many
+    assert "makes more than 200000 values" in message
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "words"),
+    [
+        ("", 1, 1, "read the end of the file, expected a value"),
+        ("[1,\n 2 3]", 2, 4, "read '3', expected `,` or `]`"),
+        ("[1,]", 1, 4, "read ']', expected a value"),
+        ('{"a" 1}', 1, 6, "read '1', expected `:` after a key"),
+        ('{"a": 1,}', 1, 9, "read '}', expected a key in double quotes"),
+        ("{a: 1}", 1, 2, "read 'a', expected a key in double quotes"),
+        ("[1}", 1, 3, "read '}', expected `,` or `]`"),
+        ("[1] [", 1, 5, "read '[', expected the end of the file"),
+        ('["a\nb"]', 1, 4, "Invalid control character"),
+        ('["a', 1, 2, "Unterminated string"),
+        ('["\\x"]', 1, 3, "Invalid \\escape"),
+        ('["\\udc00"]', 1, 2, "half a character"),
+        ("[+1]", 1, 2, "read '+1', expected a value"),
+        ("[.5]", 1, 2, "read '.5', expected a value"),
+        ("[1.]", 1, 2, "read '1.', expected a value"),
+        ("[01]", 1, 2, "read '01', expected a value"),
+        ("[NaN]", 1, 2, "read 'NaN', expected a value"),
+        ("[True]", 1, 2, "read 'True', expected a value"),
+        ("[\u00a01]", 1, 2, "expected a value"),
+    ],
+)
+def test_json_refuses(text: str, line: int, column: int, words: str) -> None:
+    refused = refusal(text, "json")
+    assert refused[:2] == (line, column)
+    assert words in refused[2]
+
+
+@given(
+    st.recursive(
+        LEAVES,
+        lambda inner: (
+            st.lists(inner) | st.dictionaries(st.text(st.characters(codec="utf-8")), inner)
+        ),
+    )
+)
+def test_json_gives_what_the_standard_library_gives(data: object) -> None:
+    for text in (json.dumps(data), json.dumps(data, ensure_ascii=False, indent=1)):
+        try:
+            tree = of_json(text)
+        except ReadError as error:
+            assert "nested" in str(error)  # noqa: PT017
+        else:
+            assert plain(tree) == plain_json(json.loads(text, parse_int=str, parse_float=str))
+
+
+def plain_json(data: object) -> object:
+    match data:
+        case dict():
+            return {key: plain_json(value) for key, value in data.items()}
+        case list():
+            return [plain_json(item) for item in data]
+        case str():
+            return data
+    return json.dumps(data)

@@ -1,0 +1,176 @@
+"""Blanks, percentages, ratios and letters as word processors, data sheets and keyboards have them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from random import Random
+
+import pytest
+
+from tests.chance import count, seeded
+from vstatics import CaseError, ReadError, solve
+from vstatics.core.errors import lookalike
+from vstatics.core.readers import loads, read
+from vstatics.core.readers.named.scalars import number
+from vstatics.vehicle.operation.trace import read_trace
+
+BLANKS = "\u00a0\u202f\u2009"
+"""No-break, narrow no-break, thin."""
+YAML = """name: A box
+links: [shaft 1, shaft 2, out]
+load: {speed: 3000 rpm, torque: 300 N*m}
+shift_elements:
+  B 1: {links: [shaft 2, housing], capacity: 600 N*m}
+mechanisms:
+  set 1: {first: shaft 1, second: shaft 2, third: out, ratio: -2.5, efficiency: 0.98}
+gears:
+  low: [B 1]
+"""
+DECK = """Three-link differential with clutch and brake
+KJG= 3 KL= 2 KG= 1
+NZF(I,1),I=1,KL: 1 2
+NZF(I,2),I=1,KL: 2 0
+NZD(I,1),I=1,KG: 1
+NZD(I,2),I=1,KG: 2
+NZD(I,3),I=1,KG: 3
+IAB(I),I=1,KG: -2.5
+ETAI(I),I=1,KG: .96
+NP= 2
+KFRI(I),I=1,NP: 1 1
+(NFRI(K,I),K=1,KFRI(I)),I=1,NP: 1 2
+KWZ(I),I=1,NP: 0 0
+KMZ(I),I=1,NP: 0 0
+NAME F1: a clutch
+"""
+CYCLE = "Time (s), Speed [km/h], Remark\n0, 0 , a b\n 2 ,36, c d\n"
+
+
+def spoilt(text: str, rng: Random) -> str:
+    """A text in which any blank may be another one."""
+    return "".join(rng.choice(BLANKS + " ") if sign == " " else sign for sign in text)
+
+
+@pytest.mark.parametrize("seed", range(count(30, 500)))
+@pytest.mark.parametrize(("text", "file"), [(YAML, "a.yaml"), (DECK, "a.dat")])
+def test_blanks_of_print_are_blanks(text: str, file: str, seed: int) -> None:
+    case = read(text.encode(), file).case
+    other = read(spoilt(text, seeded(5000 + seed)).encode(), file).case
+    assert other == case
+    assert other.link_names == case.link_names
+
+
+@pytest.mark.parametrize("seed", range(count(10, 200)))
+def test_blanks_of_print_are_blanks_in_tables(seed: int) -> None:
+    trace = read_trace(spoilt(CYCLE, seeded(5100 + seed)).encode(), "t.csv")
+    assert (trace.duration[0], trace.speed[0]) == (2.0, pytest.approx(5.0))
+    assert trace.table.head.skipped == ["Remark"]
+
+
+def test_digits_are_not_grouped() -> None:
+    """A blank between digits is refused, whichever it is, with what to write."""
+    for blank in BLANKS + " ":
+        text = YAML.replace("3000 rpm", f"3{blank}000 rpm")
+        with pytest.raises(CaseError, match=r"digits without blanks: 3000"):
+            loads(text)
+
+
+@pytest.mark.parametrize("seed", range(count(40, 1000)))
+def test_percentages_and_ratios_by_exact_fractions(seed: int) -> None:
+    rng = seeded(5200 + seed)
+    for _ in range(25):
+        above, below = (Fraction(rng.randint(1, 9999), 10 ** rng.randint(0, 3)) for _ in "ab")
+        sign = rng.choice(["", "-"])
+        left, right = f"{sign}{float(above)!r}", repr(float(below))
+        blank = rng.choice(["", " ", "\u00a0"])
+        exact = float(Fraction(left)) / float(Fraction(right))
+        assert number(f"{left}{blank}:{blank}{right}") == exact
+        assert number(f"{left}{blank}%") == float(Fraction(left)) / 100
+
+
+@pytest.mark.parametrize("form", ['"3.55:1"', "3.55:1", "3.55 : 1", "'7.1:2'", "355%", "355 %"])
+def test_a_ratio_of_a_data_sheet(form: str) -> None:
+    flow = "{first: a, second: b, ratio: " + form + "}"
+    block = f"\n    first: a\n    second: b\n    ratio: {form}"
+    for element in [flow, block] if " : " not in form else []:
+        text = f"links: [a, b]\nmechanisms:\n  g: {element}\ngears:\n  '1': []\n"
+        assert solve(loads(text)).ratio[0] == pytest.approx(3.55)
+    as_json = {"first": "a", "second": "b", "ratio": form.strip("'\"")}
+    case = {"links": ["a", "b"], "mechanisms": {"g": as_json}, "gears": {"1": []}}
+    assert solve(loads(json.dumps(case), format="json")).ratio[0] == pytest.approx(3.55)
+
+
+@pytest.mark.parametrize("text", ["3:0", "1:2:3", "98%%", "%", "2:", ":2", "98% N*m", "3:1 rpm"])
+def test_other_ratios_are_refused(text: str) -> None:
+    with pytest.raises(ValueError, match=r"expected a (number|denominator)"):
+        number(text)
+
+
+PAIRS = dict(zip("АВЕКМНОРСТХаеорсух", "ABEKMHOPCTXaeopcyx", strict=True))
+"""Cyrillic letters and the Latin ones that look like them (Unicode confusables)."""
+
+
+@pytest.mark.parametrize("seed", range(count(100, 2000)))
+def test_lookalikes_are_named_letter_by_letter(seed: int) -> None:
+    rng = seeded(5300 + seed)
+    name = "".join(rng.choice([*PAIRS, *PAIRS.values(), "1", "x_"]) for _ in range(6))
+    turned = {**PAIRS, **{latin: cyrillic for cyrillic, latin in PAIRS.items()}}
+    places = [place for place, letter in enumerate(name) if letter in turned]
+    chosen = sorted(rng.sample(places, rng.randint(1, len(places)))) if places else []
+    typed = "".join(turned[one] if at in chosen else one for at, one in enumerate(name))
+    said = lookalike(typed, ["ratio", name])
+    assert said.startswith(f"; did you mean `{name}`? Letter") == bool(chosen)
+    for script, others in (("Cyrillic", "Latin"), ("Latin", "Cyrillic")):
+        here = [at for at in chosen if (typed[at] in PAIRS) == (script == "Cyrillic")]
+        assert (f"{script} in what was read, but {others} in this name" in said) == bool(here)
+        for at in here:
+            assert str(at + 1) in said
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("[B 1]", "[В 1]"), "did you mean `B 1`. Letter 1, `В`, is Cyrillic in what was read"),
+        (("ratio:", "rаtio:"), "did you mean `ratio`. Letter 2, `а`, is Cyrillic in what was"),
+        (("third: out", "third: оut"), "did you mean `out`. Letter 1, `о`, is Cyrillic"),
+        (("3000 rpm", "3000 rрm"), "did you mean `rpm`. Letter 2, `р`, is Cyrillic"),
+        (("ratio: -2.5", "ratio: \u22122.5"), "with `-` in place of `\u2212`"),
+    ],
+)
+def test_a_case_with_foreign_letters(change: tuple[str, str], said: str) -> None:
+    with pytest.raises(CaseError, match=said):
+        loads(YAML.replace(*change))
+
+
+READERS: list[Callable[[str], object]] = [
+    lambda text: read(text.encode(), "a.dat"),
+    lambda text: read(text.encode(), "a.txt"),
+]
+
+
+@pytest.mark.parametrize("dash", "\u2212\u2013\u2014")
+def test_a_dash_in_a_deck_is_pointed_out(dash: str) -> None:
+    for reader in READERS:
+        with pytest.raises(CaseError, match=rf"IAB\(1\): .* \(with `-` in place of `{dash}`\)"):
+            reader(DECK.replace("-2.5", f"{dash}2.5"))
+
+
+@pytest.mark.parametrize("seed", range(count(12, 300)))
+def test_a_ratio_with_blanks_around_its_colon_is_to_be_quoted(seed: int) -> None:
+    """In YAML the colon ends a key there; what the message proposes is read as the ratio."""
+    rng = seeded(seed)
+    first, second = rng.randint(1, 99) / rng.choice((1, 10)), rng.randint(1, 9)
+    spaced = f"{first:g} : {second}"
+    written = ("{first: 1, second: 2, ratio: %s}", "\n    first: 1\n    second: 2\n    ratio: %s")
+    text = f"links: 2\nmechanisms:\n  D: {rng.choice(written)}\ngears: {{'1': []}}\n"
+    with pytest.raises(ReadError) as caught:
+        loads(text % spaced)
+    [problem] = caught.value.problems
+    assert problem.id == "E108"
+    found = re.search(r"; write a ratio in quotes, ('.*'), or as (.*)", problem.message)
+    assert found is not None
+    for proposed in found.groups():
+        [mechanism] = loads(text % proposed).mechanisms
+        assert mechanism.ratio == pytest.approx(first / second)

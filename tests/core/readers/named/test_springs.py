@@ -1,0 +1,339 @@
+"""Springs, inertias and elastic devices in YAML and JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import vstatics as library
+from tests.commands import vstatics
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.model.parts import Damping, Friction
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.writers.deck_limits import check_deck
+from vstatics.core.writers.named import mapping, write_json, write_yaml
+
+ISSUE = """
+inertias: {engine: 0.15, disc: 0.0032, casing: 0.4}
+springs:
+  damper:  {links: [engine, disc], compliance: 84e-5, damping: 3.2}
+  tyre:    {links: [wheel, vehicle], stiffness: 474}
+  wind-up: {links: [casing, housing], compliance: 1.525e-2}
+  axle:    {twist: {pinion: 1, wheel: -1, casing: -1}, compliance: 1.476e-2}
+mechanisms:
+  box: {first: disc, second: pinion, ratio: 3.81}
+  final drive: {first: pinion, second: wheel, third: casing, ratio: 4.2, stiffness: 9e4, damping: 12}
+"""
+"""The keys as the brief of these cases has them."""
+
+
+def loaded(text: str) -> Transmission:
+    return read_yaml(text.encode(), "case.yaml").case
+
+
+def messages(text: str) -> list[str]:
+    """Errors of a case that cannot be, warnings of one that can."""
+    try:
+        return [str(problem) for problem in read_yaml(text.encode(), "case.yaml").warnings]
+    except ReadError as refused:
+        return [str(problem) for problem in refused.problems]
+
+
+def test_every_key() -> None:
+    case = loaded(ISSUE)
+    assert case == Transmission(
+        links=6,
+        link_names=["engine", "disc", "wheel", "vehicle", "casing", "pinion"],
+        shift_elements=[],
+        mechanisms=[
+            Mechanism(2, 6, 0, 3.81, name="box"),
+            Mechanism(6, 3, 5, 4.2, name="final drive", stiffness=9e4, damping=Damping(12.0)),
+        ],
+        inertias={1: 0.15, 2: 0.0032, 5: 0.4},
+        springs=[
+            Spring({1: 1, 2: -1}, compliance=84e-5, damping=3.2, name="damper"),
+            Spring({3: 1, 4: -1}, stiffness=474, name="tyre"),
+            Spring({5: 1}, compliance=1.525e-2, name="wind-up"),
+            Spring({6: 1, 3: -1, 5: -1}, compliance=1.476e-2, name="axle"),
+        ],
+        gears=[Gear(name="1")],
+    )
+
+
+def test_links_are_gathered_in_the_order_in_which_devices_name_them() -> None:
+    case = loaded("""
+inertias: {vehicle: 3, wheel: 1.5, engine: 0.15}
+springs:
+  damper: {links: [engine, wheel], compliance: 84e-5}
+  tyre: {twist: {vehicle: -1, wheel: 1}, stiffness: 474}
+""")
+    assert list(case.link_names) == ["engine", "wheel", "vehicle"]
+    assert (case.input, case.output) == (1, 3)
+    assert case.inertias == {3: 3.0, 2: 1.5, 1: 0.15}
+
+
+def test_links_may_be_listed_and_counted() -> None:
+    springs = "springs: {s: {links: [2, 1], stiffness: 3}}\n"
+    assert list(loaded("links: [2, 1]\n" + springs).link_names) == ["2", "1"]
+    assert loaded("links: 2\n" + springs).springs[0].form == {2: 1.0, 1: -1.0}
+
+
+def test_one_mass_on_a_spring_is_a_case() -> None:
+    case = loaded("inertias: {mass: 2}\nsprings: {s: {links: [mass], stiffness: 8}}")
+    assert (case.links, case.input, case.output, len(case.gears)) == (1, 1, 1, 1)
+    assert loaded(write_yaml(case)) == case
+    assert read_json(write_json(case).encode(), "case.json").case == case
+
+
+def test_springs_may_stand_beside_elements() -> None:
+    case = loaded("""
+input: engine
+output: axle
+inertias: {engine: 0.15}
+elements: {G: {kind: gear_pair, first: shaft, second: axle, teeth: {first: 20, second: 41}}}
+springs: {damper: {links: [engine, shaft], compliance: 84e-5}}
+""")
+    assert list(case.link_names) == ["shaft", "axle", "engine"]
+    assert [gear.name for gear in case.gears] == ["1"]
+    assert library.solve(case).ratio == pytest.approx([-41 / 20])
+
+
+def test_springs_that_are_none_change_nothing() -> None:
+    text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 2}}\ngears: {a: {}}\n"
+    for nothing in ("springs:", "springs: {}", "springs: {}\ninertias: {}", "inertias: ~"):
+        assert loaded(text + nothing) == loaded(text)
+        assert "springs" not in mapping(loaded(text + nothing))
+    assert messages("springs: {}") == [
+        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms")
+    ]
+
+
+def test_drag_of_a_case_without_gears_is_that_of_its_gear() -> None:
+    case = loaded("drag: {b: 0.1}\nsprings: {s: {links: [a, b], stiffness: 8}}")
+    assert [case.gear_drag(gear) for gear in case.gears] == [{2: 0.1}]
+
+
+@pytest.mark.parametrize(
+    ("given", "damping"),
+    [
+        ("3.2", Damping(3.2)),
+        ("3.2 N*m*s/rad", Damping(3.2)),
+        ("{viscous: 3200 N*mm*s/rad}", Damping(3.2)),
+        ("{ratio: .02}", Damping(loss_factor=0.04)),
+        ("{loss_factor: 1/25}", Damping(loss_factor=0.04)),
+        ("{ratio: .02, viscous: 0}", Damping(loss_factor=0.04)),
+        ("0", Damping()),
+        ("{}", Damping()),
+    ],
+)
+def test_damping_is_viscous_or_of_the_material(given: str, damping: Damping) -> None:
+    case = loaded(f"springs: {{s: {{links: [a, b], stiffness: 8, damping: {given}}}}}")
+    assert case.springs[0].damping == damping
+    assert loaded(write_yaml(case)) == case
+    element = f"{{links: [1, 2], stiffness: 1e5, damping: {given}}}"
+    text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 2}}\ngears: {a: {}}\n"
+    assert loaded(f"shift_elements: {{C: {element}}}\n{text}").shift_elements == (
+        ShiftElement(1, 2, "C", stiffness=1e5, damping=damping),
+    )
+
+
+def test_what_is_written_has_the_keys_of_a_person() -> None:
+    assert mapping(loaded(ISSUE))["springs"] == {
+        "damper": {"links": ["engine", "disc"], "compliance": 84e-5, "damping": 3.2},
+        "tyre": {"links": ["wheel", "vehicle"], "stiffness": 474.0},
+        "wind-up": {"links": ["casing", "housing"], "compliance": 1.525e-2},
+        "axle": {"twist": {"pinion": 1.0, "wheel": -1.0, "casing": -1.0}, "compliance": 1.476e-2},
+    }
+
+
+def test_plain_data_make_the_same_case() -> None:
+    case = loaded(ISSUE)
+    assert Transmission.from_dict(mapping(case)) == case
+    assert Transmission.from_dict(json.loads(json.dumps(mapping(case)))) == case
+
+
+def test_a_result_has_the_case_and_is_read_as_one(tmp_path: Path) -> None:
+    (tmp_path / "case.yaml").write_text(ISSUE, encoding="utf-8")
+    done = vstatics("run", tmp_path / "case.yaml", "-f", "json")
+    assert read_json(done.out.encode(), "result.json").case == loaded(ISSUE)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("springs: 3", "case.yaml:1:10: error: springs: read '3', expected a mapping: a name for each"),
+        ("springs: {s: }", "case.yaml:1:14: error: springs.s: expected `links`, those of a shaft, or"),
+        ("springs: {s: {links: [], stiffness: 3}}", "read a list of 0, expected two links"),
+        ("springs: {s: {links: a, stiffness: 3}}", "read 'a', expected two links"),
+        ("springs: {s: {links: [housing], stiffness: 3}}", "joins link 0 (the housing) to itself"),
+        ("springs: {s: {links: [a], stifness: 3}}", "unknown key `stifness`; did you mean `stiffness`?"),
+        ("springs: {s: {twist: {0: 1}, stiffness: 3}}", "the twist is empty"),
+        ("springs: {s: {twist: [a], stiffness: 3}}", "read a list, expected a mapping: a number for"),
+        (
+            "links: 9\nsprings: {s: {links: [1], stiffness: 3}}",
+            "read 9 links, but 0 shift elements, 0 mechanisms and 1 springs can join 2 at most",
+        ),
+        (
+            "links: 100000000\nsprings: {s: {twist: {1: 1, 2: 3}, stiffness: 3}}",
+            "1 springs can join 2 at most",
+        ),
+    ],
+)  # fmt: skip
+def test_one_fault_is_told_once(text: str, said: str) -> None:
+    found = [told for told in messages(text) if ": error: " in told]
+    assert len(found) == 1
+    assert said in found[0]
+
+
+def test_a_link_that_one_spring_alone_names_is_told() -> None:
+    [told] = messages("""
+inertias: {engine: 1, disc: 2, wheel: 3}
+springs:
+  a: {links: [engine, disc], stiffness: 8}
+  b: {links: [dics, wheel], stiffness: 8}
+""")
+    assert told == (
+        "case.yaml:5:15: warning: link `dics` is joined to nothing else; did you mean `disc`? [W102]"
+    )
+
+
+@pytest.mark.parametrize("other", ["R.small_sun", "R.short", "R.carrier", "R"])
+def test_a_spring_has_no_name_of_another_row(other: str) -> None:
+    text = f"""
+input: a
+output: d
+elements:
+  R: {{kind: ravigneaux, small_sun: a, large_sun: b, ring: c, carrier: d,
+      teeth: {{small_sun: 30, large_sun: 37, ring: 89, short: 19}}}}
+springs: {{"{other}": {{links: [a], stiffness: 8}}}}
+"""
+    [told] = [one for one in messages(text) if ": error: " in one]
+    assert told.startswith(f"case.yaml:7:11: error: springs.{other}: `{other}` is the name of a")
+
+
+def test_an_element_has_no_name_of_a_shift_element() -> None:
+    text = """
+input: a
+output: b
+elements: {G: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 41}}}
+shift_elements: {G: [a, housing]}
+gears: {x: []}
+"""
+    assert loaded(text).devices == ["G", "G"]  # as ever, where nothing is told by names alone
+    [told] = messages(text + "inertias: {a: 1}")
+    assert told == (
+        "case.yaml:4:12: error: elements.G: `G` is the name of a shift element too, "
+        "expected another [E257]"
+    )
+
+
+def test_inertias_and_a_clutch_are_a_case() -> None:
+    case = loaded("inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}")
+    assert list(case.link_names) == ["disc", "engine"]
+    assert (case.mechanisms, case.springs, case.gears) == ((), (), (Gear(name="1"),))
+    assert loaded(write_yaml(case)) == case
+    [told] = library.solve(case).messages
+    assert told.id == "N420"
+    assert "link engine turns freely: the case has no gears" in told.text
+
+
+def test_links_with_inertia_alone_are_a_case() -> None:
+    assert list(loaded("inertias: {b: 1, a: 2}").link_names) == ["b", "a"]
+    assert loaded("inertias: {mass: 2}").links == 1
+    case = loaded("links: [engine, turbine, out]\ninertias: {engine: 1, turbine: 1, out: 9}")
+    assert case.links == 3
+    assert loaded(write_yaml(case)) == case
+
+
+def test_mechanisms_with_inertias_go_without_gears() -> None:
+    case = loaded("""
+inertias: {a: 1, b: 2}
+mechanisms: {M: {first: a, second: b, ratio: 2, stiffness: 9e4}}
+""")
+    assert library.solve(case).ratio.tolist() == [2.0]
+
+
+@pytest.mark.parametrize("nothing", ["inertias: {}", "inertias:", "inertias: ~"])
+def test_inertias_that_are_none_are_no_case(nothing: str) -> None:
+    assert messages(nothing) == [
+        f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("inertias: 3", "case.yaml:1:11: error: inertias: read '3', expected a mapping: a number"),
+        ("inertias: {a: x}", "case.yaml:1:15: error: inertias.a: read 'x', expected an inertia in"),
+        (
+            "links: 4\ninertias: {1: 3}",
+            "read 4 links, but 0 shift elements, 0 mechanisms and 1 inertias can join 1 at most",
+        ),
+        (
+            "inertias: {engine: 1, dics: 2}\nshift_elements: {C: [engine, disc]}",
+            "read 'dics', expected the name of a link or `housing`; did you mean `disc`?",
+        ),
+    ],
+)
+def test_a_fault_of_inertias_is_told_once(text: str, said: str) -> None:
+    [told] = [one for one in messages(text) if ": error: " in one]
+    assert said in told
+
+
+FRICTION = """
+links: [in, a0, wheel, vehicle]
+inertias: {in: 3.6, a0: 0.2, vehicle: 41.2}
+shift_elements:
+  FH: {links: [in, a0], static: 6/5, friction: {radius: 100 mm, area: 60 cm^2, surfaces: 8,
+       coefficient: [[0, .12], [60 rpm, .1]]}}
+  FB: {links: [a0], friction: {radius: .1, area: 60e-4, surfaces: "8", coefficient: .12}}
+  FC: [in, a0]
+springs: {tyre: {links: [wheel, vehicle], stiffness: 4e4, limit: 3 kN*m}}
+mechanisms: {M: {first: a0, second: wheel, ratio: 4.1}}
+gears: {low: [FH]}
+"""
+
+
+def test_friction_and_limits() -> None:
+    case = loaded(FRICTION)
+    assert [element.static for element in case.shift_elements] == [1.2, 1, 1]
+    points = ((0.0, 0.12), (2 * math.pi, 0.1))
+    assert [element.friction for element in case.shift_elements] == [
+        Friction(0.1, 60 / 100**2, 8, points),
+        Friction(0.1, 0.006, 8, ((0.0, 0.12),)),
+        None,
+    ]
+    assert case.springs[0].limit == 3000
+    written = mapping(case)
+    assert written["shift_elements"]["FB"]["friction"]["coefficient"] == 0.12
+    assert written["springs"]["tyre"]["limit"] == 3000
+    assert loaded(write_yaml(case)) == case
+    assert read_json(write_json(case).encode(), "case.json").case == case
+
+
+def test_a_deck_has_no_friction() -> None:
+    with pytest.raises(CaseError, match=r"the static friction of FH, the friction of FH, FB"):
+        check_deck(loaded(FRICTION))
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"static": math.nan}, "static: read nan, expected 1 or more"),
+        ({"friction": Friction(0.1, 0.1, 1, ())}, "coefficient: there is no point"),
+        ({"friction": Friction(0.1, 0.1, 0, ((0, 0.1),))}, "surfaces: read 0, expected a whole"),
+        ({"friction": Friction(0.1, 0.1, 1, ((math.nan, 0.1),))}, "read nan, expected a slip"),
+        ({"friction": Friction(0.1, math.inf, 1, ((0, 0.1),))}, "area: read inf, expected an area"),
+    ],
+)
+def test_friction_that_can_not_be_is_refused(changes: dict[str, Any], said: str) -> None:
+    case = loaded(FRICTION)
+    first, *others = case.shift_elements
+    with pytest.raises(CaseError, match=said):
+        case.replace(shift_elements=[first._replace(**changes), *others])

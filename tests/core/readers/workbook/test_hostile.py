@@ -1,0 +1,185 @@
+"""Workbooks of any size and kind: the same cells as openpyxl reads, or an error soon."""
+
+from __future__ import annotations
+
+import datetime as dt
+import io
+import time
+import tracemalloc
+import zipfile
+from collections.abc import Mapping
+from random import Random
+from typing import Any
+
+import openpyxl
+import pytest
+from openpyxl.utils.datetime import MAC_EPOCH, WINDOWS_EPOCH
+
+from tests.chance import count, seeded
+from tests.commands import CASES, vstatics
+from tests.core.readers.workbook.test_reader import faults, read, typed
+from vstatics import load
+from vstatics.core.errors import ReadError
+from vstatics.core.readers.workbook.cells import MOST_SHEET_CELLS, read_sheets
+
+SECONDS, MEMORY = 5, 400 * 2**20
+
+
+def _value(rng: Random) -> Any:
+    return rng.choice(
+        (
+            *(None, None, True, False, rng.uniform(-9, 9), rng.randint(-99, 99), 1e300, 0.1 + 0.2),
+            *(" текст ", "a & <b>", "line\nline", "_x000D_", "x", "78/30", ""),
+        )
+    )
+
+
+def test_cells_are_those_that_openpyxl_reads() -> None:
+    rng = seeded(17)
+    for _ in range(count(30, 600)):
+        book = openpyxl.Workbook()
+        written: Any = book.active
+        size = rng.randint(1, 8), rng.randint(1, 30)
+        for _ in range(rng.randint(0, 60)):
+            value = _value(rng)
+            written.cell(rng.randint(1, size[0]), rng.randint(1, size[1]), value)
+        data = io.BytesIO()
+        book.save(data)
+        [sheet] = read_sheets(data.getvalue(), "a.xlsx", ["Sheet"])
+        found = {(one.row, one.column): one.text for row in sheet.rows for one in row}
+        expected = {}
+        again: Any = openpyxl.load_workbook(data).active
+        for row in again.iter_rows():
+            for cell in row:
+                if cell.value is not None and str(cell.value).strip():
+                    text = str(cell.value).strip() if isinstance(cell.value, str) else None
+                    value = str(cell.value).lower() if isinstance(cell.value, bool) else None
+                    expected[cell.row, cell.column] = text or value or repr(cell.value)
+        assert found == expected
+
+
+@pytest.mark.parametrize(
+    ("value", "form", "is_date"),
+    [
+        (46083, "yyyy-mm-dd", True),
+        (0.5, "h:mm", True),
+        (1.5, "[h]:mm", True),
+        (46083, "General", False),
+        (2.5, '0.00 "days"', False),
+        (2.5, "[Red]0.00", False),
+        (2.5, "0.0E+00", False),
+    ],
+)
+def test_a_number_with_a_format_of_dates_is_refused(value: float, form: str, is_date: bool) -> None:
+    def changed(book: Any) -> None:
+        book["mechanisms"]["E3"] = value
+        book["mechanisms"]["E3"].number_format = form
+
+    data = typed(changed)
+    if is_date:
+        assert any("read a date or time" in one for one in faults(data))
+    else:
+        assert read(data).mechanisms[1].ratio == value
+
+
+def test_a_date_is_shown_as_a_date() -> None:
+    day = dt.datetime(2026, 3, 2, 12)  # noqa: DTZ001
+    for first in (WINDOWS_EPOCH, MAC_EPOCH):
+
+        def changed(book: Any, first: dt.datetime = first) -> None:
+            book.epoch = first
+            book["mechanisms"]["E3"] = day
+
+        assert any("2026-03-02 12:00:00" in one for one in faults(typed(changed)))
+
+
+SHEET = "<worksheet><sheetData>{}</sheetData>{}</worksheet>"
+STYLES = "<styleSheet><fonts>{}</fonts><cellXfs><xf numFmtId='0'/></cellXfs></styleSheet>"
+HOSTILE: dict[str, tuple[str, str, str]] = {
+    "styles": ("xl/styles.xml", STYLES.format("<font/>" * 2_000_000), ""),
+    "large styles": ("xl/styles.xml", STYLES.format("<font/>" * 9_000_000), ""),
+    "cells": ("SHEET", SHEET.format("<row>" + "<c/>" * 3_000_000 + "</row>", ""), "at most"),
+    "large": ("SHEET", SHEET.format("<row>" + "<c/>" * 300_000 + "</row>", ""), "500 columns"),
+    "grid": ("SHEET", SHEET.format(("<row>" + "<c/>" * 400 + "</row>") * 2000, ""), "200000 cells"),
+    "rows": ("SHEET", SHEET.format("<row/>" * 1_500_000, ""), "10000 rows"),
+    "merged": ("SHEET", SHEET.format("", '<mergeCell ref="A1:B2"/>' * 300_000), "are merged"),
+    "errors": (
+        "SHEET",
+        SHEET.format(("<row>" + '<c t="e"><v>x</v></c>' * 400 + "</row>") * 400, ""),
+        "expected a number",
+    ),
+    "deep": ("SHEET", "<a>" * 3_000_000, "nested deeper"),
+    "text": ("SHEET", SHEET.format("x" * 9_900_000, ""), ""),
+    "backwards": ("SHEET", SHEET.format('<row r="2"/><row r="1"/>', ""), "not in order"),
+    "doctype": ("SHEET", "<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "a document type"),
+    "texts": ("xl/sharedStrings.xml", "<sst>" + "<si/>" * 1_900_000 + "</sst>", ""),
+    "index": ("SHEET", SHEET.format('<row><c t="s"><v>-1</v></c></row>', ""), "no text or format"),
+    "number": ("SHEET", SHEET.format("<row><c><v>x</v></c></row>", ""), "expected a number"),
+}
+
+
+def _with_part(path: str, content: str) -> bytes:
+    """A good workbook with another part."""
+    made = io.BytesIO()
+    good = typed()
+    with (
+        zipfile.ZipFile(io.BytesIO(good)) as old,
+        zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as new,
+    ):
+        sheet = next(one for one in old.namelist() if one.startswith("xl/worksheets/"))
+        path = sheet if path == "SHEET" else path
+        parts: Mapping[str, Any] = {one: old.read(one) for one in old.namelist()} | {path: content}
+        for name, part in parts.items():
+            new.writestr(name, part)
+    return made.getvalue()
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_workbook_takes_little_time_and_memory(name: str) -> None:
+    path, content, said = HOSTILE[name]
+    data = _with_part(path, content)
+    begin = time.process_time()
+    told = ""
+    try:
+        read(data)
+    except ReadError as error:
+        told = str(error)
+    assert time.process_time() - begin < SECONDS
+    assert said in told
+    if path != "SHEET":
+        assert not told or "MB, expected" in told
+    if name in ("texts", "merged"):
+        tracemalloc.start()
+        try:
+            read(data)
+        except ReadError:
+            pass
+        finally:
+            peak = tracemalloc.get_traced_memory()[1]
+            tracemalloc.stop()
+        assert peak < MEMORY
+
+
+def test_names_without_end_are_passed_over() -> None:
+    data = typed()
+    with zipfile.ZipFile(io.BytesIO(data)) as old:
+        book = old.read("xl/workbook.xml").decode()
+    names = "".join(f"<definedName name='n{n}'>x!#REF</definedName>" for n in range(150_000))
+    book = book.replace("</workbook>", f"<definedNames>{names}</definedNames></workbook>")
+    assert read(_with_part("xl/workbook.xml", book)) == read(data)
+
+
+@pytest.mark.slow
+def test_a_full_sheet_is_read() -> None:
+    rows = ("<row>" + "<c><v>1</v></c>" * 400 + "</row>") * (MOST_SHEET_CELLS // 400)
+    [sheet, *_] = read_sheets(_with_part("SHEET", SHEET.format(rows, "")), "a.xlsx", ["case"])
+    assert sum(map(len, sheet.rows)) == MOST_SHEET_CELLS
+
+
+def test_a_workbook_is_read_without_the_package_that_writes_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Any
+) -> None:
+    file = tmp_path / "simpson.xlsx"
+    assert vstatics("convert", CASES / "simpson.yaml", file).status == 0
+    monkeypatch.setattr(openpyxl, "load_workbook", None)
+    assert load(file) == load(CASES / "simpson.yaml")

@@ -1,0 +1,32 @@
+"""A differential of ratio -2 with links 1 (sun), 2 (ring) and 3 (carrier), and what is said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tests.commands import vstatics
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission
+from vstatics.core.readers.named.reader import read_json
+from vstatics.core.writers.named import write_json
+
+SET = Mechanism(1, 2, 3, ratio=-2.0, efficiency=0.97)
+
+
+def train(
+    elements: Sequence[tuple[int, int]], gear: Gear, *, links: int = 3, output: int = 3
+) -> Transmission:
+    """The differential with these clutches and brakes, in one gear."""
+    names = "ABCD"[: len(elements)]
+    made = [ShiftElement(*pair, name) for pair, name in zip(elements, names, strict=True)]
+    return Transmission(links, made, [SET], [gear], output=output)
+
+
+def texts(results: Results) -> list[str]:
+    return [f"{message.severity}: {message.text}" for message in results.messages]
+
+
+def status(case: Transmission) -> int:
+    """Exit status of `vstatics run`."""
+    written = write_json(case).encode()
+    assert read_json(written, "").case == case
+    return vstatics("run", "-", "--from", "json", stdin=written).status

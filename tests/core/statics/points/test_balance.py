@@ -1,0 +1,281 @@
+"""The torque that balances a battery: an input split in closed form, none, two, all points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from random import Random
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from vstatics import CaseError, Transmission, solve
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers import loads
+from vstatics.core.writers.named import write_json, write_yaml
+
+RPM = 30 / math.pi
+SPLIT = """\
+links: [MG1, axle, engine, MG2]
+input: engine
+output: axle
+load: {speed: 2000 rpm, torque: 80 N*m}
+mechanisms:
+  split: {first: MG1, second: axle, third: engine, ratio: -2.6, efficiency: .98}
+  motor: {first: MG2, second: axle, ratio: -2.5, efficiency: .97}
+gears:
+  hold: {speeds: {MG1: 3000 rpm}, balance: {MG1: .92, MG2: .90, battery: -2 kW}}
+"""
+
+
+def split() -> Transmission:
+    return loads(SPLIT)
+
+
+def torque_of_mg2(engine: Floats, torque: Floats, mg1: Floats, battery: Floats) -> Floats:
+    """External torque on MG2 [N*m], by hand.
+
+    The sun carries T/(1 + 2.6 eta^x); x = -1 where it turns forward against the carrier, as its
+    torque holds it back. The battery gets .92 of what MG1 takes, or gives it/.92. MG2 gets what is
+    left, and gives it as torque at its speed, -2.5 that of the axle, with .9.
+    """
+    x = np.where(mg1 > engine, -1, 1)
+    sun = torque / (1 + 2.6 * 0.98**x)
+    axle = engine + (engine - mg1) / 2.6
+    from_mg1 = sun * mg1
+    charge = np.where(from_mg1 > 0, 0.92 * from_mg1, from_mg1 / 0.92)
+    left = battery - charge
+    return -np.where(left > 0, left / 0.9, left * 0.9) / (-2.5 * axle)
+
+
+def test_an_input_split_is_balanced_as_by_hand() -> None:
+    rng = np.random.default_rng(3)
+    engine, torque = rng.uniform(100, 400, 60), rng.uniform(20, 150, 60)
+    mg1, battery = rng.uniform(-300, 800, 60), rng.uniform(-2e4, 2e4, 60)
+    vary = {
+        "load.speed": engine,
+        "load.torque": torque,
+        "gears.hold.speeds.MG1": mg1,
+        "gears.hold.balance.battery": battery,
+    }
+    found = solve(split(), vary=vary)
+    own = found.lossy_holding_torques_Nm[:, 0, 3]
+    expected = torque_of_mg2(engine, torque, mg1, battery)
+    np.testing.assert_allclose(own, expected, rtol=1e-9, atol=1e-10)
+    assert found.consistent.all()
+    lost = found.losses_kW.sum(axis=-1)
+    left = found.input_power_kW - found.output_power_kW - lost
+    assert (np.abs(left) <= 1e-12 * found.input_power_kW).all()
+
+
+def test_one_case_is_balanced_too_and_its_state_has_the_torque() -> None:
+    results = solve(split())
+    [expected] = torque_of_mg2(*map(np.atleast_1d, (2000 / RPM, 80.0, 3000 / RPM, -2000.0)))
+    assert results.lossy_holding_torques_Nm[0, 3] == pytest.approx(expected, rel=1e-12)
+    assert results.gear(1).gear.torques[4] == pytest.approx(expected / 80, rel=1e-12)
+    assert results.messages == ()
+
+
+COUPLED = """\
+links: [MG1, axle, engine, MG2]
+input: engine
+output: axle
+load: {{speed: 2000 rpm, torque: 80 N*m}}
+mechanisms:
+  split: {{first: MG1, second: axle, third: engine, ratio: -2.6}}
+  pair: {{first: MG2, second: MG1, ratio: -2}}
+gears:
+  hold: {{speeds: {{MG1: 3000 rpm}}, balance: {{MG1: .9, MG2: .9, battery: {battery} W}}}}
+"""
+TAKEN = 80 / 3.6 * 3000 / RPM
+"""What both machines take together, as MG2 turns with MG1. [W]"""
+
+
+@pytest.mark.parametrize(("part", "said"), [(0.8, "two"), (0.95, "none")])
+def test_where_power_may_go_round_there_are_two_torques_or_none(part: float, said: str) -> None:
+    """Both get .9 of it where both generate; less where one drives the other, on either side."""
+    results = solve(loads(COUPLED.format(battery=part * TAKEN)))
+    assert np.isnan(results.lossy_torques).all()
+    assert np.isnan(results.lossy_holding_torques).all()
+    assert not results.consistent.any()
+    said_of = [one for one in results.messages if one.id == "W427"]
+    assert [one.text.split(" of ")[0] for one in said_of] == [f"balance: {said}"]
+
+
+def test_a_machine_that_stands_balances_nothing() -> None:
+    """MG1 and engine turn such that the axle stands: w_axle = w_e + (w_e - w_1)/2.6 = 0."""
+    text = SPLIT.replace("3000 rpm", f"{2000 * 3.6} rpm")
+    results = solve(loads(text))
+    assert [one.text[:14] for one in results.messages if one.id == "W427"] == ["balance: none "]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("balance: {MG1: .92, MG2: .90,", "balance: {MG1: .92,", "read no link without speed"),
+        ("speeds: {MG1: 3000 rpm}, ", "", "read MG1 and MG2 without speed and torque"),
+        ("MG2: .90", "MG2: 1.90", "read 1.9, expected an efficiency above 0 and up to 1"),
+        ("MG2: .90", "MG3: .90", "MG3"),
+        ("-2 kW", "-2 N*m", "power"),
+        ("load: {speed: 2000 rpm, torque: 80 N*m}\n", "", "load"),
+    ],
+)
+def test_a_balance_that_can_not_be_is_told(old: str, new: str, said: str) -> None:
+    with pytest.raises(Exception, match=r"\[E\d\d\d\]") as caught:
+        solve(loads(SPLIT.replace(old, new)))
+    assert said in str(caught.value)
+
+
+def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
+    from vstatics.core.writers.deck_limits import check_deck
+
+    assert loads(write_yaml(split())) == split()
+    assert loads(write_json(split())) == split()
+    with pytest.raises(CaseError, match="the balance of gear of hold"):
+        check_deck(split())
+
+
+GOES_ROUND = """\
+links: [in, A, out, B]
+input: in
+output: out
+load: {{speed: {speed!r} rad/s, torque: {torque!r} N*m}}
+mechanisms:
+  one: {{first: in, second: A, third: out, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
+  two: {{first: B, second: A, third: out, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
+gears:
+  d: {{speeds: {{A: {held!r} rad/s}}, balance: {{A: {of[0]!r}, B: {of[1]!r}, battery: {battery!r} W}}}}
+"""
+"""Two sets share A and the output, so power may go round by machines and battery."""
+
+
+class RoundTrip(NamedTuple):
+    """A case of `GOES_ROUND`."""
+
+    u: list[float]
+    eta: list[float]
+    of: list[float]
+    """Efficiencies of both machines."""
+    speed: float
+    held: float
+    torque: float
+    battery: float
+
+    @property
+    def torques(self) -> set[float]:
+        """All torques on B that balance, with every set of directions that agrees with its flow.
+
+        The sets carry T and M on their first links, so A gets -k1 T - k2 M with k = u eta^s, the
+        output (k1 - 1) T + (k2 - 1) M.
+        """
+        out = (self.speed - self.u[0] * self.held) / (1 - self.u[0])
+        second = out + self.u[1] * (self.held - out)
+        speeds = np.array([self.speed, self.held, out, second])
+        found = set()
+        for s, t, charges, charges_b in product((1, -1), repeat=4):
+            k = self.u[0] * self.eta[0] ** s, self.u[1] * self.eta[1] ** t
+            of_a, of_b = self.of[0] ** charges, self.of[1] ** charges_b
+            fixed = of_a * k[0] * self.torque * self.held
+            m = (self.battery - fixed) / (of_a * k[1] * self.held - of_b * second)
+            power = self._ports(k, m) * speeds
+            ideal = self._ports(self.u, m) * speeds
+            flows = s * self.torque * (self.speed - out), t * m * (second - out)
+            given = -charges * power[1], -charges_b * power[3]
+            passed = -power[ideal < 0].sum() / power[ideal > 0].sum()
+            if min(*flows, *given, passed) > 0:
+                found.add(round(m, 9))
+        return found
+
+    def _ports(self, k: Sequence[float], m: float) -> Floats:
+        """Torques on input, A, output and B from outside."""
+        at_a, at_out = -k[0] * self.torque - k[1] * m, (k[0] - 1) * self.torque + (k[1] - 1) * m
+        return np.array([self.torque, at_a, at_out, m])
+
+
+def random_trip(rng: Random) -> RoundTrip:
+    u = [rng.choice([-1, 1]) * rng.uniform(1.5, 3.5) for _ in range(2)]
+    eta, of = ([rng.uniform(low, 0.99) for _ in range(2)] for low in (0.6, 0.5))
+    speeds = rng.uniform(80, 400), rng.uniform(-600, 600)
+    return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(14, 21), pytest.param(range(100, 100 + count(60, 300)), marks=pytest.mark.slow)]
+)
+def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
+    """Also beside torques at which friction locks the gear, and where there are none, or two."""
+    counts = set()
+    for seed in seeds:
+        trip = random_trip(seeded(seed))
+        results = solve(loads(GOES_ROUND.format(**trip._asdict())))
+        expected = trip.torques
+        counts.add(min(len(expected), 2))
+        said = [one.text.split()[1] for one in results.messages if one.id == "W427"]
+        if len(expected) == 1:
+            found = results.lossy_holding_torques_Nm[0, 3]
+            assert said == [], seed
+            assert found == pytest.approx(expected.pop(), rel=1e-8, abs=1e-8), seed
+        else:
+            assert said == ["two" if expected else "none"], seed
+    assert len(seeds) < 60 or counts == {0, 1, 2}
+
+
+SERIES = """\
+links: [engine, MGA, MGB, sun, ring, output]
+input: engine
+output: output
+load: {{speed: {speed!r} rad/s, torque: {torque!r} N*m}}
+mechanisms:
+  first: {{first: engine, second: MGA, ratio: {u[0]!r}, efficiency: {eta[0]!r}}}
+  second: {{first: MGB, second: sun, ratio: {u[1]!r}, efficiency: {eta[1]!r}}}
+  set: {{first: sun, second: ring, third: output, ratio: {u[2]!r}, efficiency: {eta[2]!r}}}
+shift_elements: {{B: [ring, housing]}}
+gears:
+  series:
+    engaged: [B]
+    speeds: {{{given}: {held!r} rad/s}}
+    balance: {{MGA: {of[0]!r}, MGB: {of[1]!r}, battery: {battery!r} W}}
+"""
+"""A series hybrid: two trains that the battery alone connects, a gear pair before each machine."""
+
+
+@pytest.mark.parametrize("given", ["MGB", "output"])
+def test_a_series_hybrid_is_balanced_as_by_hand(given: str) -> None:
+    """The engine's train gives MGA all of its power but the loss; the battery gives the rest."""
+    for seed in range(count(12, 200)):
+        rng = seeded(seed)
+        u = [rng.choice([-1, 1]) * rng.uniform(0.4, 3) for _ in range(2)] + [-rng.uniform(1.3, 3)]
+        eta, of = [rng.uniform(0.9, 1) for _ in range(3)], [rng.uniform(0.8, 1) for _ in range(2)]
+        speed, torque = rng.uniform(80, 400), rng.uniform(30, 200)
+        battery, held = rng.uniform(-2e4, 2e4), rng.uniform(50, 500)
+        text = SERIES.format(**locals())
+        results = solve(loads(text))
+        brought = torque * speed * eta[0]
+        spare = brought * of[0] - battery
+        mgb = held if given == "MGB" else held * (1 - u[2]) * u[1]
+        power = spare * of[1] if spare > 0 else spare / of[1]
+        torques = results.lossy_holding_torques_Nm[0]
+        assert torques[1] == pytest.approx(-brought * u[0] / speed, rel=1e-9), seed
+        assert torques[2] == pytest.approx(power / mgb, rel=1e-8), seed
+        assert results.messages == (), seed
+        assert results.power_balance[0] == pytest.approx(0, abs=1e-9)
+
+
+def test_the_series_mode_of_an_output_split_needs_no_torque_by_hand() -> None:
+    """Engine 16.755 kW, the battery at rest: MGB has 16.755 x .92 x .90 = 13.873 kW at 5000 rpm."""
+    text = """
+links: [engine, MGA, ring, MGB, out]
+input: engine
+output: out
+load: {speed: 2000 rpm, torque: 80 N*m}
+elements: {P: {kind: planetary, sun: MGB, ring: ring, carrier: out, teeth: {sun: 37, ring: 83}, efficiency: .98}}
+shift_elements: {C1: [ring, housing], C2: [MGA, ring], C3: [engine, MGA]}
+gears: {series: {engaged: [C1, C3], speeds: {MGB: 5000 rpm}, balance: {MGA: .92, MGB: .90}}}
+"""
+    results = solve(loads(text))
+    mgb = 80 * 2000 / 5000 * 0.92 * 0.9
+    np.testing.assert_allclose(results.lossy_holding_torques_Nm[0, [1, 3]], [-80, mgb], rtol=1e-12)
+    assert results.lossy_output_torque_Nm[0] == pytest.approx(mgb * (1 + 83 / 37 * 0.98), rel=1e-12)

@@ -1,0 +1,110 @@
+"""Efficiencies over torque with several fixed points: counted in exact fractions, gear by gear.
+
+For an efficiency that is guessed the oracle gives the torque of the mechanism, and the law the
+efficiency that this torque has. Where both are one is a solution; a fine net of guesses sees all
+that are not closer together than its meshes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.oracle.gears import solve_gear
+from tests.trains import is_regular, random_train, shown
+from vstatics import Load, Results, Transmission, solve
+from vstatics.core.model.laws import PointLaw
+
+NET = 60
+"""Guesses between the least and the largest efficiency."""
+HALVES = 40
+TORQUE = 100.0
+"""[N*m]"""
+
+
+def with_efficiency(case: Transmission, place: int, efficiency: float) -> Transmission:
+    """The case with another efficiency of one mechanism: a number or a law."""
+    own = enumerate(case.mechanisms)
+    return case.replace(
+        mechanisms=[one._replace(efficiency=efficiency) if n == place else one for n, one in own]
+    )
+
+
+def steep(seed: int) -> tuple[Transmission, int, PointLaw]:
+    """A random gear, a mechanism of it, and steps about the torque that this has."""
+    rng = seeded(seed)
+    case = random_train(rng, regular=True, gears=1, coast=False).replace(load=Load(1000, TORQUE))
+    place = rng.randrange(len(case.mechanisms))
+    found = solve(with_efficiency(case, place, 0.6)).lossy_torques_Nm[
+        0, len(case.shift_elements) + place
+    ]
+    torque = abs(float(np.nan_to_num(found))) or 50.0
+    points = [(0.0, round(rng.uniform(0.3, 0.6), 3))]
+    at = torque * rng.uniform(0.6, 1.0)
+    for least in rng.choice(((0.7,), (0.7, 0.3))):
+        width = torque * rng.choice((0.02, 0.2))
+        points += [(at, points[-1][1]), (at + width, round(rng.uniform(least, 0.99), 3))]
+        at += width + torque * rng.uniform(0.05, 0.3)
+    return case, place, PointLaw(points, "torque")
+
+
+def left_over(case: Transmission, place: int, law: PointLaw) -> Callable[[float], float]:
+    """What the law gives above the guess; NaN where friction locks the gear."""
+
+    def of(guess: float) -> float:
+        with_guess = with_efficiency(case, place, guess)
+        torque = solve_gear(with_guess, with_guess.gears[0]).lossy_torques.mechanisms[place]
+        return np.nan if torque is None else law.at(abs(float(torque)) * TORQUE) - guess
+
+    return of
+
+
+def solutions(of: Callable[[float], float], law: PointLaw) -> list[float]:
+    """All efficiencies that agree with the torques that they make."""
+    ends = [y for _, y in law.points]
+    net = np.unique([*np.linspace(min(ends), max(ends), NET), *ends]).tolist()
+    found = [guess for guess in net if of(guess) == 0]
+    for before, after in pairwise(net):
+        low, high, at_low = before, after, of(before)
+        if not at_low * of(high) < 0:
+            continue
+        for _ in range(HALVES):
+            middle = (low + high) / 2
+            low, high = (middle, high) if of(middle) * at_low > 0 else (low, middle)
+        if abs(of(middle)) < 1e-8:
+            found.append(middle)
+    return found
+
+
+def said(results: Results) -> str:
+    """Of how many solutions the gear speaks."""
+    texts = [one.text for one in results.messages if one.id == "W426"]
+    return "several" if "more than" in "".join(texts) else "none" if texts else "one"
+
+
+def checked(seed: int) -> str:
+    """How many solutions a gear has, as the program says."""
+    case, place, law = steep(seed)
+    results = solve(with_efficiency(case, place, law))
+    of = left_over(case, place, law)
+    found = [] if results.locked[0] else solutions(of, law)
+    if results.locked[0] or not is_regular(case, case.gears[0]):
+        return "locked"
+    expected = "several" if len(found) > 1 else "one" if found else "none"
+    assert said(results) == expected, (shown(case), place, law.points, found)
+    if expected == "one":
+        exact = with_efficiency(case, place, found[0])
+        output = solve_gear(exact, exact.gears[0]).lossy_torques.output
+        assert output is not None
+        assert results.lossy_torques[0, -1] == pytest.approx(float(output), rel=1e-6)
+    return expected
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seeds", [range(count(24, 200))])
+def test_solutions_are_as_many_as_in_exact_fractions(seeds: range) -> None:
+    assert "one" in {checked(seed) for seed in seeds}

@@ -1,0 +1,147 @@
+"""Loads of all four quadrants: power enters where the signs of speed and torque say it."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.core.statics.test_dragged import much_drag
+from tests.core.statics.test_freewheels import with_freewheels
+from tests.oracle.drag import solve_gear as exact_with_drag
+from tests.trains import is_regular, random_train
+from vstatics import Gear, Load, Mechanism, Transmission, solve
+
+PAIR = Mechanism(1, 2, 0, -2.5, 0.96)
+
+
+def pair(load: Load, **more: object) -> Transmission:
+    return Transmission(2, [], [PAIR], [Gear(drag={2: 0.01})], load=load, **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("speed", [2000.0, -2000.0])
+def test_a_load_of_power_below_0_coasts(speed: float) -> None:
+    """300 N*m against the speed: the pair takes 300 2.5/.96 at its second link; drag acts there."""
+    torque = -math.copysign(300.0, speed)
+    results = solve(pair(Load(speed, torque)))
+    size = 300 * 2.5 / 0.96 + 3
+    assert results.lossy_output_torque_Nm == pytest.approx(
+        -2.5 * torque / 0.96 - math.copysign(3, torque)
+    )
+    assert abs(results.lossy_output_torque_Nm[0]) == pytest.approx(size)
+    assert results.efficiency == pytest.approx(300 * 2.5 / size)
+    assert (results.losses_kW > 0).all()
+    assert (results.drag_losses_kW > 0).all()
+    lost = results.losses_kW.sum() + results.drag_losses_kW[0]
+    assert results.input_power_kW - results.output_power_kW == pytest.approx(lost)
+
+
+@pytest.mark.parametrize("speed", [2000.0, -2000.0])
+@pytest.mark.parametrize("torque", [300.0, -300.0])
+def test_coast_turns_the_torque_whatever_its_sign(speed: float, torque: float) -> None:
+    """True: against the speed, false: along it, left out: as it is."""
+    size = math.copysign(300.0, speed)
+    for coast, same in ((True, -size), (False, size), (None, torque)):
+        told = solve(pair(Load(speed, torque), coast=coast))
+        own = solve(pair(Load(speed, same)))
+        for name in ("lossy_torques_Nm", "losses_kW", "efficiency", "speeds_rpm"):
+            np.testing.assert_array_equal(getattr(told, name), getattr(own, name))
+
+
+def test_a_gear_may_coast_by_itself() -> None:
+    gears = [Gear(), Gear(coast=True), Gear(coast=False), Gear(load=Load(torque=-100.0))]
+    case = Transmission(2, [], [PAIR], gears, load=Load(2000.0, 300.0), coast=None)
+    assert [case.coasts(gear) for gear in case.gears] == [False, True, False, True]
+    drive, brake = -2.5 * 0.96, -2.5 / 0.96
+    expected = [300 * drive, -300 * brake, 300 * drive, -100 * brake]
+    np.testing.assert_allclose(solve(case).lossy_output_torque_Nm, expected)
+    driven = case.with_coast(True)
+    assert all(map(driven.coasts, driven.gears))
+    assert solve(case, coast=False).lossy_output_torque_Nm[1] == pytest.approx(300 * drive)
+
+
+def turned(load: Load) -> Load:
+    return Load(-load.speed, -load.torque)  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("number", range(40))
+def test_a_train_that_turns_the_other_way_has_the_same_numbers(number: int) -> None:
+    """Statics has no preferred way: relative numbers stay, those in units change signs."""
+    case = random_train(seeded(2700 + number))
+    for load in (Load(1500.0, 80.0), Load(1500.0, -80.0)):
+        one, other = (solve(case.replace(load=own, coast=None)) for own in (load, turned(load)))
+        for name in ("speeds", "lossy_torques", "efficiency", "losses", "locked", "dragged"):
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
+        np.testing.assert_array_equal(one.lossy_torques_Nm, -other.lossy_torques_Nm + 0.0)
+        by_flag = solve(case.replace(load=Load(1500.0, 80.0), coast=load.torque < 0))  # type: ignore[operator]
+        np.testing.assert_array_equal(one.lossy_torques_Nm, by_flag.lossy_torques_Nm)
+        lost = np.nan_to_num(one.losses_kW).sum(axis=1) + np.nan_to_num(one.drag_losses_kW)
+        assert (lost >= -1e-12).all()
+        known = (
+            one.consistent
+            & np.isfinite(one.input_power_kW)
+            & np.isfinite(one.losses_kW).all(axis=1)
+        )
+        balance = one.input_power_kW - one.output_power_kW - lost
+        size = np.maximum(1.0, one.input_power_kW)
+        assert (np.abs(balance[known]) <= 1e-12 * size[known]).all()
+
+
+def test_the_efficiency_of_several_ports_is_by_their_flows_with_losses() -> None:
+    """In gear 2 of this train losses turn the flow of a port round."""
+    case = random_train(seeded(5221)).replace(load=Load(1000.0, 100.0), coast=None)
+    gear = case.gears[1]
+    results = solve(case)
+    assert gear.speeds or gear.torques
+    ratio = results.output_power_kW / results.input_power_kW
+    assert results.efficiency[1] == pytest.approx(ratio[1], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(5), pytest.param(range(5, count(25, 400)), marks=pytest.mark.slow)]
+)
+def test_all_quadrants_with_drag_are_those_of_exact_fractions(seeds: range) -> None:
+    """The load's signs alone tell it here; the oracle, which tries all signs, is told by a flag."""
+    seen = 0
+    for seed in seeds:
+        base = much_drag(20_000 + seed)
+        for speed, torque in product((1500.0, -1500.0), (80.0, -80.0)):
+            case = base.replace(load=Load(speed, torque), coast=None)
+            told = base.replace(coast=speed * torque < 0)
+            results = solve(case)
+            for index, gear in enumerate(case.gears):
+                if not is_regular(case, gear):
+                    continue
+                expected = exact_with_drag(told, told.gears[index])
+                state = bool(results.locked[index]), bool(results.dragged[index])
+                assert state == (expected.locked, expected.dragged)
+                seen += 1
+                if expected.locked:
+                    continue
+                output = float(results.lossy_torques[index, -1])
+                size = float(max(abs(one.output) for one in expected.possible)) + 1
+                nearest = min(abs(Fraction(output) - one.output) for one in expected.possible)
+                assert nearest <= 1e-9 * size
+    assert seen
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_freewheels_go_by_physical_signs(seed: int) -> None:
+    """Turned the other way with the links of each freewheel swapped a train is the same."""
+    case = with_freewheels(seed)
+    bare = [gear._replace(load=None, coast=None, input_turns="") for gear in case.gears]
+    swapped = [
+        one._replace(first=one.second, second=one.first) if one.is_freewheel else one
+        for one in case.shift_elements
+    ]
+    other = case.replace(gears=bare, shift_elements=swapped)
+    for torque in (80.0, -80.0):
+        one = solve(case.replace(gears=bare, load=Load(1500.0, torque), coast=None))
+        two = solve(other.replace(load=Load(-1500.0, -torque), coast=None))
+        np.testing.assert_array_equal(one.holds, two.holds)
+        np.testing.assert_allclose(one.speeds, two.speeds, rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(one.efficiency, two.efficiency, rtol=1e-9)

@@ -1,0 +1,66 @@
+"""Links that turn as one piece."""
+
+from __future__ import annotations
+
+from tests.core.statics.differential import texts, train
+from vstatics import Gear, Mechanism, Transmission, solve
+from vstatics.core.model.bodies import join
+from vstatics.core.statics.bodies import held_as_one
+
+
+def test_a_set_that_clutches_hold_as_one_piece_is_idle_without_a_word() -> None:
+    results = solve(train([(1, 2)], Gear([1])))
+    assert results.idle.all()
+    assert ([*results.efficiency], texts(results)) == ([1], [])
+
+
+def test_a_direct_gear_is_one_body() -> None:
+    """The clutch makes sun and ring one piece; by Willis the carrier turns with them."""
+    case = train([(1, 2), (2, 0)], Gear([1]))
+    assert solve(case).gear(1).bodies == [0, 1, 1, 1]
+    assert case.bodies(case.gears[0]) == [0, 1, 1, 3]
+
+
+def test_what_stands_joins_no_bodies() -> None:
+    """Ring held: it is one piece with the housing by its brake, yet turns with no link."""
+    case = train([(1, 2), (2, 0)], Gear([2]))
+    assert solve(case).gear(1).bodies == [0, 1, 2, 3]
+    assert case.bodies(case.gears[0]) == [0, 1, 0, 3]
+
+
+def test_one_piece_by_its_speeds_is_one_body_without_a_clutch() -> None:
+    """The ring is turned at the speed of the sun."""
+    assert solve(train([], Gear(speeds={2: 1.0}))).gear(1).bodies == [0, 1, 1, 1]
+    assert solve(train([], Gear(speeds={2: 0.5}))).gear(1).bodies == [0, 1, 2, 3]
+
+
+def test_bodies_that_are_joined_take_the_least_link() -> None:
+    bodies = [0, 1, 2, 3, 4]
+    join(bodies, 4, 2)
+    assert bodies == [0, 1, 2, 3, 2]
+    join(bodies, 4, 1, 3)
+    assert bodies == [0, 1, 1, 1, 1]
+
+
+def test_what_losses_cannot_move_is_held_as_one() -> None:
+    """Clutched sets are, whatever their efficiency; an axle whose wheels turn alike is not."""
+    direct = train([(1, 2)], Gear([1]))
+    assert held_as_one(direct, direct.gears[0]) == {0}
+    straight = train([], Gear(speeds={2: 1.0}))
+    assert held_as_one(straight, straight.gears[0]) == set()
+
+
+def test_sets_of_two_ratios_on_the_same_links_are_held_as_one_and_of_one_ratio_are_not() -> None:
+    """By Willis w1 - w3 = u (w2 - w3) holds for both, so w2 = w3 where u differs.
+
+    With sun and ring exchanged the same set has the ratio 1/u.
+    """
+
+    def held(*mechanisms: Mechanism) -> set[int]:
+        case = Transmission(3, [], mechanisms, [Gear()])
+        return held_as_one(case, case.gears[0])
+
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(1, 2, 3, -2.5)) == {0, 1}
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(1, 2, 3, -2.0)) == set()
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(2, 1, 3, -0.5)) == set()
+    assert held(Mechanism(1, 2, 3, -2.0), Mechanism(2, 1, 3, -0.4)) == {0, 1}

@@ -1,0 +1,186 @@
+"""Gears without a single solution, and what is said of them.
+
+Expected numbers are closed forms, given beside each case, or those of exact arithmetic
+(`oracle`). Unless told otherwise the train is a differential of ratio u = -2 with the
+links 1 (sun), 2 (ring) and 3 (carrier).
+"""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.core.statics.differential import status, texts, train
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.model.parts import Load, SpeedOf
+from vstatics.core.readers import from_dict, loads
+from vstatics.core.statics.results import Results
+
+
+def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
+    case = train([(2, 0)], Gear())
+    results = solve(case)
+    assert texts(results) == [
+        "warning: 1 condition missing for the speeds (neutral): nothing holds the torque of the "
+        "input; free: links 2 and 3; engage another shift element or give a speed"
+    ]
+    assert results.missing == [1]
+    assert results.speeds[0, 0] == 1
+    assert np.isnan([*results.speeds[0, 1:], *results.ratio, *results.efficiency]).all()
+    assert status(case) == 0
+
+
+def test_two_conditions_may_be_missing() -> None:
+    case = train([(3, 4)], Gear(), links=4, output=4)
+    assert texts(solve(case))[0].startswith("warning: 2 conditions missing")
+    assert "free: links 2, 3 and 4" in texts(solve(case))[0]
+
+
+def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
+    case = train([(2, 0), (3, 0)], Gear([1, 2]))
+    results = solve(case)
+    assert results.failed
+    assert texts(results) == [
+        "error: tied up: A, B and the input speed contradict each other, so the input can't "
+        "turn as given; release one of the engaged elements"
+    ]
+    assert status(case) == 1
+
+
+def test_a_contradiction_is_said_once_however_many_equations_repeat_it() -> None:
+    """Both sets and the clutch make links 1 to 3 one piece, twice over."""
+    sets = [Mechanism(3, 1, 2, -2.0), Mechanism(1, 3, 2, -3.0), Mechanism(2, 4, 0, -3.0)]
+    case = Transmission(4, [ShiftElement(3, 2, "S")], sets, [Gear([1], speeds={2: 0.8})])
+    told = texts(solve(case))
+    assert sum("tied up" in text for text in told) == 1
+    assert len(set(told)) == len(told)
+
+
+def test_a_geared_neutral_holds_no_torque_but_with_losses() -> None:
+    """w_out = 1 + (1/u - 1)/k is 0 at k = 2; beside it the output has torques of any size."""
+    pair, own = Mechanism(1, 2, 0, -1.0, 0.95), Mechanism(2, 3, 1, 2.0, 0.96)
+
+    def at(k: float) -> Results:
+        return solve(Transmission(3, [], [pair, own._replace(ratio=k)], [Gear()]))
+
+    assert "the output stands still and takes no power, so without losses" in "".join(
+        texts(at(2.0))
+    )
+    for k in 2 - 1e-7, 2 + 1e-7:
+        assert abs(at(k).torques[0, -1]) > 1e7
+        assert 1 < abs(at(k).lossy_torques[0, -1]) < 100
+    braked = Transmission(3, [ShiftElement(3)], [Mechanism(1, 2, 0, -1.0)], [Gear([1])])
+    assert texts(solve(braked))[-1].endswith("nothing holds the torque of the input")
+
+
+def test_only_torques_that_are_not_held_are_told() -> None:
+    """The output takes that of the input; a pair on a link beside it takes none."""
+    pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(3, 4, 0, -2.0)]
+    case = Transmission(4, [], pairs, [Gear(torques={4: 0.5})], output=2)
+    assert texts(solve(case))[-1].endswith("balance: nothing holds the torque of 4")
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", [1000.0, -1000.0])
+@pytest.mark.parametrize("ratio", [2.0, -2.0])
+def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
+    ratio: float, speed: float, *, coast: bool
+) -> None:
+    """As power enters by the input, or, coasting, by the other output: that gives more then."""
+    pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)]
+    case = Transmission(
+        3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=Load(speed, 100.0), coast=coast
+    )
+    results = solve(case)
+    [said] = [text for text in texts(results) if "gives no torque" in text]
+    proposed = float(said.rpartition("3: ")[2].partition("}")[0])
+    taken = solve(case.replace(gears=[Gear(torques={3: proposed})]))
+    own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
+    assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
+    assert (own < 0) == coast
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("speed", ["1000 rpm", "-1000 rpm"])
+def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coast: bool) -> None:
+    """A bare number is a part of that of the input, which is none."""
+    pairs = {"axle": (2, -3.0), "pto": (3, 2.0)}
+    made = {name: {"first": 1, "second": n, "ratio": u} for name, (n, u) in pairs.items()}
+    data = {"links": 3, "outputs": [2, 3], "mechanisms": made, "coast": coast}
+    data["load"] = {"speed": speed, "torque": "0 N*m"}
+    [said] = [
+        text for text in texts(solve(from_dict(data | {"gears": {"1": {}}}))) if "N*m" in text
+    ]
+    proposed = said.rpartition("3: ")[2].partition("}")[0]
+    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: proposed}}}}))
+    assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
+    assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
+
+
+def test_a_singular_train_of_the_right_count_is_told_both() -> None:
+    """Two brakes on one link; the fourth and fifth link hang on the sun."""
+    case = train([(2, 0), (2, 0)], Gear([1, 2]), links=5)
+    case = case.replace(mechanisms=[*case.mechanisms, Mechanism(1, 4, 5, -2.0)])
+    results = solve(case)
+    assert [*results.missing, *results.excess] == [1, 1]
+    first, second = texts(results)[:2]
+    assert first.startswith("warning: A and B: 1 engaged element is in excess")
+    assert second.startswith("warning: 1 condition missing")
+    assert "free: links 4 and 5" in second
+    assert results.ratio == pytest.approx(3)
+    assert results.output_torque == pytest.approx(3)
+
+
+def test_an_output_that_stands_still_has_no_ratio() -> None:
+    case = train([(3, 0)], Gear([1]))
+    results = solve(case)
+    assert results.speeds[0] == pytest.approx([1, -0.5, 0])
+    assert np.isnan(results.ratio).all()
+    assert "warning: the output, link 3, stands still: there is no ratio" in texts(results)
+    assert status(case) == 0
+
+
+def test_an_output_of_which_nothing_is_given_is_told() -> None:
+    """Where its speed is determined, by a brake here, only a torque can be given."""
+    case = Transmission(
+        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+        [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()],
+        outputs=[3, 2],
+    )  # fmt: skip
+    told = [message for message in solve(case).messages if "gives no torque" in message.text]
+    assert [(one.severity, one.gear) for one in told] == [("warning", "1"), ("warning", "3")]
+    assert "expected a given torque, below 0 where it takes some, such as `torques:" in told[0].text
+    assert "expected a given speed or torque, such as `speeds: {2: link 3}`" in told[1].text
+
+
+def vectoring_axle(chance: Random) -> str:
+    """A differential with sets for torque vectoring, whose open brakes drag."""
+    aux = [f"aux{n}" for n in range(chance.randint(1, 3))]
+    sets = "".join(
+        f"  tv{n}: {{first: {chance.choice(('left', 'right'))}, second: aux{n}, third: cage, "
+        f"ratio: {chance.choice((0.85, 0.9, 1.15, -1.0, 1.3))}, efficiency: 0.97}}\n"
+        for n in range(len(aux))
+    )
+    brakes = ", ".join(
+        f"B{n}: {{links: [aux{n}, housing], drag: {chance.uniform(0.5, 4):.3f} N*m}}"
+        for n in range(len(aux))
+    )
+    return (
+        f"links: [cage, left, right, {', '.join(aux)}]\noutputs: [left, right]\n"
+        "load: {speed: 1000 rpm, torque: 400 N*m}\n"
+        "mechanisms:\n  diff: {first: left, second: right, third: cage, ratio: -1, efficiency: .96}\n"
+        f"{sets}shift_elements: {{{brakes}}}\ngears: {{straight: {{speeds: {{right: left}}}}}}\n"
+    )
+
+
+def test_straight_ahead_with_sets_that_drag_is_a_note() -> None:
+    """All sets turn as one with the differential, whatever their ratios are."""
+    chance = seeded(425)
+    for _ in range(count(60, 600)):
+        said = [one.id for one in solve(loads(vectoring_axle(chance))).messages]
+        assert "N413" in said
+        assert "W425" not in said

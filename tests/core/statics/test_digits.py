@@ -1,0 +1,223 @@
+"""Digits that are lost near a singular train are told; closed forms, and exact fractions."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from tests.chance import count, generator, seeded
+from tests.commands import vstatics
+from tests.core.statics.batches import disagreements, ratios
+from tests.core.statics.test_against_oracle import _disagreements as differences
+from tests.oracle import gears as oracle
+from tests.oracle import linear, losses, systems
+from tests.trains import random_train, shown
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics.core.writers.named import write_json
+
+SHOWS = "the ratios are so close to a singular train that rounding shows: "
+
+
+def said(results: Results, gear: str = "1") -> list[str]:
+    return [
+        message.text.removeprefix(SHOWS)
+        for message in results.messages
+        if message.gear == gear and message.text.startswith(SHOWS)
+    ]
+
+
+def one_piece(near: float) -> Transmission:
+    """The clutch makes the first set one piece, and with it the second; all turn at 1.
+
+    Each has the difference u - 1 in its equation, the speed of link 4 has their product.
+    """
+    sets = [Mechanism(2, 3, 1, 1 + 2 * near), Mechanism(2, 1, 4, 1 + near)]
+    return Transmission(4, [ShiftElement(2, 3)], sets, [Gear([1])])
+
+
+@pytest.mark.parametrize("near", [*(10.0**-n for n in range(6, 16)), 3e-8, -1e-8, -1e-15])
+def test_a_speed_that_is_1_is_1(near: float) -> None:
+    results = solve(one_piece(near))
+    assert results.speeds[0].tolist() == [1] * 4
+    assert results.lossy_output_torque.tolist() == [1]
+    assert (results.missing[0], results.excess[0]) == (0, 0)
+    assert not any("speed" in text for text in said(results))
+
+
+@pytest.mark.parametrize("near", [1e-8, 1e-12])
+def test_every_answer_knows_that_the_output_turns(near: float) -> None:
+    case = write_json(one_piece(near).replace(gears=[Gear([1], name="one")])).encode()
+    run = vstatics("run", "-", "--from", "json", "-f", "json", stdin=case)
+    assert [row[0] for row in json.loads(run.out)["W"]] == [1, 1, 1, 1]
+    explained = vstatics("explain", "-", "--from", "json", stdin=case)
+    assert "w_4 = 1" in explained.out
+    assert not any(word in explained.out for word in ("stands still", "no ratio", "calculated:"))
+    asked = "--vary", f"D2.ratio={1 + near}:{1 + 3 * near}:30", "--out", "W[4],ratio"
+    rows = vstatics("sweep", "-", "--from", "json", *asked, stdin=case).out.splitlines()[1:]
+    assert {row.split(",", 2)[2] for row in rows} == {"ok,1,1"}
+
+
+@pytest.mark.parametrize("near", [0.1, 1e-3, 0.0])
+def test_farther_away_and_at_1_itself_nothing_is_lost(near: float) -> None:
+    results = solve(one_piece(near))
+    assert said(results) == []
+    if near:
+        assert results.speeds[0] == pytest.approx([1] * 4)
+
+
+def test_the_rounding_of_a_ratio_counts_too() -> None:
+    """Its last digit is 2.2e-16; the output turns at u/(u - 1), so 1e-12 leaves four digits."""
+
+    def reduced(near: float) -> list[str]:
+        sets = [Mechanism(1, 2, 3, 1 + near)]
+        return said(solve(Transmission(3, [ShiftElement(2)], sets, [Gear([1])])))
+
+    assert reduced(1e-8) == reduced(1e-5) == []
+    assert reduced(1e-12) == ["4 digits of the speed of 3 and the torque of the output are certain"]
+    assert reduced(1e-15)[0].startswith("1 digit of")
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(15), pytest.param(range(15, count(60, 400)), marks=pytest.mark.slow)]
+)
+def test_every_wrong_speed_is_told(seeds: range) -> None:
+    """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
+    wrong = 0
+    for seed in seeds:
+        rng = seeded(seed)
+        case = random_train(rng, regular=seed % 2 == 0, coast=False)
+        near = rng.choice((1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14))
+        mechanisms = [
+            one._replace(ratio=1 + near * rng.choice((1, -1, 1, 2, 0.5))) if one.third else one
+            for one in case.mechanisms
+        ]
+        case = replace(case, mechanisms=mechanisms)
+        results = solve(case)
+        for number, gear in enumerate(case.gears):
+            exact = oracle.flow_of(case, gear).speeds
+            speeds = [exact.link(link) for link in range(1, case.links + 1)]
+            if any(map(is_wrong, results.speeds[number], speeds)):
+                wrong += 1
+                assert said(results, gear.name), (seed, shown(case))
+    assert wrong
+
+
+@pytest.fixture
+def as_doubles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The oracle takes a number for what its float is, not for the decimal that it shows."""
+    for module in (linear, systems, losses, oracle):
+        monkeypatch.setattr(module, "exact", Fraction)
+
+
+def nearly_singular(seed: int) -> Transmission:
+    """A random train of two to six mechanisms, most of a ratio of 1 +- 1e-6 to 1e-15."""
+    rng = seeded(seed)
+    case = random_train(rng, regular=True)
+    near = 10.0 ** -rng.randint(6, 15)
+    mechanisms = [
+        one._replace(
+            ratio=1 + near * rng.choice((1, -1, 2, 5))
+            if one.third and rng.random() < 0.85
+            else one.ratio,
+            efficiency=one.efficiency if seed % 2 else 1.0,
+        )
+        for one in case.mechanisms
+    ]
+    return replace(case, mechanisms=mechanisms)
+
+
+@pytest.mark.usefixtures("as_doubles")
+@pytest.mark.parametrize(
+    "seeds", [range(8), pytest.param(range(8, count(40, 320)), marks=pytest.mark.slow)]
+)
+def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
+    for seed in seeds:
+        case = nearly_singular(seed)
+        assert differences(case) == [], (seed, shown(case))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_variants_are_what_each_is_alone(seed: int) -> None:
+    case, numbers = nearly_singular(seed), generator(seed)
+    for kind in ("near 1", "nearly the same"):
+        assert not disagreements(case, ratios(numbers, case, 30, kind), None, range(0, 30, 5))
+
+
+def nearly_alike(u: float, v: float) -> Transmission:
+    """Two sets on the same carrier: w_3 = (u - v)/(u - 1) w_1 with link 2 held by w_2 = v w_1."""
+    return Transmission(3, [], [Mechanism(2, 1, 3, u), Mechanism(2, 1, 0, v)], [Gear()])
+
+
+def speed_of_output(u: float, v: float) -> float:
+    return float((Fraction(u) - Fraction(v)) / (Fraction(u) - 1))
+
+
+@pytest.mark.parametrize("u", [-2.0, 2.0, 1.61])
+@pytest.mark.parametrize("near", [1e-9, 1e-13, 1e-14, -1e-14, 3e-15])
+def test_ratios_that_are_nearly_alike_lose_digits_too(u: float, near: float) -> None:
+    v = u * (1 + near)
+    results = solve(nearly_alike(u, v))
+    assert results.speeds[0, 2] == pytest.approx(speed_of_output(u, v), rel=1e-6, abs=0)
+    assert (len(said(results)) == 1) == (abs(near) < 1e-10)
+
+
+@pytest.mark.parametrize("near", [1e-12, 1e-14, 3e-15])
+@pytest.mark.parametrize("first", [0, 3], ids=["from two that are the same", "from others"])
+def test_nearly_alike_in_arrays_of_variants(near: float, first: int) -> None:
+    ratios = [(-2.0, -2.0 * (1 + (first + one) % 7 * near)) for one in range(60)]
+    speeds = solve(nearly_alike(-2.0, -2.0), ratios=ratios).speeds[:, 0, 2]
+    expected = [speed_of_output(*one) for one in ratios]
+    assert speeds.tolist() == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+def test_equal_decimals_are_equal_whatever_their_floats_are() -> None:
+    """1.1 * 1.1 = 1.21, though not in floats: both ways to link 3 say the same of its speed."""
+    pairs = [Mechanism(3, 2, 0, 1.1), Mechanism(2, 1, 0, 1.1), Mechanism(3, 1, 0, 1.21)]
+    results = solve(Transmission(3, [], pairs, [Gear()]))
+    assert results.speeds[0].tolist() == pytest.approx([1, 1.1, 1.21])
+    assert (results.excess[0], bool(results.tied_up[0]), said(results)) == (1, False, [])
+
+
+def of_one_ratio(seed: int) -> Transmission:
+    """A random train of two to six mechanisms, most of nearly the same ratio."""
+    rng = seeded(seed)
+    case = random_train(rng, regular=True)
+    ratio, near = rng.choice((-2.0, 2.0, -1.5, 3.0, -2.37, 1.61)), 10.0 ** -rng.randint(6, 14)
+    mechanisms = [
+        one._replace(ratio=ratio * (1 + near * rng.choice((0, 1, -1, 2, 5))))
+        if one.third and rng.random() < 0.85
+        else one
+        for one in case.mechanisms
+    ]
+    return replace(case, mechanisms=mechanisms)
+
+
+@pytest.mark.usefixtures("as_doubles")
+@pytest.mark.parametrize(
+    "seeds",
+    [range(376, 386), pytest.param(range(1000, 1000 + count(400, 4000)), marks=pytest.mark.slow)],
+)
+def test_speeds_and_torques_of_nearly_one_ratio_are_those_of_fractions(seeds: range) -> None:
+    """But for speeds of some units in the last place of the input's, which are those of ratios."""
+    for seed in seeds:
+        case = of_one_ratio(seed)
+        results = solve(case)
+        for number, exact in enumerate(oracle.solve(case)):
+            for got, wanted in (
+                *zip(results.speeds[number], exact.speeds, strict=True),
+                *zip(results.torques[number], exact.torques.listed, strict=True),
+            ):
+                expected = math.nan if wanted is None else float(wanted)
+                close = pytest.approx(expected, rel=2e-6, abs=1e-14, nan_ok=True)
+                assert got == close, (seed, shown(case))
+
+
+def is_wrong(got: float, exact: object) -> bool:
+    if exact is None:
+        return not math.isnan(got)
+    expected = float(exact)  # type: ignore[arg-type]
+    return not abs(got - expected) <= 2e-6 * max(abs(expected), 1e-12)

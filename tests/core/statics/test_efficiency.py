@@ -1,0 +1,166 @@
+"""Mechanisms with an efficiency for each direction of power; numbers from closed forms.
+
+With the third link held power goes from the first link to the second with `efficiency`,
+from the second to the first with `back_efficiency`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from tests.chance import generator, seeded
+from tests.core.statics.batches import ARRAYS, disagreements, large_train, plainly, same
+from tests.trains import random_train
+from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics.core.numerics.traced import plain
+from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.statics.efficiency import Efficiency, is_possible, lossy_ratio
+from vstatics.core.writers import deck, named
+
+
+def worm(back: float | None) -> Transmission:
+    """A worm, which drives in gear 1, and its wheel, which drives in gear 2; 20 to 1."""
+    pair = Mechanism(1, 2, 0, 20, 0.8, back_efficiency=back)
+    return Transmission(2, [], [pair], [Gear(), Gear(input=2, output=1)])
+
+
+def test_a_worm_gear_from_each_side() -> None:
+    results = solve(worm(0.7))
+    assert results.efficiency == pytest.approx([0.8, 0.7])
+    assert results.lossy_torques[:, -1] == pytest.approx([16, 0.7 / 20])
+    assert results.losses[:, 0] == pytest.approx([0.2, 0.3])
+    assert results.power_balance == pytest.approx([0, 0])
+
+
+def test_a_worm_gear_when_coasting() -> None:
+    """Power enters at the wheel in gear 1, by the worm in gear 2."""
+    assert solve(worm(0.7), coast=True).efficiency == pytest.approx([0.7, 0.8])
+
+
+def test_without_a_second_efficiency_both_are_the_same() -> None:
+    assert solve(worm(None)).efficiency == pytest.approx([0.8, 0.8])
+    given, none = solve(worm(0.8)), solve(worm(None))
+    assert all(same(getattr(given, name), getattr(none, name)) for name in ARRAYS)
+
+
+def test_a_self_locking_worm_gear_can_be_driven_by_the_worm_only() -> None:
+    results = solve(worm(0))
+    assert results.efficiency[0] == pytest.approx(0.8)
+    assert list(results.locked) == [False, True]
+    assert np.isnan(results.efficiency[1])
+    assert np.isnan(results.lossy_torques[1]).all()
+    assert [str(message) for message in results.messages] == [
+        "warning: gear 2: locked by friction: no directions of power agree with the losses [W421]"
+    ]
+    coasting = solve(worm(0), coast=True)
+    assert list(coasting.locked) == [True, False]
+    assert coasting.efficiency[1] == pytest.approx(0.8)
+
+
+def test_no_loss_in_one_direction() -> None:
+    """Both u' = u and the flow back through it are not the same: .7 holds there."""
+    case = replace(worm(0.7), mechanisms=[Mechanism(1, 2, 0, 20, 1.0, back_efficiency=0.7)])
+    assert solve(case).efficiency == pytest.approx([1, 0.7])
+    other = replace(worm(0.7), mechanisms=[Mechanism(1, 2, 0, 20, 0.7, back_efficiency=1)])
+    assert solve(other).efficiency == pytest.approx([0.7, 1])
+
+
+@pytest.mark.parametrize("back", [0.9, 0.98, None])
+def test_a_planetary_set_by_its_carrier(back: float | None) -> None:
+    """Ring held. Sun in: (1 - u e)/(1 - u). Carrier in: (1 - u)/(1 - u/b)."""
+    u, e = -2.0, 0.95
+    case = Transmission(
+        3,
+        [ShiftElement(2)],
+        [Mechanism(1, 2, 3, u, e, back_efficiency=back)],
+        [Gear([1]), Gear([1], input=3, output=1)],
+    )
+    b = e if back is None else back
+    forms = [(1 - u * e) / (1 - u), (1 - u) / (1 - u / b)]
+    assert solve(case).efficiency == pytest.approx(forms)
+    assert solve(case, coast=True).efficiency == pytest.approx(forms[::-1])
+
+
+def test_arrays_of_efficiencies_leave_the_second_one_as_it_is() -> None:
+    eta = np.array([[0.8], [0.9], [1.0], [0.95], [0.5], [0.7]])
+    assert solve(worm(0.7), efficiencies=eta).efficiency[:, 1] == pytest.approx([0.7] * 6)
+    assert solve(worm(0.7), efficiencies=eta).efficiency[:, 0] == pytest.approx(eta[:, 0])
+    assert solve(worm(None), efficiencies=eta).efficiency[:, 1] == pytest.approx(eta[:, 0])
+
+
+def test_plans_of_one_worm_gear_are_not_taken_for_another() -> None:
+    u = np.linspace(10, 30, 20)[:, None]
+    for back in (0.7, None, 0.0, 0.6):
+        expected = 0.8 if back is None else back or np.nan
+        found = solve(worm(back), ratios=u).efficiency[:, 1]
+        assert found == pytest.approx(np.full(20, expected), nan_ok=True)
+
+
+def with_backs(rng: Random, case: Transmission) -> Transmission:
+    """The train with other efficiencies for the way back, some of them 0."""
+    choices = (None, None, 0.0, 1.0, 0.5, 0.8, 0.9, 0.95)
+    made = [one._replace(back_efficiency=rng.choice(choices)) for one in case.mechanisms]
+    return replace(case, mechanisms=made)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_random_trains(seed: int) -> None:
+    """Power is balanced, losses are none below 0, variants are what they are alone."""
+    rng, numbers = seeded(seed), generator(seed)
+    case = with_backs(rng, random_train(rng) if seed % 2 else large_train(rng, 6))
+    results = plainly(case)
+    there = results.consistent
+    size = 1 + np.nan_to_num(np.abs(results.lossy_torques[there])).max(axis=1, initial=0)
+    balance = np.nan_to_num(results.power_balance[there]) / size
+    assert balance == pytest.approx(0, abs=1e-7)
+    losses = np.nan_to_num(results.losses[there]) * (-1 if case.coast else 1)
+    assert (losses >= -1e-9 * size[:, None]).all()
+    signs = np.nan_to_num(results.power_sign[there])
+    backs = np.array([m.back_efficiency != 0 for m in case.mechanisms])
+    assert (signs[:, ~backs] >= 0).all()
+    u = np.array([m.ratio for m in case.mechanisms]) * numbers.uniform(0.95, 1.05, (12, 1))
+    eta = numbers.uniform(0.8, 1, u.shape)
+    assert not disagreements(case, u, None, range(4))
+    assert not disagreements(case, u, eta, range(4))
+
+
+TEXT = """\
+links: 2
+mechanisms:
+  W: {first: 1, second: 2, ratio: 20, efficiency: 0.8, back_efficiency: 0.7}
+gears: {"1": {}}
+"""
+
+
+def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
+    case = read_yaml(TEXT.encode(), "case.yaml").case
+    assert case.mechanisms[0].back_efficiency == 0.7
+    assert read_yaml(named.write_yaml(case).encode(), "").case == case
+    assert read_json(named.write_json(case).encode(), "").case == case
+    assert deck.lost(case) == ["back_efficiency of mechanism W"]
+    with pytest.raises(ReadError) as caught:
+        read_yaml(TEXT.replace("0.7", "7").encode(), "case.yaml")
+    (problem,) = caught.value.problems
+    assert problem.place is not None
+    assert problem.place[1:3] == (3, TEXT.splitlines()[2].index("0.7") + 1)
+
+
+def test_a_ratio_with_losses_is_multiplied_or_divided() -> None:
+    """Forward u eta, u/back the other way, u where it is idle, nothing where it is open."""
+    both = Efficiency(0.9, 0.5)
+    assert lossy_ratio(-2.0, both, 1.0) == pytest.approx(-1.8)
+    assert lossy_ratio(-2.0, both, -1.0) == pytest.approx(-4)
+    assert lossy_ratio(-2.0, both, 0.0) == -2
+    assert np.isnan(plain(lossy_ratio(-2.0, both, float("nan"))))
+    assert np.isnan(plain(lossy_ratio(-2.0, Efficiency(0.9, 0.0), -1.0)))
+
+
+def test_no_power_flows_back_through_what_is_self_locking() -> None:
+    pair = [Efficiency(0.8, 0.0), Efficiency(0.9, 0.9)]
+    assert is_possible(pair, (1.0, -1.0))
+    assert not is_possible(pair, (-1.0, 1.0))
+    assert is_possible(pair, (0.0, 0.0))  # idle, so no power flows back

@@ -1,0 +1,166 @@
+"""A load of 0 N*m: what is relative to it does not exist, what is in N*m and kW stands."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.chance import seeded
+from tests.commands import vstatics
+from tests.core.statics.batches import with_numbers
+from tests.trains import no_losses, random_train
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
+from vstatics.core.flow.power import flows
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.statics.physical import RELATIVE_TO_INPUT
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.summary import summarize
+
+CASE = b"""\
+links: [in, lay, out]
+mechanisms:
+  P1: {first: in, second: lay, ratio: -60/20, efficiency: 0.98}
+  P2: {first: lay, second: out, ratio: -50/25, efficiency: 0.97}
+load: {speed: 3000 rpm, torque: 0 N*m}
+gears:
+  one: {drag: {lay: 2 N*m, out: 5 N*m}}
+"""
+OUT = -2 * 2 / 0.97 - 5
+"""The output turns the layshaft by the second pair, and itself. [N*m]"""
+
+
+def test_the_output_gives_all_drag() -> None:
+    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=CASE).out)
+    assert (said["dragged"], said["ETA"], said["power_balance"]) == ([True], [None], [None])
+    assert said["AMLGP"] == [[None]] * 3
+    assert said["losses"] == [[None]] * 2
+    assert [row[0] for row in said["AMLGP_Nm"]] == pytest.approx([0, 2, OUT])
+    lost = sum(row[0] for row in said["losses_kW"]) + said["drag_losses_kW"][0]
+    assert said["input_power_kW"][0] - said["output_power_kW"][0] == pytest.approx(lost)
+    asked = ("--vary", "P1.efficiency=0.9:1:30", "--out", "MxP_Nm,MxP,ETA")
+    rows = vstatics("sweep", "-", "--from", "yaml", *asked, stdin=CASE).out.splitlines()[1:]
+    assert {row.split(",", 2)[2] for row in rows} == {f"dragged,{OUT:.12g},,"}
+
+
+def two_gears() -> Transmission:
+    """A gear by the load of the case, and one that coasts freely."""
+    pair = Mechanism(1, 2, 0, -2.5, 0.96)
+    gears = [Gear(drag={2: 3.0}), Gear(drag={2: 3.0}, load=Load(torque=0))]
+    return Transmission(2, [], [pair], gears, load=Load(2000, 300))
+
+
+def test_a_bare_number_is_a_part_of_nothing() -> None:
+    """A drag of 3 times the input torque is none, and nobody is dragged."""
+    results = solve(two_gears())
+    assert results.lossy_output_torque_Nm.tolist() == [300 * (-2.5 * 0.96 + 3), 0]
+    assert results.dragged.tolist() == [True, False]
+    assert results.consistent.all()
+    assert np.isnan(results.efficiency).all()
+
+
+def test_arrays_in_python_are_relative_to_the_input_or_do_not_exist() -> None:
+    results = solve(two_gears(), ratios=[[-2.0], [-2.5]])
+    for name in RELATIVE_TO_INPUT:
+        assert np.isnan(getattr(results, name)[:, 1]).all(), name
+        assert name in ARRAYS
+    known = results.torques, results.output_torque
+    assert not any(np.isnan(one[:, 0]).any() for one in known)
+    assert np.isnan(results.lossy_output_torque[:, 1]).all()
+    assert results.speeds_rpm[0, 1].tolist() == [2000, -1000]
+
+
+def test_answers_beside_have_no_relative_torque() -> None:
+    case = replace(two_gears(), gears=[Gear(drag={2: OfLoad(3.0, 1.0)})], load=Load(2000, 0))
+    results = solve(case)
+    output = flows(results)[0].ports.ports[1]
+    assert np.isnan([output.torque, output.power]).all()
+    assert output.torque_Nm == pytest.approx(3)  # and it turns backward
+    assert summarize(results).sensitivities.tolist() == [[1]]
+
+
+def test_what_a_clutch_carries_is_measured_by_its_capacity() -> None:
+    """Clutch 2 holds a torque of 4 N*m from outside, with 10 N*m of capacity."""
+    clutch = ShiftElement(1, 2, capacity=OfLoad(10.0, 1.0))
+    gear = Gear([1], torques={1: OfLoad(4.0, 1.0)})
+    case = Transmission(3, [clutch], [Mechanism(2, 3, 0, 2)], [gear], load=Load(1000, 0))
+    summary = summarize(solve(case))
+    assert [one.least for one in summary.margins] == pytest.approx([2.5])
+
+
+def test_a_standing_input_stays_an_error() -> None:
+    with pytest.raises(CaseError, match="speed other than 0"):
+        Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()], load=Load(0, 10))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_without_mesh_losses_torques_go_in_line_with_the_load(seed: int) -> None:
+    """At 0 N*m they are twice those at 50 less those at 100 N*m: equilibrium is linear."""
+    rng = seeded(seed)
+    case = no_losses(random_train(rng, regular=True, coast=False))
+    drag = {n: OfLoad(rng.choice((1.0, 4.0)), 1.0) for n in range(1, case.links, 2)}
+    gears = [gear._replace(drag=drag) for gear in case.gears]
+    at = {
+        torque: solve(case.replace(gears=gears, load=Load(1000, torque))) for torque in (0, 50, 100)
+    }
+    for name in ("lossy_torques_Nm", "drag_losses_kW", "torques_Nm"):
+        none, half, whole = (getattr(one, name) for one in at.values())
+        assert none == pytest.approx(2 * half - whole, abs=1e-9 * (1 + np.nanmax(np.abs(whole))))
+
+
+@pytest.mark.parametrize(
+    "seed", [*range(4), *(pytest.param(n, marks=pytest.mark.slow) for n in range(4, 12))]
+)
+def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
+    """And plans for arrays do as each variant alone."""
+    rng = seeded(seed)
+    case = random_train(rng, regular=True)
+    drag = {n: OfLoad(rng.choice((1.0, 4.0)), 1.0) for n in range(1, case.links, 2)}
+    gears = [gear._replace(drag=drag) for gear in case.gears]
+    none, little = (case.replace(gears=gears, load=Load(1000, torque)) for torque in (0, 1e-7))
+    there = ~solve(little).locked
+    one, other = (solve(each).lossy_torques_Nm[there] for each in (none, little))
+    assert one == pytest.approx(other, rel=1e-4, abs=1e-4, nan_ok=True)
+    u = np.array([m.ratio for m in case.mechanisms]) * (1 + 1e-3 * np.arange(20)[:, None])
+    together = solve(none, ratios=u).lossy_torques_Nm
+    alone = [solve(with_numbers(none, own, None)).lossy_torques_Nm for own in u]
+    assert together == pytest.approx(np.array(alone), rel=1e-11, abs=1e-11, nan_ok=True)
+
+
+@pytest.mark.parametrize("order", [(80.0, 0.0), (0.0, 80.0)])
+def test_points_with_and_without_load_have_plans_of_their_own(order: tuple[float, ...]) -> None:
+    """A given torque drives at 0 N*m: what was calculated before says nothing of the next."""
+    text = """
+links: [a, b, x]
+output: b
+load: {speed: 1500 rpm, torque: 60 N*m}
+mechanisms:
+  p: {first: a, second: b, ratio: -2, efficiency: .9}
+  q: {first: x, second: b, ratio: 3, efficiency: .9}
+gears: {g: {torques: {x: 5 N*m}}}
+"""
+    for torque in order:
+        together = solve(loads(text), vary={"load.torque": [torque, -60.0]})
+        for number, one in enumerate((torque, -60.0)):
+            alone = solve(loads(text.replace("torque: 60 N*m", f"torque: {one} N*m")))
+            powers = together.port_powers_kW[number, 0]
+            assert powers == pytest.approx(alone.port_powers_kW[0], rel=1e-12)
+
+
+HELD = b"""\
+links: [engine, motor, out]
+mechanisms: {set: {first: engine, second: out, third: motor, ratio: -2, efficiency: 0.98}}
+load: {speed: 3000 rpm, torque: 0 N*m}
+gears:
+  free: {speeds: {motor: 500 rpm}, drag: {motor: 2 N*m}}
+"""
+
+
+def test_the_torque_that_holds_a_speed_is_told() -> None:
+    """The motor turns itself against its drag: nothing goes through the set."""
+    said = json.loads(vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=HELD).out)
+    assert said["AMWZP_Nm"] == [[None], [2], [None]]
+    assert said["AMWZ_Nm"] == [[None], [0], [None]]
+    assert said["AMWZP"] == said["AMWZ"] == [[None]] * 3

@@ -1,0 +1,158 @@
+"""Results in rpm, N*m and kW: a relative number times that of the load, in closed form.
+
+One planetary set with the ring held: the carrier turns at w/(1 - u), and with losses it gets
+M(1 - u*eta), as the sun drives.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    Transmission,
+    flows,
+    load,
+    solve,
+)
+from vstatics.core.statics.physical import known_units, lacking_load, scales
+from vstatics.core.tables.quantities import ASKED, WITH_UNITS
+
+KW = math.pi / 30 / 1000
+"""1 N*m at 1 rpm."""
+U, ETA = -2.5, 0.96
+SET = Transmission(
+    3,
+    [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    [Mechanism(1, 2, 3, U, ETA, name="P1")],
+    [Gear([2], name="low"), Gear([1], name="direct", load=Load(1000, 100))],
+    load=Load(2000, 300),
+)
+RATIOS = [[-2.0], [-2.5], [-3.0]]
+IN_UNITS = [one for one in WITH_UNITS + ASKED if one.unit]
+
+
+def test_speeds_torques_and_powers_by_hand() -> None:
+    results = solve(SET)
+    assert results.speeds_rpm == pytest.approx(
+        np.array([[2000, 0, 2000 / 3.5], [1000, 1000, 1000]])
+    )
+    assert results.slip_speeds_rpm == pytest.approx(np.array([[2000, 0], [0, 1000]]))
+    # planet of a plain set: z_planet = (z_ring - z_sun)/2, so -2/(ring/sun - 1) of sun - carrier
+    assert results.planet_speeds_rpm[0, 0] == pytest.approx((2000 - 2000 / 3.5) * -2 / 1.5)
+    assert results.output_torque_Nm == pytest.approx([300 * 3.5, 100])
+    assert results.lossy_output_torque_Nm == pytest.approx([300 * (1 + 2.5 * ETA), 100])
+    assert results.torques_Nm[0] == pytest.approx([0, -300 * 2.5, 300, 300 * 3.5])
+    assert results.lossy_torques_Nm[0, 1] == pytest.approx(-300 * 2.5 * ETA)
+    lost = 2000 * 300 * (1 - (1 + 2.5 * ETA) / 3.5) * KW
+    assert results.losses_kW == pytest.approx(np.array([[lost], [0]]))
+    assert results.input_power_kW == pytest.approx([2000 * 300 * KW, 1000 * 100 * KW])
+    assert results.output_power_kW == pytest.approx([2000 * 300 * KW - lost, 1000 * 100 * KW])
+
+
+def test_one_newton_metre_at_9549_revolutions_a_minute_is_one_kilowatt() -> None:
+    """M = 9549.3 P/n, as every handbook has it."""
+    pair = Transmission(2, [], [Mechanism(1, 2, 0, -1.0)], [Gear()], load=Load(9549.2966, 1))
+    assert solve(pair).input_power_kW == pytest.approx([1], rel=1e-8)
+
+
+def test_variants_come_first_as_everywhere() -> None:
+    results = solve(SET, ratios=RATIOS)
+    single = [solve(SET, ratios=ratios) for ratios in RATIOS]
+    for one in IN_UNITS:
+        made: Any = getattr(results, one.name)
+        assert made.shape[:2] == (3, 2)
+        np.testing.assert_array_equal(made, [getattr(alone, one.name) for alone in single])
+
+
+def test_several_axes_of_variants() -> None:
+    results = solve(SET, ratios=np.array(RATIOS).reshape(3, 1, 1))
+    assert results.speeds_rpm.shape == (3, 1, 2, 3)
+    assert results.input_power_kW.shape == (3, 1, 2)
+    assert solve(SET, ratios=np.zeros((0, 1))).output_power_kW.shape == (0, 2)
+
+
+@pytest.mark.parametrize("one", IN_UNITS, ids=lambda one: one.name)
+def test_every_declared_unit_has_its_array(one: Any) -> None:
+    """What enters and leaves is no multiple of another array: there it is that of the load."""
+    results = solve(SET, ratios=RATIOS)
+    made = getattr(results, one.name)
+    if not one.of:
+        entering = np.array([2000 * 300, 1000 * 100]) * KW
+        share = {"input_power_kW": np.ones((3, 2)), "output_power_kW": results.efficiency}
+        np.testing.assert_allclose(made, share[one.name] * entering, rtol=1e-12)
+        return
+    relative = getattr(results, one.of)
+    assert made.shape == relative.shape
+    for gear, scale in enumerate(scales(SET)[one.unit].tolist()):
+        np.testing.assert_allclose(made[:, gear], relative[:, gear] * scale, rtol=1e-15)
+
+
+@pytest.mark.parametrize("coast", [False, True])
+def test_what_enters_leaves_or_is_lost(coast: bool) -> None:
+    """With drag of 6 N*m at the carrier, and a machine that gives 30 N*m to the ring."""
+    gears = [
+        Gear([2], name="low", drag={3: 0.02}),
+        Gear(name="split", speeds={2: 0.5}, drag={3: 0.02}),
+        Gear([1], name="boost", torques={2: 0.1}, drag={3: 0.02}),
+    ]
+    results = solve(replace(SET, gears=gears), ratios=RATIOS, coast=coast)
+    lost = results.losses_kW.sum(axis=-1) + results.drag_losses_kW
+    assert (results.losses_kW >= 0).all()
+    assert (results.drag_losses_kW > 0).all()
+    assert results.input_power_kW - results.output_power_kW == pytest.approx(lost)
+    eta = results.output_power_kW / results.input_power_kW
+    assert eta == pytest.approx(results.efficiency)
+
+
+@pytest.mark.parametrize("coast", [False, True])
+@pytest.mark.parametrize("file", sorted(CASES.glob("*.yaml")), ids=lambda file: file.stem)
+def test_ports_have_the_power_that_the_flow_tells(file: Path, coast: bool) -> None:
+    """Which adds up the ports of each gear one by one, in their real direction."""
+    case = load(file)
+    gears = [gear._replace(load=None) for gear in case.gears]
+    results = solve(replace(case, gears=gears, load=Load(2000, 300)), coast=coast)
+    for number, flow in enumerate(flows(results)):
+        if flow.lossy is not None and not flow.lossy.unknown:
+            both = [flow.lossy.entering * flow.kilowatts, flow.lossy.leaving * flow.kilowatts]
+            found = results.input_power_kW[number], results.output_power_kW[number]
+            assert sorted(found) == pytest.approx(sorted(both), rel=1e-9, abs=1e-9)
+
+
+def test_without_a_load_there_are_no_units() -> None:
+    results = solve(replace(SET, load=None, gears=[Gear([2])]))
+    with pytest.raises(CaseError, match=r"no load tells the speed at the input, so .*speeds_rpm"):
+        _ = results.speeds_rpm
+    with pytest.raises(CaseError, match=r"speed and torque at the input, so .*`input_power_kW`"):
+        _ = results.input_power_kW
+
+
+def test_a_load_may_tell_one_of_speed_and_torque() -> None:
+    case = replace(SET, load=Load(torque=300), gears=[Gear([2])])
+    assert solve(case).output_torque_Nm == pytest.approx([1050])
+    assert known_units(case) == {"Nm"}
+    assert lacking_load("losses_kW", "kW").endswith("load: {speed: 2000 rpm, torque: 300 N*m}")
+
+
+def test_a_gear_without_a_load_has_no_values() -> None:
+    results = solve(replace(SET, load=None))
+    assert np.isnan(results.speeds_rpm[0]).all()
+    assert results.speeds_rpm[1] == pytest.approx([1000] * 3)
+
+
+def test_what_overflows_does_not_exist() -> None:
+    results = solve(replace(SET, load=Load(1e300, 1e300), gears=[Gear([2])]))
+    assert np.isnan(results.input_power_kW).all()
+    assert np.isnan(results.losses_kW).all()
+    assert np.isfinite(results.speeds_rpm).all()

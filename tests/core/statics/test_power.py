@@ -1,0 +1,94 @@
+"""Power: torque times speed, at ports and devices; every link and every gear closes."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.core.statics.differential import SET, train
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.power import LinkPower, port_torques, power
+from vstatics.core.statics.state import GearState
+
+NAMES = ("mzkt7922.yaml", "zf-8hp70.yaml", "ravigneaux-aod.yaml", "umdm.yaml", "power-split.yaml")
+SHIPPED = [CASES / name for name in NAMES]
+
+
+def total(powers: list[LinkPower], *kinds: str) -> float:
+    return sum(plain(one.power) for one in powers if one.kind in kinds)
+
+
+def states(path: Path) -> list[GearState]:
+    results = solve(vstatics.load(path))
+    there = [n for n in range(1, len(results.case.gears) + 1) if results.consistent[n - 1]]
+    assert there
+    return [results.gear(number) for number in there]
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_powers_of_ports_sum_to_nothing_without_losses(path: Path) -> None:
+    """Conservation of power; what enters is below 0."""
+    for state in states(path):
+        assert total(state.powers(lossy=False), "port") == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_what_ports_lack_with_losses_is_the_losses(path: Path) -> None:
+    for state in states(path):
+        entering = -total(state.powers(), "port")
+        lost = sum(plain(one) for one in state.mechanism_losses)
+        assert entering == pytest.approx(lost, abs=1e-9)
+
+
+@pytest.mark.parametrize("lossy", [False, True])
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_a_link_gives_what_it_takes(path: Path, lossy: bool) -> None:
+    """Torques on a link balance, so the powers that it gives sum to 0."""
+    for state in states(path):
+        powers = state.powers(lossy=lossy)
+        if not any(math.isnan(plain(one.power)) for one in powers):
+            for link in range(1, state.case.own_links + 1):
+                given = sum(plain(one.power) for one in powers if one.link == link)
+                assert given == pytest.approx(0, abs=1e-9)
+
+
+def test_drag_takes_power_from_links_and_open_elements() -> None:
+    """A pair of ratio 4: an open clutch slips at 3/4, the output turns at 1/4."""
+    pair = Mechanism(1, 2, 0, 4, 0.95)
+    case = Transmission(2, [ShiftElement(1, 2, drag=0.02)], [pair], [Gear(drag={2: 0.1})])
+    powers = solve(case).gear(1).powers()
+    assert total(powers, "drag") == pytest.approx(0.1 / 4)
+    assert total(powers, "element") == pytest.approx(0.02 * 3 / 4)
+    losses = 0.05 * (1 - 0.02)  # the clutch takes its torque before the pair
+    assert -total(powers, "port") == pytest.approx(losses + 0.1 / 4 + 0.02 * 3 / 4)
+
+
+def test_coasting_turns_the_powers_of_all_devices() -> None:
+    """Ring held: the sun brings in 1 when driving and takes it when coasting."""
+    case = train([(2, 0)], Gear([1]))
+    for coast, entering in ((False, 1.0), (True, -1.0)):
+        powers = solve(case, coast=coast).gear(1).powers(lossy=False)
+        (sun,) = [one for one in powers if (one.kind, one.member) == ("mechanism", "first")]
+        assert sun.power == pytest.approx(entering)
+
+
+def test_all_external_torques_are_those_of_the_ports() -> None:
+    """Ring turned by a motor at 1/2: it is held by -u = 2, the carrier gives 1 - u = 3."""
+    case = train([], Gear(speeds={2: 0.5}))
+    state = solve(case).gear(1)
+    holding, output_torque = state.torques.holding, state.torques.on_first_link[-1]
+    found = port_torques(case, case.gears[0], holding, output_torque)
+    assert found == pytest.approx({1: 1, 2: -SET.ratio, 3: SET.ratio - 1})
+    assert sum(found.values()) == pytest.approx(0)  # equilibrium of the whole train
+
+
+def test_nothing_times_what_does_not_exist_is_nothing() -> None:
+    assert power(0.0, math.nan) == power(math.nan, 0.0) == 0
+    assert np.isnan(plain(power(1.0, math.nan)))
+    assert power(2.0, -0.5) == -1

@@ -1,0 +1,78 @@
+"""Results: arrays that stay as they are, rows as they are named, the gears of one case."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.core.statics.batches import ARRAYS, random_case, same
+from tests.core.statics.differential import train
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
+
+
+def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
+    case, u, _ = random_case(3)
+    results = solve(case, ratios=u, coast=not case.coast)
+    assert results.case == replace(case, coast=not case.coast)
+    assert results.messages == ()
+
+
+def test_results_that_are_kept_do_not_change() -> None:
+    kept = []
+    for seed in range(4):
+        case, u, eta = random_case(seed)
+        for turn in range(3):
+            results = solve(case, ratios=np.roll(u, turn, axis=0), efficiencies=eta)
+            if turn == 0:
+                kept.append((results, copy.deepcopy(results), pickle.loads(pickle.dumps(results))))  # noqa: S301
+    for results, copied, pickled in kept:
+        assert copied.case == pickled.case == results.case
+        for name in ARRAYS:
+            assert same(getattr(results, name), getattr(copied, name))
+            assert same(getattr(results, name), getattr(pickled, name))
+
+
+def test_results_are_equal_where_case_numbers_and_loads_are() -> None:
+    """A neutral has NaN, which is no difference; two loads differ by what is in N*m alone."""
+    case = train([(2, 0)], Gear([1])).replace(
+        gears=[Gear([1]), Gear(name="N")], load=Load(2000, 300)
+    )
+    assert solve(case) == solve(case) == pickle.loads(pickle.dumps(solve(case)))  # noqa: S301
+    assert solve(case) != solve(case.replace(load=Load(2000, 200)))
+    varied = [solve(case, vary={"load.torque": [100, second]}) for second in (200, 200, 300)]
+    assert varied[0] == varied[1] != varied[2]
+    assert solve(case) not in [*varied, solve(case, ratios=[[-2.5]]), None, case]
+
+
+def test_a_gear_is_one_of_a_single_case() -> None:
+    case = train([(2, 0)], Gear([1]))
+    with pytest.raises(ValueError, match="a gear is one of a single case"):
+        solve(case, ratios=[[-2.0], [-3.0]]).gear(1)
+    for number in (0, 2, -1):
+        with pytest.raises(ValueError, match="no gear"):
+            solve(case).gear(number)
+
+
+def test_marks_of_a_gear_without_solution_do_not_exist() -> None:
+    """Nothing can be idle or locked in neutral; what was measured there is no false."""
+    results = solve(train([(2, 0)], Gear([1])))
+    neutral = solve(train([(2, 0)], Gear()))
+    for name in ("idle", "consistent", "locked"):
+        assert not np.isnan(results.existing(name)).any()
+        assert np.isnan(neutral.existing(name)).all()
+
+
+def test_freewheels_that_hold_become_plain_elements() -> None:
+    """A freewheel holds the ring when driving and overruns when a clutch makes one piece."""
+    held = ShiftElement(2, 0, "F", "freewheel"), ShiftElement(1, 2, "C")
+    mechanisms = [Mechanism(1, 2, 3, -2.0, 0.97)]
+    results = solve(Transmission(3, held, mechanisms, [Gear(), Gear([2])]))
+    plain = results.with_freewheels_engaged
+    assert not plain.freewheels
+    assert [list(gear.engaged) for gear in plain.gears] == [[1], [2]]
+    assert solve(plain).ratio == pytest.approx([3, 1])
+    assert results.ratio == pytest.approx([3, 1])

@@ -1,0 +1,91 @@
+"""The status of a gear: one for each kind of faulty gear, the same from state and arrays."""
+
+from __future__ import annotations
+
+import math
+from typing import TypedDict, get_args
+
+import pytest
+
+import vstatics
+from tests.commands import CASES
+from tests.core.statics.differential import train
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.statics.status import OK, STATUSES, UNDECIDED, statuses
+from vstatics.core.texts import Language, translated
+
+BACKWARD = Transmission(
+    2, [ShiftElement(2, 0, "L", "freewheel")], [Mechanism(1, 2, 0, -1.0)], [Gear()]
+)
+"""The freewheel would turn at -1, and holding it would hold the input."""
+
+FAULTY = {
+    "tied up": (train([(2, 0), (3, 0)], Gear([1, 2])), 1),
+    "freewheels in conflict": (BACKWARD, 1),
+    "the output stands": (train([(3, 0)], Gear([1])), 1),
+    "neutral": (train([(2, 0)], Gear()), 1),
+    "torques do not balance": (train([(2, 0)], Gear(speeds={3: 0.25})), 1),
+    "locked by friction": (vstatics.load(CASES / "self-locking.yaml"), 2),
+    "dragged": (train([(2, 0)], Gear([1], drag={1: 1.5})), 1),
+}
+
+
+class Marks(TypedDict):
+    """The arguments of `statuses`."""
+
+    tied_up: bool
+    conflict: bool
+    output_speed: float
+    balanced: bool
+    locked: bool
+    undecided: bool
+
+
+SOUND: Marks = {
+    "tied_up": False,
+    "conflict": False,
+    "output_speed": 0.5,
+    "balanced": True,
+    "locked": False,
+    "undecided": False,
+}
+
+
+@pytest.mark.parametrize("words", FAULTY)
+def test_each_kind_of_faulty_gear_has_its_status(words: str) -> None:
+    case, number = FAULTY[words]
+    results = solve(case)
+    assert results.status(number).english == words
+    assert results.gear(number).status == results.status(number)
+    fails = words in ("tied up", "freewheels in conflict")
+    assert results.failed == fails
+    assert results.status(number).is_fault == (fails or words == "locked by friction")
+
+
+def test_a_sound_gear_has_none() -> None:
+    results = solve(train([(2, 0)], Gear([1])))
+    assert results.status(1) == results.gear(1).status == OK
+    assert statuses(**SOUND) == []
+
+
+def test_a_search_that_was_cut_short_is_told() -> None:
+    marks: Marks = {**SOUND, "undecided": True}
+    assert statuses(**marks) == [UNDECIDED]
+
+
+def test_what_explains_the_others_comes_first() -> None:
+    """What is tied up turns nothing, balances nothing."""
+    marks: Marks = {**SOUND, "tied_up": True, "output_speed": math.nan, "balanced": False}
+    assert [one.name for one in statuses(**marks)] == ["tied up", "open", "no torques"]
+
+
+def test_statuses_are_told_apart_in_every_language() -> None:
+    for language in get_args(Language):
+        for words in zip(*(one[:3] for one in STATUSES), strict=True):
+            said = [translated(one, language) for one in words]
+            assert len({*said}) == len(STATUSES)
+            assert all(said)
+            assert language == "en" or not {*said} & {*words}
+    faults = [one.is_fault for one in STATUSES]
+    assert faults == sorted(faults, reverse=True)
+    assert OK not in STATUSES

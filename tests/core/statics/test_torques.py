@@ -1,0 +1,53 @@
+"""Torques of a gear: what equilibrium determines and what it leaves open."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.core.statics.differential import SET, status, texts, train
+from vstatics import Gear, solve
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics import matrix
+from vstatics.core.statics.torques import NO_DRAG, solve_sums, solve_torques
+
+
+def test_a_direct_clutch_with_a_free_set_is_direct_all_the_same() -> None:
+    """The clutch joins input and output; the set hangs on the input and carries nothing."""
+    results = solve(train([(1, 4)], Gear([1]), links=4, output=4))
+    assert [*results.ratio, *results.output_torque, *results.efficiency] == [1, 1, 1]
+    assert results.torques[0] == pytest.approx([1, 0, 1])
+    assert "free: links 2 and 3" in texts(results)[0]
+    assert len(results.messages) == 1
+
+
+def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
+    """Equilibrium of all links together: Mx = 1, whatever the split between A, B and D."""
+    case = train([(1, 2), (2, 3)], Gear([1, 2]))
+    results = solve(case)
+    assert results.speeds[0] == pytest.approx([1, 1, 1])
+    assert results.slip_speeds[0] == pytest.approx([0, 0])
+    assert [*results.ratio, *results.output_torque, *results.efficiency] == [1, 1, 1]
+    assert np.isnan(results.torques[0, :3]).all()
+    assert texts(results) == [
+        "warning: A and B: 1 engaged element is in excess; the speeds agree, the torque of A, B "
+        "and D1 is not determined",
+    ]
+    assert status(case) == 0
+
+
+def test_the_housing_takes_what_input_and_output_leave() -> None:
+    """Ring held, u = -2: Mx = 1 - u = 3, and 1 - 3 on the brake, its first link being the ring."""
+    results = solve(train([(2, 0)], Gear([1])))
+    assert results.torques[0] == pytest.approx([-2, 1, 3])
+
+
+def test_a_sum_may_be_determined_where_its_parts_are_not() -> None:
+    """Two brakes on the ring share its 2; what each carries is open."""
+    case = train([(2, 0), (2, 0)], Gear([1, 2]))
+    gear, columns = case.gears[0], matrix.columns(case, [SET.ratio])
+    torques = solve_torques(case, gear, columns)
+    assert np.isnan([plain(one) for one in torques.on_first_link[:2]]).all()
+    both, one = solve_sums(case, gear, columns, [{0: 1.0, 1: 1.0}, {0: 1.0}], NO_DRAG)
+    assert plain(both) == pytest.approx(-2)
+    assert np.isnan(plain(one))

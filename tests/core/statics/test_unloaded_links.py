@@ -1,0 +1,179 @@
+"""Links that are free on purpose, against those that a missing shift element leaves free.
+
+The random trains are judged by exact arithmetic (`oracle`): a gear whose outputs turn, and whose
+free links touch nothing that carries torque, lacks no shift element.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from random import Random
+
+import pytest
+
+from tests.chance import count, seeded
+from tests.oracle import gears as oracle
+from tests.trains import random_ratio, random_train, shown
+from vstatics import Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.readers import loads
+
+OVERDRIVE = """
+links: [input, sun, ring, race, output]
+mechanisms: {P: {first: sun, second: ring, third: input, ratio: -2.7}}
+shift_elements:
+  E: [ring, input]
+  D: [race, housing]
+  H: {kind: freewheel, links: [sun, race]}
+  O: [ring, output]
+gears: {direct: [E, O]}
+"""
+
+
+def ids(text: str) -> list[str]:
+    return [message.id for message in solve(loads(text)).messages]
+
+
+def test_the_race_between_an_open_brake_and_a_freewheel_is_free_on_purpose() -> None:
+    assert ids(OVERDRIVE) == ["N420"]
+    [message] = solve(loads(OVERDRIVE)).messages
+    assert message.text == "link race turns freely and carries no torque"
+
+
+@pytest.mark.parametrize(
+    ("gear", "found"),
+    [
+        pytest.param("electric: {input: motor, engaged: [C2]}", ["N420"], id="engine"),
+        pytest.param("engine: [C1, C2]", [], id="engine drives"),
+        pytest.param("neutral: {input: motor, engaged: []}", ["W414"], id="output is free"),
+    ],
+)
+def test_an_engine_behind_an_open_clutch_takes_its_generator_along(
+    gear: str, found: list[str]
+) -> None:
+    """The generator hangs on the engine by a gear pair, which carries no torque."""
+    text = f"""
+links: [engine, generator, motor, output]
+mechanisms: {{pair: {{first: engine, second: generator, ratio: -0.4}}}}
+inertias: {{engine: 0.2, generator: 0.05}}
+shift_elements: {{C1: [engine, motor], C2: [motor, output]}}
+gears: {{{gear}}}
+"""
+    assert ids(text) == found
+
+
+@pytest.mark.parametrize("drag", ["2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"])
+def test_a_single_drag_brings_a_free_race_to_rest(drag: str) -> None:
+    """It takes no power then; two drags may pull the race along, so their loss is unknown."""
+    load = "load: {speed: 1000 rpm, torque: 100 N*m}\n"
+    single = OVERDRIVE.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
+    assert ids(load + single) == ["N420"]
+    double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
+    assert sorted(ids(load + double)) == ["N420", "W412"]
+
+
+def test_a_set_that_hangs_on_the_input_lacks_a_shift_element() -> None:
+    """Direct drive without the second clutch: nothing says how fast ring and carrier turn."""
+    text = OVERDRIVE.replace("  E: [ring, input]\n", "  E: [sun, output]\n  K: [input, output]\n")
+    assert ids(text.replace("[E, O]", "[K]")) == ["W414"]
+
+
+def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
+    text = """
+links: [engine, axle, stub, take-off]
+output: axle
+outputs: [axle, take-off]
+mechanisms: {pair: {first: stub, second: take-off, ratio: -3}, axle: {first: engine, second: axle, ratio: -8}}
+shift_elements: {P: [engine, stub]}
+gears: {field: [P], road: []}
+"""
+    messages = solve(loads(text)).messages
+    assert [(message.gear, message.id) for message in messages] == [
+        ("field", "W413"),
+        ("road", "N420"),
+    ]
+
+
+def test_a_free_link_under_torque_lacks_a_shift_element() -> None:
+    """Both halves of a differential reach the output by another one: their difference is free."""
+    text = """
+links: [input, left, right, output]
+mechanisms:
+  apart: {first: left, second: right, third: input, ratio: -1}
+  together: {first: left, second: right, third: output, ratio: -1}
+gears: {"1": []}
+"""
+    assert "W414" in ids(text)
+
+
+@pytest.mark.parametrize("links", ["[input, engine]", "[engine, input]"])
+def test_a_freewheel_the_wrong_way_round_is_named(links: str) -> None:
+    text = f"""
+links: [engine, input, output]
+mechanisms: {{pair: {{first: input, second: output, ratio: -3}}}}
+shift_elements: {{F1: {{kind: freewheel, links: {links}}}}}
+gears: {{drive: [], coast: {{coast: true}}}}
+"""
+    texts = {message.gear: message.text for message in solve(loads(text)).messages}
+    advice = "the links of F1 may be in the wrong order: with [input, engine] the gear would drive"
+    is_wrong = links == "[engine, input]"
+    assert (advice in texts.get("drive", "")) == is_wrong
+    assert advice not in texts.get("coast", "")
+
+
+def with_loose_parts(rng: Random, case: Transmission) -> Transmission:
+    """Return a train with further links, on open or engaged elements and on mechanisms."""
+    links, elements, mechanisms = case.links, [*case.shift_elements], [*case.mechanisms]
+    engaged: list[int] = []
+    for _ in range(rng.randint(1, 3)):
+        base = rng.randint(1, links)
+        if rng.random() < 0.5:
+            links += 1
+            elements.append(ShiftElement(base, links, f"L{links}"))
+            engaged += [len(elements)] * (rng.random() < 0.3)
+        else:
+            links += 2
+            members = (base, links - 1, links)
+            mechanisms.append(Mechanism(*members, random_ratio(rng, members), name=f"L{links}"))
+    [gear] = case.gears
+    left = gear.engaged[rng.random() < 0.4 :]
+    gears = [gear._replace(engaged=(*left, *engaged))]
+    return Transmission(links, elements, mechanisms, gears, input=case.input, output=case.output)
+
+
+def is_unloaded(case: Transmission, exact: oracle.OracleGear) -> bool:
+    """Whether nothing loads or drives the free links, and the output turns, by exact arithmetic."""
+    gear = case.gears[0]
+    free = {number for number, speed in enumerate(exact.speeds, 1) if speed is None}
+    devices = [
+        *((one.first, one.second) for one in case.shift_elements),
+        *(one.links for one in case.mechanisms),
+    ]
+    torques = (*exact.torques.elements, *exact.torques.mechanisms)
+    turning = {number for number, speed in enumerate(exact.speeds, 1) if speed}
+    idle = all(
+        torque == 0 and (place < len(case.shift_elements) or not turning.intersection(links))
+        for place, (links, torque) in enumerate(zip(devices, torques, strict=True))
+        if free.intersection(links)
+    )
+    return idle and exact.ideal_torques_exist and case.gear_output(gear) not in free
+
+
+@pytest.mark.parametrize(
+    "seeds",
+    [range(40), pytest.param(range(1000, 1000 + count(600, 3000)), marks=pytest.mark.slow)],
+)
+def test_unloaded_links_are_those_of_exact_arithmetic(seeds: range) -> None:
+    counts = Counter[str]()
+    for seed in seeds:
+        rng = seeded(seed)
+        train = random_train(rng, regular=rng.random() < 0.8)
+        case = with_loose_parts(rng, train.replace(gears=train.gears[:1]))
+        [exact] = oracle.solve(case)
+        said = {message.id for message in solve(case).messages} & {"W414", "N420"}
+        if exact.tied_up or not exact.missing:
+            expected = "W414" if exact.missing else ""
+        else:
+            expected = "N420" if is_unloaded(case, exact) else "W414"
+        counts[expected] += 1
+        assert said == ({expected} if expected else set()), (seed, shown(case))
+    assert min(counts["N420"], counts["W414"]) > len(seeds) / 10

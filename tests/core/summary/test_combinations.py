@@ -1,0 +1,94 @@
+"""What else the shift elements of a transmission could give."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from vstatics import CaseError, load, solve
+from vstatics.core.summary.unused_sets import Combination, combinations
+
+
+def found(name: str, *without: str, at_most: int = 1000) -> dict[frozenset[str], Combination]:
+    """The combinations of a case without some of its gears, by what they engage."""
+    case = load(CASES / name)
+    kept = [gear for gear in case.gears if gear.name not in without]
+    made = combinations(solve(replace(case, gears=kept)), at_most)
+    return {frozenset(one.engaged): one for one in made}
+
+
+def test_a_ravigneaux_set_by_hand() -> None:
+    """Ford AOD, two of five elements, ten pairs.
+
+    Five are its gears. Two of the three clutches turn the set as one piece: gear 3 and
+    two more. A clutch and a brake on one member tie the input up, twice. Both brakes
+    hold the set, and nothing drives it.
+    """
+    made = found("ravigneaux-aod.yaml")
+    assert set(made) == {frozenset({"forward", "reverse"}), frozenset({"reverse", "direct"})}
+    for one in made.values():
+        assert one.ratio == pytest.approx(1)
+        assert one.efficiency == pytest.approx(1)
+        assert one.gear == "3"
+
+
+def test_gears_that_are_left_out_are_found_again() -> None:
+    """Willis: i = ring/(ring + large sun) with the large sun held, -ring/large with the carrier."""
+    made = found("ravigneaux-aod.yaml", "4", "R")
+    overdrive = made[frozenset({"direct", "overdrive"})]
+    reverse = made[frozenset({"reverse", "low"})]
+    assert overdrive.ratio == pytest.approx(72 / (72 + 36))
+    assert reverse.ratio == pytest.approx(-72 / 36)
+    assert overdrive.gear == reverse.gear == ""
+    assert [one.ratio for one in made.values()] == sorted(
+        (one.ratio for one in made.values()), reverse=True
+    )
+
+
+def test_the_8hp_uses_every_combination_that_there_is() -> None:
+    """Three of five are ten; nine are gears, and A, C, E hold the input."""
+    assert found("zf-8hp70.yaml") == {}
+
+
+def test_a_simpson_set_uses_every_combination_that_there_is() -> None:
+    """ZF 3HP22: six pairs; four gears, B and C hold the input, C and D the output."""
+    assert found("simpson.yaml") == {}
+
+
+def test_a_freewheel_may_take_the_place_of_an_element() -> None:
+    """TH400: the rear band does what the low roller clutch does in gear 1."""
+    made = found("simpson-th400.yaml")
+    band = made[frozenset({"forward clutch", "rear band"})]
+    assert (band.gear, band.holding) == ("1", [])
+    again = found("simpson-th400.yaml", "1")[frozenset({"forward clutch"})]
+    assert again.holding == ["low roller clutch"]
+    assert again.ratio == pytest.approx(2 + 26 / 54)  # both sets alike, z_sun/z_ring = 26/54
+
+
+def test_too_many_combinations_are_refused() -> None:
+    with pytest.raises(CaseError, match=r"3 of 5 shift elements have 10 combinations, more than"):
+        found("zf-8hp70.yaml", at_most=9)
+    case = CASES / "zf-8hp70.yaml"
+    said = vstatics("summary", case, "--combinations", "--at-most", 9)
+    assert said.status == 1
+    assert said.out == ""
+    assert f"{case}: error: 3 of 5" in said.err
+    without = {"--at-most": "--combinations", "--exponent": "--duty and a CSV of points"}
+    for option, other in without.items():
+        said = vstatics("summary", case, option, 9)
+        assert (said.status, f"{option}: without {other}" in said.err) == (2, True)
+
+
+def test_that_there_are_none_is_said() -> None:
+    said = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations")
+    assert "combinations of shift elements: none" in said.out
+    made = vstatics("summary", CASES / "zf-8hp70.yaml", "--combinations", "-f", "json")
+    assert json.loads(made.out)["combinations"] == []
+
+
+def test_a_case_without_shift_elements_has_none() -> None:
+    assert found("wheel-hub.yaml") == {}
+    assert found("power-split.yaml") == {}

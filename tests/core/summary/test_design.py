@@ -1,0 +1,64 @@
+"""The design table: ratios, steps and spread."""
+
+from __future__ import annotations
+
+import json
+import math
+from itertools import pairwise
+
+import pytest
+
+from tests.commands import LOCKED, NEUTRAL, ROOT, vstatics
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.summary import Summary, summarize
+
+PUBLISHED = json.loads((ROOT / "tests" / "published" / "zf-8hp70.json").read_text())["ratio"]
+
+
+def test_steps_and_spread_are_those_of_the_published_ratios(zf: Summary) -> None:
+    """ZF 8HP70 as printed to four digits; see tests/published/zf-8hp70.json."""
+    forward = [PUBLISHED[str(gear)] for gear in range(1, 9)]
+    lines = {line.gear: line for line in zf.design.gears}
+    for gear, (one, other) in zip("1234567", pairwise(forward), strict=True):
+        assert lines[gear].next == str(int(gear) + 1)
+        assert lines[gear].step == pytest.approx(one / other, abs=2e-4)
+    assert zf.design.spread == pytest.approx(7.04, abs=0.01)  # the maker's figure
+    assert lines["8"].next == lines["R"].next == ""
+    assert math.isnan(lines["R"].step)
+
+
+def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
+    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=NEUTRAL.encode()).out)
+    neutral, low = made["gears"]
+    assert (neutral["ratio"], neutral["state"], low["state"]) == (None, "open", "")
+    assert made["transitions"] == []
+    for form, end in (("text", "  neutral"), ("markdown", "| neutral |"), ("csv", ",open")):
+        said = vstatics("summary", "-", "-f", form, stdin=NEUTRAL.encode()).out.splitlines()
+        assert (
+            [one for one in said if one.endswith(("neutral", "open", "neutral |"))]
+            == [one for one in said if one.endswith(end)]
+            != []
+        )
+    assert made["sensitivity"]["D"] == [None, pytest.approx(2.5 / 3.5)]
+
+
+def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
+    made = json.loads(vstatics("summary", "-", "-f", "json", stdin=LOCKED.encode()).out)
+    [line] = made["gears"]
+    assert line["ratio"] == pytest.approx(0.004 / 1.004)  # (u - 1)/u, driven from its slow end
+    assert (line["efficiency"], line["state"]) == (None, "locked")
+
+
+def test_operating_points_have_no_step_and_no_part_in_the_spread() -> None:
+    """Ratios 3.5 and 1 are gears; the point between counts for neither."""
+    case = Transmission(
+        3,
+        [ShiftElement(1, 2), ShiftElement(2)],
+        [Mechanism(1, 2, 3, -2.5)],
+        [Gear([2]), Gear(speeds={2: 0.5}, kind="point"), Gear([1])],
+    )
+    summary = summarize(solve(case))
+    assert [line.next for line in summary.design.gears] == ["3", "", ""]
+    assert math.isnan(summary.design.gears[1].step)
+    assert summary.design.spread == pytest.approx(3.5)
+    assert [(one.start, one.end) for one in summary.transitions] == [("1", "3")]

@@ -1,0 +1,49 @@
+"""Keys and headings of the tables: they are names of sheets, and columns of CSV."""
+
+from __future__ import annotations
+
+import pytest
+
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.summary import Summary, summarize
+from vstatics.core.summary.contrast import contrasted
+from vstatics.core.summary.grids import summary_grids
+from vstatics.core.tables.grid import Grid
+
+
+def summary(load: Load | None) -> Summary:
+    brake = ShiftElement(2, 0, "B", capacity=4)
+    train = Mechanism(1, 2, 3, -2.5, 0.96)
+    return summarize(solve(Transmission(3, [brake], [train], [Gear([1])], load=load)))
+
+
+def headings(tables: list[Grid], key: str) -> list[str]:
+    [grid] = [grid for grid in tables if grid.key == key]
+    return [column.heading for column in grid.columns]
+
+
+@pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300), Load(2000)])
+def test_keys_are_small_letters_each_once_and_all_columns_are_headed(load: Load | None) -> None:
+    one = summary(load)
+    for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
+        keys = [grid.key for grid in tables]
+        assert all(key and key == key.lower() for key in keys)
+        assert len({*keys}) == len(keys)
+        assert all(column.heading for grid in tables for column in grid.columns)
+
+
+def test_units_stand_behind_a_comma() -> None:
+    loaded = list(summary_grids(summary(Load(2000, 300))))
+    assert headings(loaded, "shift elements with load")[1::2] == [
+        "slip, rpm", "torque, N*m", "with losses, N*m",
+    ]  # fmt: skip
+    assert headings(loaded, "margins")[1] == "capacity, N*m"
+    assert headings(loaded, "ports")[1:] == [
+        "port",
+        "speed, rpm",
+        "torque, N*m",
+        "power, kW",
+        "way",
+    ]
+    only_torque = list(summary_grids(summary(Load(torque=300))))
+    assert headings(only_torque, "shift elements with load")[1] == "torque, N*m"

@@ -1,0 +1,216 @@
+"""How ratios answer to those of the mechanisms."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.chance import seeded
+from tests.commands import CASES
+from tests.core.summary.gearboxes import differential
+from tests.oracle.gears import solve_gear
+from tests.trains import random_train
+from vstatics import Gear, Mechanism, Transmission, load, solve
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers import loads
+from vstatics.core.statics.results import Results
+from vstatics.core.summary import summarize
+from vstatics.core.summary.grids import summary_grids
+from vstatics.core.summary.sensitivity import efficiency_sensitivities, sensitivities
+
+
+@pytest.mark.parametrize("u", [-4.0, -2.5, -0.3, 0.4, 3.0])
+def test_sensitivity_of_a_planetary_set_in_closed_form(u: float) -> None:
+    """Sun in, ring held, carrier out: i = 1 - u, so (u/i) di/du = -u/(1 - u)."""
+    low, direct = sensitivities(solve(differential(u)))
+    assert low == pytest.approx(-u / (1 - u))
+    assert direct == pytest.approx(0, abs=1e-12)
+
+
+def test_sensitivities_of_gear_pairs_in_a_row_are_one() -> None:
+    """The ratio is i = u1 u2."""
+    case = Transmission(3, [], [Mechanism(1, 2, 0, -2.0), Mechanism(2, 3, 0, -3.0)], [Gear()])
+    assert sensitivities(solve(case)) == pytest.approx(np.ones((1, 2)))
+
+
+def by_differences(results: Results) -> Floats:
+    """Central differences of ratios, of step 1e-5; freewheels stay as they are."""
+    own = np.array([mechanism.ratio for mechanism in results.case.mechanisms])
+    step = 1e-5
+    numbers = np.concatenate([own * (1 + step * sign * np.eye(len(own))) for sign in (1, -1)])
+    more, less = np.split(solve(results.with_freewheels_engaged, ratios=numbers).ratio, 2)
+    found: Floats = ((more - less) / (2 * step * results.ratio)).T
+    return found
+
+
+@pytest.mark.parametrize(
+    "name", ["zf-8hp70", "ravigneaux-aod", "simpson-th400", "power-split", "wolfrom"]
+)
+def test_sensitivities_agree_with_finite_differences(name: str) -> None:
+    """power-split has given speeds and further torques."""
+    results = solve(load(CASES / f"{name}.yaml"))
+    expected = by_differences(results)
+    assert sensitivities(results) == pytest.approx(expected, abs=1e-6, rel=1e-5, nan_ok=True)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_sensitivities_of_random_gears_agree_with_differences(seed: int) -> None:
+    """Of any inputs and outputs, with speeds given or by those of others, torques, too many."""
+    results = solve(random_train(seeded(seed), regular=False))
+    found, expected = sensitivities(results), by_differences(results)
+    known = np.isfinite(results.ratio)
+    assert np.isnan(found[~known]).all()
+    assert found[known] == pytest.approx(expected[known], abs=1e-5, rel=1e-4, nan_ok=True)
+
+
+HYBRID = """\
+links: [MG1, output, engine, MG2]
+input: engine
+output: output
+load: {speed: 2000 rpm, torque: 110 N*m}
+mechanisms:
+  set: {first: MG1, second: output, third: engine, ratio: -2.6, efficiency: .98}
+  pair: {first: MG2, second: output, ratio: 2.63, efficiency: 0.98}
+gears:
+  split: {speeds: {MG1: 5000 rpm}, balance: {MG1: 0.92, MG2: 0.90}}
+"""
+
+
+def test_a_torque_that_balances_a_battery_changes_no_sensitivity() -> None:
+    """``w_MG1 = 2.5 w_engine`` and ``w_output = (w_MG1 + (u - 1))/u``: ``-1.5/(1.5 + u)`` with -u."""
+    (found,) = sensitivities(solve(loads(HYBRID)))
+    assert found == pytest.approx([1.5 / (-2.6 + 1.5), 0])
+
+
+def test_a_ratio_answers_to_the_speed_ratio_of_a_variator() -> None:
+    """Of a set u between hyd = x engine and out: ``w_out = (x - u)/(1 - u)``, so ``-x/(x - u)``."""
+    case = loads("""\
+links: [engine, hyd, out]
+mechanisms:
+  set: {first: hyd, second: engine, third: out, ratio: -2}
+  hydro: {kind: variator, first: engine, second: hyd, speed_ratio: -0.3}
+gears: {back: [], ahead: {speed_ratios: {hydro: .3}}}
+""")
+    found = sensitivities(solve(case))[:, 1]
+    assert found == pytest.approx([-x / (x + 2) for x in (-0.3, 0.3)])
+    said = {one.key: one.title for one in summary_grids(summarize(solve(case)))}["sensitivity"]
+    assert said.endswith("of variators and converters to their speed ratio")
+
+
+def test_wheels_on_a_curve_follow_one_another() -> None:
+    """Front and rear turn at 1.025 and .98 x 1.03 of FL: i is their mean by the set's ratio."""
+    case = loads("""\
+links: [engine, front, rear, FL, FR, RL, RR]
+outputs: [FL, FR, RL, RR]
+mechanisms:
+  centre: {first: front, second: rear, third: engine, ratio: -1.5}
+  front axle: {first: FL, second: FR, third: front, ratio: -1}
+  rear axle: {first: RL, second: RR, third: rear, ratio: -1}
+gears: {left: {speeds: {FR: 1.05*FL, RL: .98*FL, RR: 1.06*RL}}}
+""")
+    found = sensitivities(solve(case))[0, 0]
+    u, front, rear = -1.5, 1.025, 0.98 * 1.03
+    ratio = (front - u * rear) / (1 - u)
+    slope = ((front - u * rear) - rear * (1 - u)) / (1 - u) ** 2
+    assert found == pytest.approx(u * slope / ratio)
+
+
+def test_an_output_at_a_given_speed_answers_to_nothing() -> None:
+    """What its set changes by is the speed of the third link."""
+    case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0.4})], output=2)
+    assert sensitivities(solve(case)).tolist() == [[0.0]]
+
+
+def test_a_further_torque_changes_no_sensitivity() -> None:
+    """The ratio does not know the torques."""
+    case = differential()
+    loaded = [gear._replace(torques={2: 0.7}) for gear in case.gears]
+    other = Transmission(3, case.shift_elements, case.mechanisms, loaded)
+    assert sensitivities(solve(other)) == pytest.approx(sensitivities(solve(case)))
+
+
+@pytest.mark.parametrize("u", [-4.0, -2.5, -0.3])
+@pytest.mark.parametrize("n", [1.0, 0.96, 0.5])
+def test_efficiency_of_a_set_answers_to_its_own_in_closed_form(u: float, n: float) -> None:
+    """``ETA = (1 - u n)/(1 - u)`` with the ring held, so it is ``-u n/(1 - u n)``."""
+    case = differential(u)
+    case = case.replace(mechanisms=[case.mechanisms[0]._replace(efficiency=n)])
+    low, direct = efficiency_sensitivities(solve(case))
+    assert low == pytest.approx(-u * n / (1 - u * n), rel=1e-9)
+    assert direct == 0
+
+
+def test_the_efficiency_of_pairs_in_a_row_is_their_product() -> None:
+    pairs = [Mechanism(1, 2, 0, -2.0, 0.9), Mechanism(2, 3, 0, -3.0, 0.97)]
+    case = Transmission(3, [], pairs, [Gear()])
+    for coast in (False, True):
+        np.testing.assert_allclose(efficiency_sensitivities(solve(case, coast=coast)), [[1, 1]])
+
+
+def test_a_long_train_without_losses_is_no_special_case() -> None:
+    """Each of its pairs has all of the power; one by one they took a minute and more."""
+    count = 150
+    pairs = [Mechanism(one, one + 1, 0, -1.1) for one in range(1, count)]
+    case = Transmission(count, [], pairs, [Gear()])
+    np.testing.assert_allclose(efficiency_sensitivities(solve(case)), 1, rtol=1e-9)
+
+
+def test_laws_and_a_load_of_0_leave_the_sensitivities_of_the_ratio() -> None:
+    """A pair: i = u and ETA = eta (T - T_d)/T, both in proportion; none of ETA without a torque."""
+    case = loads("""\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 30 N*m}
+mechanisms: {pair: {first: a, second: b, ratio: -2, efficiency: 0.98}}
+drag: {a: [[0, 3]]}
+gears: {drives: [], idles: {load: {torque: 0 N*m}}}
+""")
+    results = solve(case)
+    assert results.efficiency[0] == pytest.approx(0.98 * 27 / 30)
+    assert sensitivities(results)[:, 0].tolist() == pytest.approx([1, 1])
+    of_efficiency = efficiency_sensitivities(results)[:, 0].tolist()
+    assert of_efficiency[0] == pytest.approx(1)
+    assert math.isnan(of_efficiency[1])
+
+
+def test_a_law_counts_as_the_number_that_it_comes_to() -> None:
+    """Two pairs and a drag d at the output: ETA = n1 n2 - d/(i T), so both go as n1 n2/ETA.
+
+    In gear `fast` n1 = .95 + .035 w/400 is .98, in `slow` .96; n2 stands for 30 and 15 N*m.
+    """
+    case = loads("""\
+links: [a, b, c]
+mechanisms:
+  first: {first: a, second: b, ratio: -3, efficiency: {over: speed, points: [[0, .95], [400, .99]]}}
+  second: {first: b, second: c, ratio: -2, efficiency: {over: torque, points: [[0, .9], [200, .98]]}}
+drag: {c: [[0, 6]]}
+gears:
+  fast: {load: {speed: 300 rad/s, torque: 40 N*m}}
+  slow: {load: {speed: 100 rad/s, torque: 20 N*m}}
+""")
+    results = solve(case)
+    found = efficiency_sensitivities(results)
+    for gear, (n1, torque) in enumerate([(0.98, 40), (0.96, 20)]):
+        n2 = 0.9 + 0.08 * torque * 3 * n1 / 200
+        eta = n1 * n2 - 6 / (6 * torque)
+        assert results.efficiency[gear] == pytest.approx(eta, rel=1e-12)
+        assert found[gear] == pytest.approx([n1 * n2 / eta] * 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_efficiencies_of_random_gears_answer_as_exact_ones_do(seed: int) -> None:
+    """A hundred-millionth less of one efficiency, in fractions; where no sign turns by that."""
+    case = random_train(seeded(seed), regular=True)
+    results = solve(case)
+    found = efficiency_sensitivities(results)
+    for index, gear in enumerate(case.gears):
+        own = solve_gear(case, gear)
+        for place, one in enumerate(case.mechanisms):
+            lower = [*case.mechanisms]
+            lower[place] = one._replace(efficiency=round(one.efficiency - 1e-8, 9))
+            other = solve_gear(case.replace(mechanisms=lower), gear)
+            if not (own.efficiency and other.efficiency and own.power_sign == other.power_sign):
+                continue
+            change = float((own.efficiency - other.efficiency) / own.efficiency) / 1e-8
+            assert found[index, place] == pytest.approx(change * one.efficiency, abs=2e-6, rel=1e-5)

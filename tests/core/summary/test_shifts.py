@@ -1,0 +1,114 @@
+"""Shifts between neighbouring gears."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.core.summary.gearboxes import differential, summary_of
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics.core.model.parts import OfLoad
+from vstatics.core.summary import Summary, summarize
+from vstatics.core.summary.shifts import transitions
+
+
+def test_each_shift_of_the_8hp_changes_one_element(zf: Summary) -> None:
+    """A property that the source names: one clutch opens and one closes, up to skips of one."""
+    assert {transition.word for transition in zf.transitions} == {"single"}
+    assert [(one.start, one.end) for one in zf.transitions if one.skipped == "5"] == [("4", "6")]
+    first = zf.transitions[0]
+    assert (first.released, first.engaged) == (["C"], ["E"])  # ABC to ABE
+
+
+def test_a_freewheel_takes_part_in_a_shift_by_itself() -> None:
+    """TH400: in gear 1 the low roller clutch holds, in gear 2 it overruns."""
+    first, *_ = summary_of("simpson-th400.yaml").transitions
+    assert first.released == ["low roller clutch"]
+    assert first.engaged == ["intermediate clutch"]
+
+
+def test_two_elements_out_and_two_in_is_a_double_transition() -> None:
+    """MZKT 7922, from its deck: gear 2 is F2 and T4, gear 3 is T1 and F5."""
+    shifts = {(one.start, one.end): one for one in summary_of("mzkt7922.dat").transitions}
+    assert shifts["2", "3"].word == "double"
+    assert shifts["1", "2"].word == "single"
+
+
+def test_reverse_gears_are_neighbours_of_reverse_gears_only() -> None:
+    """MZKT 7922: four forward and two reverse gears."""
+    found = summary_of("mzkt7922.dat")
+    assert found.design.forward == ["1", "2", "3", "4"]
+    assert {line.gear: line.next for line in found.design.gears}["5"] == "6"
+
+
+def test_most_gears_are_forward_whatever_sign_the_final_drive_gives_them() -> None:
+    case = differential()
+    turned = Transmission(
+        links=4,
+        shift_elements=case.shift_elements,
+        mechanisms=[*case.mechanisms, Mechanism(3, 4, 0, -2.0)],
+        gears=case.gears,
+    )
+    made = summarize(solve(turned)).design
+    assert made.forward == ["low", "direct"]
+    assert made.spread == pytest.approx(3.5)
+
+
+def test_gears_are_neighbours_by_ratio_and_not_by_place() -> None:
+    case = differential()
+    turned = Transmission(3, case.shift_elements, case.mechanisms, case.gears[::-1])
+    made = summarize(solve(turned))
+    assert made.design.forward == ["low", "direct"]
+    assert [(one.start, one.end) for one in made.transitions] == [("low", "direct")]
+
+
+@pytest.mark.parametrize("links", [(1, 2), (2, 1)])
+def test_slip_power_is_the_torque_after_by_the_slip_before(links: tuple[int, int]) -> None:
+    """Ring held: -u n on the brake, slip 1 of the clutch; direct: u/(u - 1) on it, slip 1.
+
+    Which link of the clutch comes first changes the signs of torque and slip only.
+    """
+    u, n = -2.5, 0.96
+    case = Transmission(
+        3,
+        [ShiftElement(*links, "C"), ShiftElement(2, 0, "B")],
+        [Mechanism(1, 2, 3, u, n)],
+        [Gear([2]), Gear([1])],
+        load=Load(1000.0, 100.0),
+    )
+    [shift] = transitions(solve(case))
+    assert shift.slip_power == pytest.approx({"C": u / (u - 1), "B": -u * n})
+    power = 100 * 1000 * math.pi / 30 / 1000
+    assert shift.slip_power_kW == pytest.approx({k: v * power for k, v in shift.slip_power.items()})
+
+
+def test_a_dog_clutch_does_not_slip_when_it_closes() -> None:
+    clutches = [ShiftElement(1, 2, "C"), ShiftElement(1, 3, "D", kind="dog_clutch")]
+    pairs = [Mechanism(2, 4, 0, 3.0), Mechanism(3, 4, 0, 2.0)]
+    [made] = transitions(solve(Transmission(4, clutches, pairs, [Gear([1]), Gear([2])])))
+    assert made.engaged == ["D"]
+    assert [*made.slip_power] == ["C"]
+
+
+def test_slip_power_is_at_the_load_of_the_gear_before() -> None:
+    """Upward the clutch closes at the load of `low`, downward the brake at that of `high`."""
+    u = -2.5
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    gears = [Gear([2], load=Load(1000.0, 100.0)), Gear([1], load=Load(500.0, 40.0))]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, u)], gears)
+    [shift] = transitions(solve(case))
+    rad = math.pi / 30 / 1000
+    expected = {"C": u / (u - 1) * 100 * 1000 * rad, "B": -u * 40 * 500 * rad}
+    assert shift.slip_power_kW == pytest.approx(expected)
+
+
+def test_without_an_input_torque_no_slip_power_is_relative_to_it() -> None:
+    """10 N*m on the output from outside: the brake holds u/(1 - u) of them."""
+    torque = Gear([2], torques={3: OfLoad(10.0, 1.0)}, load=Load(1000.0, 0.0), output=1, input=3)
+    elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
+    case = Transmission(
+        3, elements, [Mechanism(1, 2, 3, -2.5)], [torque, torque._replace(engaged=[1])]
+    )
+    [shift] = transitions(solve(case))
+    assert [*map(math.isnan, shift.slip_power.values())] == [True, True]

@@ -1,0 +1,54 @@
+"""An answer as a record: its JSON and its schema are of one mind."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from jsonschema import Draft202012Validator
+
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.answer import Count, Failure, Flat, Sometimes, plain_data, schema, told
+
+
+class Inner(NamedTuple):
+    """What stands in another record."""
+
+    a: Count | None
+    b: Sometimes[Mapping[str, float]] = None
+
+
+@told("name", "inner", from_="begin", moduli="values", error="error")
+class Outer(NamedTuple):
+    """One of all marks."""
+
+    name: str
+    inner: Flat[Inner | None] = None
+    begin: complex = 0j
+    values: Floats = np.zeros(0)
+    hidden: int = 0
+    error: Failure = ""
+
+
+@pytest.mark.parametrize(
+    ("record", "expected"),
+    [
+        (
+            Outer("x", Inner(None), complex(1, math.inf), np.array([3 + 4j, math.nan])),
+            {"name": "x", "a": None, "from": {"real": 1, "imag": None}, "moduli": [5, None]},
+        ),
+        (
+            Outer("x", Inner(2, {"p": 1.5})),
+            {"name": "x", "a": 2, "b": {"p": 1.5}, "from": {"real": 0, "imag": 0}, "moduli": []},
+        ),
+        (Outer("x", error="tied up"), {"name": "x", "error": "tied up"}),
+    ],
+)
+def test_data_have_the_keys_that_types_tell(record: Outer, expected: Mapping[str, object]) -> None:
+    made = plain_data(record)
+    assert made == expected
+    assert list(made) == list(expected)
+    Draft202012Validator(schema(Outer)).validate(made)

@@ -1,0 +1,111 @@
+"""What stands in a cell of CSV: no text that a spreadsheet would calculate."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.commands import vstatics
+from vstatics.core.tables.csv import guarded, unguarded
+
+NAMES = ["=cmd|' /C calc'!A0", "+SUM(A1)", "-2+3", "@now", "=1+1"]
+"""As spreadsheets take them for formulas (OWASP, CSV Injection)."""
+HOSTILE = f"""\
+name: "=1+1"
+links: [engine, out, {json.dumps(NAMES[0])}]
+output: out
+shift_elements: {{{json.dumps(NAMES[1])}: [{json.dumps(NAMES[0])}, housing]}}
+mechanisms:
+  {json.dumps(NAMES[3])}: {{first: engine, second: {json.dumps(NAMES[0])}, third: out, ratio: -2}}
+gears: {{{json.dumps(NAMES[2])}: {{engaged: [{json.dumps(NAMES[1])}]}}}}
+"""
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    path = tmp_path / "box.yaml"
+    path.write_text(HOSTILE, encoding="utf-8")
+    return path
+
+
+def cells(text: str) -> list[str]:
+    return [cell for row in csv.reader(io.StringIO(text)) for cell in row]
+
+
+def is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+@given(st.text(st.characters(codec="utf-8")))
+def test_what_was_guarded_is_read_as_it_was(text: str) -> None:
+    assert unguarded(guarded(text)) == text
+    assert guarded(text)[:1] not in {"=", "@", "\t", "\r"}
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_numbers_stay_numbers(number: float) -> None:
+    for text in (repr(number), f"{number:.12g}", f"{number:+.3e}", f"{number:.2f}"):
+        assert guarded(text) == text
+
+
+@pytest.mark.parametrize("text", ["+1_000", "-1e", "-inf", "+", "-1,5", "-1 + 2", "+٣"])
+def test_what_is_no_number_for_a_spreadsheet_is_text(text: str) -> None:
+    assert guarded(text) == f"'{text}"
+
+
+@pytest.mark.parametrize("command", ["run", "flow", "summary", "explain"])
+@pytest.mark.parametrize("several", [False, True])
+def test_names_of_a_case_are_no_formulas(command: str, several: bool, case: Path) -> None:
+    given = [case] * (1 + several)
+    if several:
+        given[1] = case.with_name("two.yaml")
+        given[1].write_text(HOSTILE, encoding="utf-8")
+    said = vstatics(command, *given, "-f", "csv")
+    found = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
+    assert (said.status, [one for one in found if not is_number(one)]) == (0, [])
+    raw = cells(vstatics(command, *given, "-f", "csv", "--raw").out)
+    assert [unguarded(one) for one in cells(said.out)] == raw
+    assert {"@now", "-2+3"} & set(raw)
+
+
+def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None:
+    asked: tuple[Any, ...] = ("sweep", case, "--vary", "@now.ratio=-2,-3", "--out", "-ratio[#1]")
+    said = vstatics(*asked, "-o", tmp_path / "new.csv")
+    assert said.status == 0, said.err
+    lines = (tmp_path / "new.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "variant,'@now.ratio,status,'-ratio[#1]"
+    assert vstatics(*asked, "--raw").out.splitlines()[0] == "variant,@now.ratio,status,-ratio[#1]"
+    assert vstatics(*asked, "--raw", "-o", tmp_path / "new.npz").status == 2
+
+
+@pytest.mark.parametrize("heading", ["@now.ratio", "'@now.ratio"])
+@pytest.mark.parametrize("value", ["-96/39", "'-96/39"])
+def test_a_table_of_variants_is_read_with_apostrophes_and_without(
+    heading: str, value: str, tmp_path: Path, case: Path
+) -> None:
+    table = tmp_path / "variants.csv"
+    table.write_text(f"{heading}\n-2.5\n{value}\n", encoding="utf-8")
+    said = vstatics("sweep", case, "--variants", table, "--out", "ratio[#1]", "-f", "jsonl")
+    values = [json.loads(line)["@now.ratio"] for line in said.out.splitlines()]
+    assert values == pytest.approx([-2.5, -96 / 39])
+
+
+@pytest.mark.parametrize("command", ["run", "flow", "summary", "explain"])
+def test_a_workbook_has_no_formulas(command: str, case: Path) -> None:
+    made = case.with_name("new.xlsx")
+    assert vstatics(command, case, "-o", made).status == 0
+    found = [cell for sheet in openpyxl.load_workbook(made) for row in sheet for cell in row]
+    assert {cell.data_type for cell in found} <= {"s", "inlineStr", "n", "b"}  # none is "f"
+    assert "@now" in [cell.value for cell in found]

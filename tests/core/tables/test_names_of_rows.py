@@ -1,0 +1,78 @@
+"""Names of rows: a table has the same ones in every place, of cases that are drawn above all."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.commands import vstatics
+from tests.core.elements.element_texts import AOD, loaded
+from tests.core.writers.result_cases import csv_of, table
+from vstatics import Results, solve
+from vstatics.core.tables.names import table_rows
+from vstatics.core.tables.quantities import BY_NAME
+from vstatics.core.writers import listing
+from vstatics.core.writers.result_json import document
+from vstatics.sweep import sweep
+
+OWN = ["small_sun", "large_sun", "ring", "carrier"]
+ELEMENTS = ["forward", "reverse", "direct", "overdrive", "low"]
+ROWS = {"losses": ["set"], "torques": [*ELEMENTS, *(f"set.{member}" for member in OWN), "Mx"]}
+"""What the text of the case names: one set of four members, five shift elements."""
+GEARS = ["1", "2", "3", "4", "R"]
+
+
+@pytest.fixture(scope="module")
+def aod() -> Results:
+    return solve(loaded(AOD))
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_rows_are_those_that_the_case_names(aod: Results, name: str) -> None:
+    assert list(table_rows(name, aod.case)) == ROWS[name]
+    assert getattr(aod, name).shape == (len(GEARS), len(ROWS[name]))
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_json_has_these_rows(aod: Results, name: str) -> None:
+    found, key = document(aod), BY_NAME[name].key
+    assert found["rows"][key] == ROWS[name]
+    values = np.array(found[key]).T
+    assert values == pytest.approx(getattr(aod, name))
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_csv_has_these_rows(aod: Results, name: str) -> None:
+    key = BY_NAME[name].key
+    found = [line for line in csv_of(aod) if line[0] == key]
+    assert len(found) == len(GEARS) * len(ROWS[name])
+    assert {row for line in found for row in line} >= set(ROWS[name])
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_a_sweep_has_these_rows(aod: Results, name: str) -> None:
+    efficiency = aod.case.mechanisms[0].efficiency
+    (made,) = sweep(aod.case, {"set.small_sun-short.efficiency": [efficiency]}, out=name)
+    assert len(made.headings) == len(GEARS) * len(ROWS[name])
+    by_row = made.columns[0].reshape(-1)
+    assert sorted(by_row) == pytest.approx(sorted(getattr(aod, name).ravel()))
+    for row in ROWS[name]:
+        assert sum(f"[{row}," in heading or f'"{row}"' in heading for heading in made.headings) == 5
+
+
+def test_the_listing_has_these_rows(aod: Results) -> None:
+    """Torques stand in two tables, shift elements above; the name follows a stroke."""
+    text = listing.write(aod)
+    torques = table(text, "(AMLG(I,J),J=1,NP),I=1,KL:")
+    torques += table(text, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:")
+    losses = table(text, "(LOSS(I,J),J=1,NP),I=1,KG:")
+    for name, lines in {"torques": torques, "losses": losses}.items():
+        assert [line.partition("| ")[2] for line in lines] == ROWS[name]
+
+
+def test_the_command_says_the_same(aod: Results) -> None:
+    said = vstatics("run", "-", "--from", "yaml", "-f", "json", stdin=AOD.encode())
+    assert json.loads(said.out)["rows"]["losses"] == ROWS["losses"]
+    assert json.loads(said.out)["losses"][0] == pytest.approx(aod.losses[:, 0])

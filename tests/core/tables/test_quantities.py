@@ -1,0 +1,65 @@
+"""The declaration of the quantities: names that tell them apart, rows and kinds, units."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.tables.quantities import (
+    BY_NAME,
+    PRINTED,
+    QUANTITIES,
+    RELATIVE,
+    WITH_UNITS,
+    Quantity,
+)
+from vstatics.core.texts import heading as in_language
+from vstatics.core.texts import speaking
+
+PUBLISHED = ["AJK", "W", "WSAT", "WFRI", "AMLG", "AMLGP", "ETA", "IX"]
+"""The tables of the report of the source, in its order."""
+
+
+def test_each_name_stands_for_one_quantity() -> None:
+    assert len({one.name for one in QUANTITIES}) == len(QUANTITIES)
+    assert len({one.key for one in QUANTITIES}) == len(QUANTITIES)
+    assert len(PRINTED) == len(QUANTITIES)
+    assert all(BY_NAME[one.name] is BY_NAME[one.key] is one for one in QUANTITIES)
+
+
+def test_the_tables_of_the_source_come_first_under_its_names() -> None:
+    first = [one for one in QUANTITIES if one.published]
+    assert [one.key for one in first] == [one.printed for one in first] == PUBLISHED
+    assert list(QUANTITIES[: len(first)]) == first
+
+
+def test_a_quantity_is_an_array_or_says_what_its_rows_are() -> None:
+    for one in RELATIVE:
+        assert (one.name in ARRAYS) == (one.own_rows is None), one.name
+
+
+@pytest.mark.parametrize("one", QUANTITIES, ids=lambda one: one.key)
+def test_headings_are_in_every_language(one: Quantity) -> None:
+    headings = [one.heading, *(one.members or ()), *([one.brief] if one.brief else [])]
+    for heading in headings:
+        assert not heading.endswith(":")
+        with speaking("ru"):
+            assert not re.search("[а-яА-Я]", heading)
+            assert re.search("[а-яА-Я]", in_language(heading))
+
+
+def test_a_load_adds_its_own_unit_to_each_quantity_that_has_one() -> None:
+    assert {one.of for one in WITH_UNITS if one.of} == {q.name for q in RELATIVE if q.with_load}
+    for one in WITH_UNITS:
+        assert one.key.endswith(f"_{one.unit}")
+        assert not one.always
+        if one.of:
+            assert one.rows == BY_NAME[one.of].rows
+
+
+def test_a_person_may_type_either_name() -> None:
+    assert BY_NAME["W"] is BY_NAME["speeds"]
+    assert BY_NAME["AMLGP_Nm"] is BY_NAME["lossy_torques_Nm"]
+    assert "w" not in BY_NAME

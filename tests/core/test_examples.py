@@ -1,0 +1,54 @@
+"""What is shipped, by its names."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+import vstatics
+from tests import commands
+from tests.commands import CASES, ROOT
+from vstatics.core.examples import ScenarioName
+from vstatics.simulation import load_scenario
+
+
+def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
+    files = {path.relative_to(CASES).with_suffix("") for path in CASES.rglob("*.*")}
+    assert {Path(name) for name in vstatics.example()} == files
+    assert vstatics.example("mzkt7922") == vstatics.load(CASES / "mzkt7922.yaml")
+    assert vstatics.example("mzkt7922") != vstatics.load(CASES / "mzkt7922.dat")
+
+
+def test_an_example_is_what_its_file_holds() -> None:
+    assert vstatics.example("zf-8hp70") == vstatics.load(CASES / "zf-8hp70.yaml")
+    scenario = vstatics.example("scenarios/tarasik-box")
+    assert scenario == load_scenario(CASES / "scenarios/tarasik-box.yaml")
+
+
+def test_a_checker_of_types_is_told_which_names_are_those_of_scenarios() -> None:
+    names = [one for one in vstatics.example() if one.startswith("scenarios/")]
+    assert list(get_args(ScenarioName)) == names
+
+
+def test_another_name_is_told_with_the_nearest() -> None:
+    with pytest.raises(vstatics.CaseError, match=re.escape("did you mean `zf-8hp70`? [E800]")):
+        vstatics.example("zf-8hp7")
+
+
+def test_an_example_is_copied_as_a_template(tmp_path: Path) -> None:
+    (tmp_path / "scenarios").mkdir()
+    for name in ("zf-8hp70", "tarasik-box", "scenarios/tarasik-box"):
+        target = tmp_path / f"{name}.yaml"
+        assert commands.vstatics("new", target, "-t", name).status == 0
+        assert target.read_bytes() == (CASES / f"{name}.yaml").read_bytes()
+    assert commands.vstatics("check", tmp_path / "scenarios/tarasik-box.yaml").status == 0
+    said = commands.vstatics("new", tmp_path / "x.yaml", "-t", "zf-8hp7")
+    assert (said.status, "did you mean `zf-8hp70`?" in said.err) == (2, True)
+
+
+def test_the_citation_is_of_this_version() -> None:
+    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\nversion: {vstatics.__version__}\n" in text

@@ -1,0 +1,147 @@
+"""A case written as YAML or JSON and read again is the same case, to the last bit."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+import yaml
+from hypothesis import example, given, settings
+
+from tests.chance import count
+from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
+from vstatics.core.model.parts import Load
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.writers.named import mapping, write_json, write_yaml
+
+
+def differential(**other: object) -> Transmission:
+    parts: dict[str, object] = {
+        "links": 3,
+        "shift_elements": [ShiftElement(1, 2), ShiftElement(0, 2)],
+        "mechanisms": [Mechanism(1, 2, 3, ratio=-2.5)],
+        "gears": [Gear([1]), Gear([2])],
+    }
+    return Transmission(**{**parts, **other})  # type: ignore[arg-type]
+
+
+@pytest.mark.slow
+@settings(max_examples=count(10, 75))
+@given(transmissions(ANY_NUMBER, torsional=True))
+@example(differential(description="\x85 \u2028 \u2029 \ufeff \x00 \x1b \t\r\n \r"))
+@example(differential(description="\n", source=" \n x\n\n"))
+@example(differential(description="a long one " * 100, source="long " * 100 + "\nand two lines"))
+@example(differential(gears=[Gear([1], speeds={2: 1e-05, 3: 1e300}, torques={1: 5e-324})]))
+@example(differential(gears=[Gear(name="long " * 60 + "name")]))
+def test_what_is_written_is_read_again(case: Transmission) -> None:
+    assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
+    assert read_json(write_json(case).encode(), "case.json").case == case
+
+
+@pytest.mark.parametrize("name", ODD_NAMES)
+def test_odd_names_stay_what_they_are(name: str) -> None:
+    case = differential(
+        name=name,
+        link_names=["first", name, "third"],
+        shift_elements=[ShiftElement(1, 2, name), ShiftElement(2, 0, "other")],
+        mechanisms=[Mechanism(1, 2, 3, -2.5, name=name)],
+        gears=[Gear([1], speeds={2: 0.5}, name=name), Gear([1, 2], torques={2: 1.5}, name="other")],
+    )
+    assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
+    assert read_json(write_json(case).encode(), "case.json").case == case
+
+
+def test_defaults_are_left_out() -> None:
+    assert mapping(differential()) == {
+        "links": 3,
+        "shift_elements": {"F1": [1, 2], "T2": ["housing", 2]},
+        "mechanisms": {"D1": {"first": 1, "second": 2, "third": 3, "ratio": -2.5}},
+        "gears": {"1": {"engaged": ["F1"]}, "2": {"engaged": ["T2"]}},
+    }
+
+
+def test_everything_else_is_written() -> None:
+    case = differential(
+        name="N",
+        description="D",
+        source="S",
+        input=3,
+        output=2,
+        idle="published",
+        coast=True,
+        link_names=["sun", "ring", "carrier"],
+        shift_elements=[],
+        mechanisms=[Mechanism(1, 0, 2, -2.5, 0.9, -0.5), Mechanism(3, 1, 0, 2)],
+        gears=[Gear([], {1: 2}, {3: 1}, input=3, output=1, name="R")],
+    )
+    assert mapping(case) == {
+        "name": "N",
+        "description": "D",
+        "source": "S",
+        "links": ["sun", "ring", "carrier"],
+        "input": "carrier",
+        "output": "ring",
+        "idle": "published",
+        "coast": True,
+        "mechanisms": {
+            "D1": {
+                "first": "sun",
+                "second": "housing",
+                "third": "ring",
+                "ratio": -2.5,
+                "efficiency": 0.9,
+                "planet_ratio": -0.5,
+            },
+            "D2": {"first": "carrier", "second": "sun", "ratio": 2.0},
+        },
+        "gears": {
+            "R": {
+                "speeds": {"sun": 2.0},
+                "torques": {"carrier": 1.0},
+                "input": "carrier",
+                "output": "sun",
+            }
+        },
+    }
+
+
+def test_yaml_looks_as_one_would_write_it() -> None:
+    case = differential(description="Two\nlines\n", gears=[Gear([1], {3: 0.5}), Gear([2])])
+    assert (
+        write_yaml(case)
+        == """\
+description: |
+  Two
+  lines
+links: 3
+shift_elements:
+  F1: [1, 2]
+  T2: [housing, 2]
+mechanisms:
+  D1: {first: 1, second: 2, third: 3, ratio: -2.5}
+gears:
+  '1': {engaged: [F1], speeds: {3: 0.5}}
+  '2': {engaged: [T2]}
+"""
+    )
+
+
+def test_the_order_of_keys_is_that_of_reading_but_for_the_load() -> None:
+    case = differential(
+        name="N", input=2, idle="published", coast=True, load=Load(2100, 0.5), gears=[Gear([1])]
+    )
+    keys = ["name", "links", "input", "idle", "coast", "load", "shift_elements", "mechanisms"]
+    assert list(mapping(case)) == [*keys, "gears"]
+    assert mapping(case)["load"] == {"speed": "2100.0 rpm", "torque": "0.5 N*m"}
+
+
+def test_json_is_indented_and_keeps_letters() -> None:
+    text = write_json(differential(name="Дифференциал"))
+    assert text.startswith('{\n  "name": "Дифференциал",\n  "links": 3,\n')
+    assert text.endswith("}\n")
+
+
+def test_both_hold_the_same_data() -> None:
+    case = differential(coast=True)
+    assert yaml.safe_load(write_yaml(case)) == json.loads(write_json(case)) == mapping(case)

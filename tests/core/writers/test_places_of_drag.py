@@ -1,0 +1,105 @@
+"""A case that is written keeps each drag and efficiency in its place: the case, a part or a gear.
+
+So a gear that is added to the file afterwards has the drag that it has in the file that was read.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import openpyxl
+import pytest
+import yaml
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from tests.core.statics.batches import ARRAYS
+from tests.dragging import random_case
+from vstatics import load, loads, solve
+
+PLACED = ("drag", "open_drag", "efficiency", "back_efficiency")
+
+
+def places(data: Mapping[str, Any]) -> set[tuple[str, ...]]:
+    """Paths of all drags and efficiencies of a document, down to their links and elements."""
+    found: set[tuple[str, ...]] = set()
+    for key, value in data.items():
+        if key in ("drag", "open_drag"):
+            owners = value if isinstance(value, dict) and "file" not in value else {"": None}
+            found |= {(key, str(owner)) for owner in owners}
+        elif key in PLACED and value != 1:
+            found.add((key,))
+        elif isinstance(value, Mapping):
+            found |= {(str(key), *path) for path in places(value)}
+    return found
+
+
+def with_twin(data: dict[str, Any]) -> dict[str, Any]:
+    """The document with a gear more, which engages what the first gear engages and no more."""
+    first = next(iter(data["gears"].values()))
+    engaged = first.get("engaged", []) if isinstance(first, dict) else first
+    ends = {key: first[key] for key in ("input", "output", "speeds", "torques") if key in first}
+    return {**data, "gears": {**data["gears"], "twin": {"engaged": engaged, **ends}}}
+
+
+def alike(there: Path, here: Path) -> None:
+    """Whether two cases have the same numbers, to the last bit."""
+    one, other = (solve(load(path)) for path in (there, here))
+    for name in ARRAYS:
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(4), pytest.param(range(4, count(150, 1500)), marks=pytest.mark.slow)]
+)
+def test_each_drag_and_efficiency_keeps_its_place(seeds: range, tmp_path: Path) -> None:
+    for seed in seeds:
+        folder = tmp_path / str(seed)
+        folder.mkdir()
+        case = random_case(seeded(seed), folder).file
+        data = yaml.safe_load(case.read_text(encoding="utf-8"))
+        twin = folder / "twin.yaml"
+        twin.write_text(yaml.safe_dump(with_twin(data), sort_keys=False), encoding="utf-8")
+        sheet, made = folder / "made.xlsx", {}
+        for target in (folder / "made.yaml", folder / "made.json", sheet):
+            assert vstatics("convert", case, target).status == 0
+        assert vstatics("convert", sheet, folder / "sheet.yaml").status == 0
+        for path in (folder / "made.yaml", folder / "made.json", folder / "sheet.yaml"):
+            text = path.read_text(encoding="utf-8")
+            made = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
+            assert places(made) == places(data), (seed, path)
+            assert load(path) == load(case)
+            path.write_text(json.dumps(with_twin(made)), encoding="utf-8")
+            alike(twin, path)
+
+
+AXLE = """\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 100 N*m}
+drag: {a: "1 + 0.01*w", b: 2 N*m}
+mechanisms: {g: {first: a, second: b, ratio: 2}}
+gears: {"1": []}
+"""
+
+
+def test_a_gear_that_is_added_in_a_workbook_has_the_drag_of_the_case(tmp_path: Path) -> None:
+    """At 104.7 rad/s a takes 1 + 1.047 N*m of 100, b 2 of 200: eta = .97953 - .01 = .96953."""
+    (tmp_path / "case.yaml").write_text(AXLE, encoding="utf-8")
+    assert vstatics("convert", tmp_path / "case.yaml", tmp_path / "case.xlsx").status == 0
+    book = openpyxl.load_workbook(tmp_path / "case.xlsx")
+    book["gears"].append(["2b"])
+    book.save(tmp_path / "case.xlsx")
+    expected = 1 - (1 + 0.01 * 1000 * np.pi / 30) / 100 - 2 / 200
+    np.testing.assert_allclose(solve(load(tmp_path / "case.xlsx")).efficiency, [expected] * 2)
+
+
+def test_a_drag_of_the_case_follows_the_load_of_each_gear() -> None:
+    """2 N*m at b are 1 % of 200 N*m there, and 4 % of 50: the load of the second gear is 25."""
+    text = AXLE.replace('a: "1 + 0.01*w", ', "").replace(
+        'gears: {"1": []}', 'gears: {"1": [], "2": {load: {torque: 25 N*m}}}'
+    )
+    np.testing.assert_allclose(solve(loads(text)).efficiency, [0.99, 0.96])

@@ -1,0 +1,383 @@
+"""The listing in the words of its source; the text of that is `tests/published/mzkt7922.lst`."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterable
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+
+from tests.chance import count, seeded
+from tests.commands import CASES, MZKT, NEUTRAL, SHIPPED, vstatics
+from tests.oracle import gears as oracle
+from tests.strategies import transmissions
+from tests.trains import is_regular, random_train
+from vstatics.core.errors import CaseError
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.deck import reader
+from vstatics.core.statics.solve import solve
+from vstatics.core.writers.source_listing import changed_efficiencies, published_results, write
+
+PRINTED = Path(__file__).parents[2] / "published" / "mzkt7922.lst"
+MISPRINTS = {
+    "here: 4 other numbers differ",
+    "  WSAT        D1, 5  1.086 -> 1.806   +66.30 %",
+    "  WSAT        D1, 6  1.086 -> 1.806   +66.30 %",
+    "  AMLGP       T4, 1  4.182 -> -4.182  -200.00 %",
+    "  IX          D1, 6  -1.000 -> 1.000  +200.00 %",
+}
+"""The four cells that are wrong in print; `mzkt7922.json` there says why."""
+AS_TEXT = {"1.806 1.806": "1.086 1.086", "-4.182 -2": "4.182 -2", "-1 1 -1 1 1": "-1 1 -1 1 -1"}
+"""The same, as texts."""
+
+
+def source_listing(*arguments: object, stdin: str = "") -> str:
+    said = vstatics("run", "-f", "source", *arguments, stdin=stdin.encode())
+    assert (said.status, said.err) == (0, "")
+    return said.out
+
+
+def with_single_blanks(text: str) -> list[str]:
+    """The lines that say anything."""
+    return [" ".join(line.split()) for line in text.splitlines() if line.strip()]
+
+
+@pytest.mark.parametrize("name", ["mzkt7922.dat", "mzkt7922.yaml"])
+def test_every_line_is_the_printed_one_but_for_four_cells(name: str) -> None:
+    text = "\n".join(with_single_blanks(source_listing(CASES / name)))
+    for right, misprint in AS_TEXT.items():
+        assert text.count(right) == 1
+        text = text.replace(right, misprint)
+    assert text.splitlines() == with_single_blanks(PRINTED.read_text(encoding="utf-8"))[1:]
+
+
+def test_compare_finds_the_four_cells(tmp_path: Path) -> None:
+    (tmp_path / "here.lst").write_text(source_listing(MZKT), encoding="utf-8")
+    said = vstatics("compare", tmp_path / "here.lst", PRINTED)
+    assert (said.status, set(said.out.splitlines())) == (1, MISPRINTS)
+
+
+def test_fields_are_f8_3_and_i3() -> None:
+    """As Fortran writes them: a number ends at each eighth, each third column."""
+    lines = source_listing(MZKT).splitlines()
+    speeds = lines.index("(W(I,J),J=1,NP),I=1,KJG:")
+    assert lines[speeds + 5] == "    .000    .000    .556   1.000    .000   -.625"
+    assert lines[-3:] == ["  1 -1  1 -1  1  1", *["  1  1  1  1  1  1"] * 2]
+
+
+def test_one_listing_is_the_next_deck() -> None:
+    first = source_listing(MZKT)
+    assert source_listing("-", stdin=first) == first
+
+
+def test_own_tables_follow_the_last_row() -> None:
+    alone, more = source_listing(MZKT), source_listing(MZKT, "--own-tables")
+    assert more.startswith(alone)
+    assert re.findall(r"(?m)^\(?([A-Z]+)\(", more[len(alone) :])[:2] == ["RATIO", "IDLING"]
+    assert "  6.230   3.461   1.800   1.000  -5.538  -1.600" in more[len(alone) :]
+
+
+def test_what_a_deck_of_plain_sets_lacks_is_left_out() -> None:
+    """No planet ratios, no names, no conventions, no messages of the neutral gear."""
+    text = vstatics("run", "-f", "source", "-", stdin=NEUTRAL.encode()).out
+    for absent in ("UAQ", "NNM", "Дополнительные данные", "NAME", "IDLE", "warning", "|"):
+        assert absent not in text
+    assert "KJG= 3 KL= 2 KG= 1 KNM= 0" in text
+
+
+def test_given_speeds_keep_their_own_fields() -> None:
+    """The source has no words for them: theirs are those of the listing in Russian."""
+    case = NEUTRAL.replace("low: {engaged: [B]}", "low: {speeds: {2: 0}}")
+    text = vstatics("run", "-f", "source", "-", stdin=case.encode()).out
+    lines = text.splitlines()
+    at = lines.index("(NWZ(K,I),K=1,KWZ(I)),I=1,NP:")
+    assert lines[at - 3 : at + 5] == [
+        "KWZ(I),I=1,NP:",
+        "0 1",
+        "Их звенья:",
+        "(NWZ(K,I),K=1,KWZ(I)),I=1,NP:",
+        "2",
+        "Их значения:",
+        "(WZ(K,I),K=1,KWZ(I)),I=1,NP:",
+        ".0000E+00",
+    ]
+
+
+def test_without_shift_elements_their_lists_are_left_out_and_titles_stay() -> None:
+    pair = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -2.5}}\ngears: {'1': {}}\n"
+    text = source_listing("-", stdin=pair)
+    assert not re.search(r"NZF|NFRI|WFRI|I=1,KL:|Устройства управления", text)
+    assert [title for title in ("А. ", "Б. ", "В. ") if f"\n{title}" not in text] == []
+
+
+@pytest.mark.parametrize("case", [one for one in SHIPPED if one.suffix == ".yaml"][::4], ids=str)
+def test_rows_are_as_many_as_the_echo_says(case: Path) -> None:
+    """Of drawn cases, too, whose planets are links there."""
+    said = vstatics("run", "-f", "source", case)
+    if said.status:
+        assert "the published listing has no field for" in said.err
+        return
+    deck, results = said.out.split("РЕЗУЛЬТАТЫ")
+    sizes = {key: int(n) for key, n in re.findall(r"\b(KJG|KL|KG|NP)= (\d+)", deck)}
+    sizes |= {"KLG1": sizes["KG"] + 1}
+    tables = re.findall(r",NP\),I=.*,(\w+):\n((?:[ \d.*-]+\n)+)", results)
+    assert len(tables) == 8 - 3 * (not sizes["KL"])
+    for size, body in tables:
+        rows = body.splitlines()
+        assert len(rows) == sizes[size]
+        assert {len(row.split()) for row in rows} == {sizes["NP"]}
+
+
+def rows(text: str, head: str) -> list[list[float]]:
+    """The numbers below the index list of a table; asterisks are NaN."""
+    body = text.split(f"{head}:\n")[1].split("\n\n", maxsplit=1)[0]
+    lines = re.match(r"(?:[ \d.*-]+\n)+", body + "\n")
+    assert lines
+    return [
+        [math.nan if "*" in number else float(number) for number in line.split()]
+        for line in lines[0].splitlines()
+    ]
+
+
+def assert_is_its_own_deck(text: str, file: Path) -> None:
+    """Read back, a listing gives the same bytes."""
+    file.write_text(text, encoding="utf-8")
+    again = vstatics("run", "-q", "-f", "source", "--allow", "W895", file)
+    assert again.out == text
+
+
+def signs_in(text: str) -> set[float]:
+    """The signs of mechanisms where they exist."""
+    signs = rows(text, "(IX(I,J),J=1,NP),I=1,KG")
+    return {sign for row in signs for sign in row if not math.isnan(sign)}
+
+
+@pytest.mark.parametrize("case", SHIPPED, ids=lambda case: case.name)
+def test_each_shipped_case_is_told_or_has_its_own_numbers(case: Path, tmp_path: Path) -> None:
+    """The first link is the input, the last one the output, in every gear."""
+    said = vstatics("run", "-q", "-f", "source", case)
+    if said.status:
+        where = rf"{re.escape(str(case))}:\d+:\d+: error: \S.*: the published listing has no field"
+        assert all(re.match(where, line) for line in said.err.splitlines() if "error" in line)
+        assert said.out == ""
+        return
+    result = json.loads(vstatics("run", "-q", case, "-f", "json").out)
+    speeds = rows(said.out, "(W(I,J),J=1,NP),I=1,KJG")
+    torques = rows(said.out, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1")
+    ratios = [math.nan if ratio is None else ratio for ratio in result["ratio"]]
+    assert torques[-1] == pytest.approx(ratios, abs=5.1e-4, nan_ok=True)  # virtual work
+    assert set(speeds[0]) == {1.0}
+    moving = [n for n, ratio in enumerate(ratios) if not math.isnan(ratio)]
+    inverse = [1 / ratios[n] for n in moving]
+    assert [speeds[-1][n] for n in moving] == pytest.approx(inverse, abs=5.1e-4)
+    efficiencies = [math.nan if one is None else one for one in result["ETA"]]
+    assert rows(said.out, "ETA(J),J=1,NP")[0] == pytest.approx(
+        efficiencies, abs=5.1e-4, nan_ok=True
+    )
+    assert signs_in(said.out) <= {-1, 1}
+    assert_is_its_own_deck(said.out, tmp_path / "again.lst")
+
+
+def test_ports_may_be_given_gear_by_gear() -> None:
+    """The same ports in all gears are those of the listing, whatever the case says first."""
+    of_case = NEUTRAL.replace("links: 3", "links: 3\ninput: 3\noutput: 1")
+    of_gears = NEUTRAL.replace("N: {}", "N: {input: 3, output: 1}").replace(
+        "low: {engaged: [B]}", "low: {engaged: [B], input: 3, output: 1}"
+    )
+    assert source_listing("-q", "-", stdin=of_case) == source_listing("-q", "-", stdin=of_gears)
+
+
+def numbers(values: Iterable[Fraction | None]) -> list[float]:
+    return [math.nan if value is None else float(value) for value in values]
+
+
+def test_random_trains_are_those_of_exact_fractions() -> None:
+    """Speeds and efficiencies of the case itself, by `tests/oracle`; 16 trains or more, seed 11."""
+    rng, printed = seeded(11), 0
+    for _ in range(count(16, 1000)):
+        case = random_train(rng, regular=True, gears=2, coast=False)
+        ends = rng.sample(range(1, case.links + 1), 2)
+        if not all(is_regular(case.replace(input=ends[0], output=ends[1]), g) for g in case.gears):
+            ends = [case.input, case.output]
+        case = case.replace(input=ends[0], output=ends[1])
+        try:
+            published = published_results(solve(case))
+        except CaseError:
+            continue
+        text = write(published, digits=9)
+        again = reader.read(text.encode(), "again.lst").case
+        assert write(published_results(solve(again)), digits=9) == text
+        printed += 1
+        inner = [link for link in range(1, case.links + 1) if link not in ends]
+        expected = oracle.solve(case.replace(idle="published"))
+        columns = list(zip(*rows(text, "(W(I,J),J=1,NP),I=1,KJG"), strict=True))
+        efficiencies = rows(text, "ETA(J),J=1,NP")[0]
+        for column, efficiency, gear in zip(columns, efficiencies, expected, strict=True):
+            by_link = [gear.speeds[link - 1] for link in (ends[0], *inner, ends[1])]
+            assert list(column) == pytest.approx(numbers(by_link), abs=1e-8, nan_ok=True)
+            if gear.consistent and not gear.several:
+                [right] = numbers([gear.efficiency])
+                assert efficiency == pytest.approx(right, abs=1e-8, nan_ok=True)
+    assert printed > 7
+
+
+@settings(max_examples=count(5, 300))
+@given(transmissions())
+def test_a_listing_of_any_names_is_its_own_deck(case: Transmission) -> None:
+    """Of planets as links, names that look like fields, given speeds and torques."""
+    try:
+        published = published_results(solve(case))
+    except CaseError:
+        return
+    text = write(published)
+    again = published_results(solve(reader.read(text.encode(), "again.lst").case))
+    assert write(again) == text
+    assert changed_efficiencies(again, again) == []
+
+
+def test_an_efficiency_that_depends_on_idle_signs_is_told() -> None:
+    """D2 has no flow of power by coincidence; W425 tells that its direction matters."""
+    case = """\
+links: 3
+mechanisms:
+  D1: {first: 3, second: 2, ratio: 1, efficiency: .95}
+  D2: {first: 1, second: 2, third: 3, ratio: -2, efficiency: .97}
+gears: {low: {}}
+"""
+    said = vstatics("run", "-f", "source", "-", stdin=case.encode())
+    told = "the signs of idle mechanisms in the published listing change the efficiency"
+    told += " of gear low from 0.8947 to 0.8915"
+    assert f"<stdin>:5:9: warning: gears.low: {told}" in said.err
+    assert said.status == 0
+    quiet = vstatics("run", "-f", "source", "--allow", "W895", "-", stdin=case.encode())
+    assert told not in quiet.err
+
+
+LOAD = "load: {speed: 2000 rpm, torque: 100 N*m}\n"
+WITHOUT_FIELD = {
+    "low: {engaged: [B], input: 3, output: 1}": (8, "inputs of single gears: low"),
+    "low: {engaged: [B], output: 2, input: 3}": (8, "outputs of single gears: low"),
+    "low: {engaged: [B], coast: true}": (8, "coasting in gears: low"),
+    "low: {engaged: [B], drag: {3: 1 N*m}}": (8, "drag in gears: low"),
+    "low: {engaged: [B], open_drag: {C: 1 N*m}}": (8, "the drag of open elements in gears: low"),
+    "low: {engaged: [B], load: {torque: 0 N*m}}": (8, "an input torque of 0 in gears: low"),
+}
+
+
+@pytest.mark.parametrize("gear", WITHOUT_FIELD)
+def test_a_gear_without_fields_is_refused_where_it_is(gear: str) -> None:
+    line, what = WITHOUT_FIELD[gear]
+    case = NEUTRAL.replace("gears: {N: {}, low: {engaged: [B]}}", f"gears:\n  N: {{}}\n  {gear}\n")
+    said = vstatics("run", "-q", "-f", "source", "-", stdin=(LOAD + case).encode())
+    assert (said.status, said.out) == (1, "")
+    assert re.search(rf"<stdin>:{line - 1}:\d+: error: .*no field for {re.escape(what)};", said.err)
+
+
+WITHOUT_FIELD_IN_PARTS = {
+    "efficiency: {over: torque, points: [[0, .9], [100, .97]]}": "efficiencies over speed or torque: D",
+    "efficiency: .96, back_efficiency: .9": "second efficiencies: D",
+}
+
+
+@pytest.mark.parametrize("part", WITHOUT_FIELD_IN_PARTS)
+def test_a_mechanism_without_fields_is_refused(part: str) -> None:
+    case = LOAD + NEUTRAL.replace("efficiency: 0.96", part)
+    said = vstatics("run", "-q", "-f", "source", "-", stdin=case.encode())
+    assert (said.status, said.out) == (1, "")
+    assert f"no field for {WITHOUT_FIELD_IN_PARTS[part]};" in said.err
+
+
+def test_the_drag_of_an_open_brake_is_refused_and_no_drag_is_not() -> None:
+    case = NEUTRAL.replace("C: [1, 2]", "C: {links: [1, 2], drag: %s}")
+    refused = vstatics("run", "-q", "-f", "source", "-", stdin=(case % ".01").encode())
+    assert "<stdin>:2:43: error: shift_elements.C.drag: the published listing" in refused.err
+    assert source_listing("-q", "-", stdin=case % "0") == source_listing("-q", "-", stdin=NEUTRAL)
+
+
+def test_a_second_efficiency_that_is_the_first_is_none() -> None:
+    same = NEUTRAL.replace("efficiency: 0.96", "efficiency: .96, back_efficiency: .96")
+    assert source_listing("-q", "-", stdin=same) == source_listing("-q", "-", stdin=NEUTRAL)
+
+
+def test_fields_of_decks_that_the_source_does_not_have() -> None:
+    deck = vstatics("convert", "-", "-", "--to", "deck", stdin=NEUTRAL.encode()).out
+    coasting = deck.replace("Given names", "COAST= 1\nGiven names", 1).encode()
+    said = vstatics("run", "-q", "-f", "source", "--from", "deck", "-", stdin=coasting)
+    assert re.search(r"<stdin>:\d+:\d+: error: COAST: the published listing", said.err)
+    ports = deck.replace("NAME", "INP= 3\nIOUT= 1\nNAME", 1)
+    case = NEUTRAL.replace("links: 3", "links: 3\ninput: 3\noutput: 1")
+    assert source_listing("-q", "--from", "deck", "-", stdin=ports) == source_listing(
+        "-q", "-", stdin=case
+    )
+
+
+def test_a_freewheel_is_engaged_where_it_holds() -> None:
+    wheel = NEUTRAL.replace("B: [2, housing]", "B: {links: [2, housing], kind: freewheel}").replace(
+        "gears: {N: {}, low: {engaged: [B]}}", "gears: {low: {}, direct: {engaged: [C]}}"
+    )
+    plain = NEUTRAL.replace(
+        "N: {}, low: {engaged: [B]}", "low: {engaged: [B]}, direct: {engaged: [C]}"
+    )
+    assert source_listing("-q", "-", stdin=wheel) == source_listing("-q", "-", stdin=plain)
+
+
+def test_help_and_the_first_screen_of_the_readme_name_it() -> None:
+    readme = (CASES.parent / "README.md").read_text(encoding="utf-8")
+    assert "`vstatics run -f source`" in "".join(readme.splitlines(keepends=True)[:10])
+    assert re.search(r"-f source +the published listing", vstatics("--help").out)
+    assert "-f source" in vstatics("run", "--help").out
+
+
+def test_lang_source_is_an_alias() -> None:
+    assert vstatics("run", "--lang", "source", MZKT).out == source_listing(MZKT)
+
+
+def test_several_cases_give_a_listing_each(tmp_path: Path) -> None:
+    said = vstatics("run", "-f", "source", MZKT, CASES / "umdm.yaml", "-o", f"{tmp_path}/")
+    assert (said.status, said.out) == (0, "")
+    assert sorted(path.name for path in tmp_path.glob("*.lst")) == ["mzkt7922.lst", "umdm.lst"]
+    assert (tmp_path / "mzkt7922.lst").read_text(encoding="utf-8") == source_listing(MZKT)
+
+
+def test_a_listing_of_another_format_is_not_trusted(tmp_path: Path) -> None:
+    """Both have the suffix .lst, so --resume must not leave one for the other."""
+    options = ("-q", MZKT, "-o", f"{tmp_path}/")
+    assert vstatics("run", "-f", "listing", *options).status == 0
+    for form, status in (("source", 2), ("listing", 0)):
+        assert vstatics("run", "-f", form, *options, "--resume").status == status
+
+
+def test_a_case_without_fields_does_not_stop_the_others(tmp_path: Path) -> None:
+    said = vstatics(
+        "run", "-q", "-f", "source", CASES / "wheel-hub.yaml", MZKT, "-o", f"{tmp_path}/"
+    )
+    assert (said.status, "outputs of single gears: right" in said.err) == (1, True)
+    assert [path.name for path in tmp_path.glob("*.lst")] == ["mzkt7922.lst"]
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ("--lang source -f json", "--lang source is an alias of -f source, not of -f json"),
+        ("-f source -o x.csv", "source is not the format of x.csv"),
+        ("-f source --pretty", "--lang source"),
+        ("--own-tables", "--own-tables is for -f source"),
+        ("--own-tables --lang ru", "--own-tables is for -f source"),
+        ("-f source --coast", "--coast has no field"),
+        ("-f source --idle exact", "-f source has the signs of --idle published"),
+    ],
+)
+def test_it_is_a_listing_only(options: str, why: str) -> None:
+    said = vstatics("run", MZKT, *options.split())
+    assert (said.status, why in said.err) == (2, True)
+
+
+def test_springs_have_no_fields_there() -> None:
+    said = vstatics("run", CASES / "moskvich412.yaml", "-f", "source")
+    assert (said.status, said.out) == (1, "")
+    assert "springs.first shaft: the published listing has no field for springs: first" in said.err

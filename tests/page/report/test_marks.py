@@ -1,0 +1,46 @@
+"""Every result on a page that changes says what it is, and a page that stays says nothing more."""
+
+import re
+
+import pytest
+
+from tests.commands import CASES
+from tests.page.report.pages import Page, output
+from vstatics import load, solve
+from vstatics.core.tables.quantities import QUANTITIES
+from vstatics.page.report import gather, page
+
+pytestmark = pytest.mark.usefixtures("without_pictures")
+
+
+def test_each_number_of_the_json_stands_on_the_page_with_all_digits() -> None:
+    document = output("run", CASES / "ford-6r80.yaml")
+    results = solve(load(CASES / "ford-6r80.yaml"))
+    shown = Page(page(gather(results, has_marks=True)))
+    on_page = {
+        tuple(one.attributes.get(f"data-{key}") for key in ("result", "row", "gear")): number
+        for one in shown.elements
+        if (number := one.attributes.get("data-number")) is not None
+    }
+    well = {"power_balance", "consistent", "locked"}  # a sentence says these of all gears
+    for quantity in QUANTITIES:
+        key = quantity.key
+        if quantity.columns != "gears" or key not in document or key in well:
+            continue
+        rows = [None] if quantity.rows == "one" else document["rows"][key]
+        table = [document[key]] if quantity.rows == "one" else document[key]
+        for row, values in zip(rows, table, strict=True):
+            for gear, value in zip(document["gears"], values, strict=True):
+                number = on_page[key, row, gear]
+                assert (float(number) if number else None) == value, (key, row, gear)
+
+
+def test_a_page_that_stays_is_the_same_without_its_marks() -> None:
+    results = solve(load(CASES / "simpson.yaml"))
+    static, live = page(gather(results)), page(gather(results, has_marks=True))
+    marks = r' data-result="[^"]*"(?: data-row="[^"]*")?(?: data-gear="[^"]*")? data-number="[^"]*"'
+    assert "data-number" not in static
+    own = r' data-(?:unit|scaled)="[^"]*"(?: data-gear="[^"]*")?(?: data-repeats="")?'
+    figure = r'<span data-gear="[^"]*" data-value="[^"]*" data-\w+="Nm">(.*?)</span> <span class="unit">(.*?)</span>'
+    live = re.sub(figure, r"\1 \2", live)
+    assert re.sub(rf'{marks}|{own}| data-links="[^"]*"', "", live) == static

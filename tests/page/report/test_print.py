@@ -1,0 +1,207 @@
+"""The page on paper: at most ten sheets that can be read, and what cuts or adds to them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import CASES, SHIPPED, vstatics
+from tests.page.report.pages import NASTY, NASTY_CASE, Page, report, write
+from tests.page.report.printed import PrintedSheet, printed
+from vstatics import load, solve
+from vstatics.core.tables.html import Markup
+from vstatics.page.report.asked import AskedPage
+from vstatics.page.report.page_pictures import Drawn, pictures
+from vstatics.page.report.parts import on_paper, side_by_side
+
+SCENARIOS = [
+    path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
+]
+MOST_SHEETS = 10
+LEAST_LETTERS, ROUNDED = 7.0, 0.05
+"""Of pictures. [pt]"""
+ON_THE_SCREEN = {
+    *("Lever diagram", "Equations", "Kinematic plan"),
+    *("Shifts", "Input", "Tables", "Conventions"),
+}
+"""Sections that are not printed where nobody asks for them."""
+
+
+def sheets(browser: Any, folder: Path, case: object, *options: str) -> list[PrintedSheet]:
+    file = folder / "printed.html"
+    vstatics("report", case, "-o", file, "-q", *options)
+    return printed(browser, file)
+
+
+def lines(sheets: list[PrintedSheet]) -> list[str]:
+    return [line for sheet in sheets for line in sheet.lines]
+
+
+def headings(text: str, *, paper: bool = True) -> list[str]:
+    """Of the sections of a page, or of those that are printed."""
+    page = Page(text)
+    heads = [one.text for one in page.all("h2")]
+    looks = [one.attributes.get("class") for one in page.all("section") if "id" in one.attributes]
+    return [head for head, look in zip(heads, looks, strict=True) if not (paper and look)]
+
+
+@pytest.fixture(scope="module", params=[*SHIPPED, *SCENARIOS], ids=lambda file: file.name)
+def shipped(
+    request: pytest.FixtureRequest, browser: Any, tmp_path_factory: pytest.TempPathFactory
+) -> list[PrintedSheet]:
+    """The sheets of a case that comes with the program."""
+    return sheets(browser, tmp_path_factory.mktemp("print"), request.param)
+
+
+@pytest.mark.slow
+def test_a_shipped_case_has_at_most_ten_sheets(shipped: list[PrintedSheet]) -> None:
+    assert 0 < len(shipped) <= MOST_SHEETS
+
+
+@pytest.mark.slow
+def test_letters_on_paper_can_be_read(shipped: list[PrintedSheet]) -> None:
+    least = LEAST_LETTERS - ROUNDED
+    small = {one for sheet in shipped for one in sheet.letters if one[1] < least}
+    assert small == set()
+
+
+@pytest.mark.slow
+def test_all_prints_what_the_screen_shows_and_nothing_twice(browser: Any, tmp_path: Path) -> None:
+    case = write(tmp_path, NASTY_CASE)
+    some, every = (lines(sheets(browser, tmp_path, case, *end)) for end in ([], ["--all"]))
+    heads = headings(report(case), paper=False)
+    assert set(heads) >= ON_THE_SCREEN - {"Lever diagram"}
+    assert [line for line in some if line in heads] == [
+        head for head in heads if head not in ON_THE_SCREEN
+    ]
+    assert [line for line in every if line in heads] == heads
+    assert not [one for one in Page(report(case, "--all")).all("div") if _class(one) == "paper"]
+
+
+def _class(one: Any) -> str:
+    return (one.attributes.get("class") or "").split(" ")[0]
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_sections_cut_the_screen_and_the_print_and_stand_in_the_order_of_the_page(
+    tmp_path: Path,
+) -> None:
+    case = write(tmp_path, NASTY_CASE)
+    every = headings(report(case), paper=False)
+    assert headings(report(case)) == [one for one in every if one not in ON_THE_SCREEN]
+    made = report(case, "--sections", "tables,gears", "--sections", "input")
+    assert headings(made) == headings(made, paper=False) == ["Gears", "Input", "Tables"]
+    assert headings(report(case, "--all")) == every
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_gears_cut_all_that_is_of_a_gear_and_change_no_number() -> None:
+    case = CASES / "zf-8hp70.yaml"
+    whole, cut = Page(report(case)), Page(report(case, "--gears", "R,3"))
+    assert list(cut.table("Ratios, steps")) == ["3", "R"]
+    for name in ("Ratios, steps", "Speeds of the links", "Largest slip when open"):
+        full = whole.table(name)
+        for row, cells in cut.table(name).items():
+            assert {key: cell.text for key, cell in cells.items()}.items() <= {
+                key: cell.text for key, cell in full[row].items()
+            }.items()
+    assert list(cut.table("Speeds of the links")["sun 1-2"]) == ["link", "3", "R"]
+    assert {one.attributes.get("data-gear") for one in cut.all("div")} == {None, "3", "R"}
+    choices = [one.attributes.get("data-choose") for one in cut.all("a") if "nav" in one.inside]
+    assert [one for one in choices if one] == ["3", "R"]
+    assert "7.043, gear 1 to 8" in [one.text for one in cut.all("dd")]
+    linked = {one.attributes.get("data-choose") for one in cut.all("a")} - {None}
+    assert linked == {"3", "R"}
+    assert "Shown of 9 gears: R, 3." in "".join(one.text for one in cut.all("p"))
+    assert cut.data == whole.data
+
+
+@pytest.mark.slow
+def test_pictures_are_of_the_gears_that_are_shown() -> None:
+    made = Page(report(CASES / "zf-8hp70.yaml", "--gears", "R,3", "--sections", "flow,gears"))
+    labels = [one.attributes["aria-label"] or "" for one in made.all("svg")]
+    assert set(labels) == {f"{kind}, gear {gear}" for kind in ("Power flow",) for gear in "3R"} | {
+        f"Stick diagram, gear {gear}, small" for gear in "3R"
+    }
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("options", [[], ["--gears", "2"], ["--gears", "R,1"], ["--all"]])
+def test_ids_are_unique(options: list[str]) -> None:
+    shown = Page(report(CASES / "zf-8hp70.yaml", *options))
+    ids = [one.attributes["id"] for one in shown.elements if "id" in one.attributes]
+    assert len(ids) == len(set(ids))
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_path: Path) -> None:
+    case = write(tmp_path, NASTY_CASE)
+    assert 'class="stamp"' not in report(case)
+    stamp = f'author={NASTY},project=P-7 <b>,"of, by"=-3'
+    made = report(case, "--stamp", stamp, "--stamp", "date=2026-11-26")
+    assert NASTY not in made
+    shown = [one for one in Page(made).all("dl") if one.attributes.get("class") == "stamp"]
+    assert [one.text for one in shown] == [f"author{NASTY}projectP-7 <b>of, by-3date2026-11-26"]
+    assert shown[0].inside[-1] == "header"
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (["--sections", "flows"], "read `flows`, did you mean `flow`?"),
+        (["--sections", "x"], "read `x`, expected overview, run, gears"),
+        (["--gears", "9"], "9"),
+        (["--gears", "low <1>,,"], "''"),
+        (["--stamp", "author"], "expected NAME=TEXT"),
+        (["--stamp", "a=b,a=c"], "a is given twice"),
+        (["--all", "--sections", "flow"], "what it names is printed"),
+    ],
+)
+def test_wrong_options_are_told(tmp_path: Path, options: list[str], why: str) -> None:
+    said = vstatics("report", write(tmp_path, NASTY_CASE), "-o", "-", *options)
+    assert said.status == 2
+    assert why in said.err
+
+
+@pytest.mark.usefixtures("without_pictures")
+def test_ports_are_listed_where_there_are_more_than_an_input_and_an_output() -> None:
+    def has_ports(case: str) -> bool:
+        heads = [one.text for one in Page(report(CASES / case)).all("h3")]
+        return any(one.startswith("Ports") for one in heads)
+
+    assert not has_ports("zf-8hp70.yaml")
+    assert has_ports("power-split.yaml")
+
+
+def test_what_has_no_room_on_paper_is_told() -> None:
+    """By the sizes of sheets: 240 mm are 680 pt."""
+    low, high = (f'<svg viewBox="0 0 200 {size}"></svg>' for size in (100, 500))
+    flow = Drawn("flow", [Markup(high)] * 4)
+    shown = on_paper(flow, "Power flow", most=3)
+    assert shown.count("<svg") == 3
+    assert "1 more sheet with --all." in shown
+    assert "--all" not in on_paper(flow, "Power flow")
+    gears = list("1234R")
+    few = side_by_side(gears, [Drawn("stick", [Markup(high)])] * 5)
+    assert few.count("<svg") == 4
+    assert "Not printed: diagram of gear R; --all prints all of them." in few
+    assert side_by_side(gears, [Drawn("stick", [Markup(low)])] * 5).count("<svg") == 5
+
+
+@pytest.mark.parametrize(
+    ("asked", "large", "small"),
+    [
+        (AskedPage(["overview", "gears"]), False, True),
+        (AskedPage(["overview"]), True, False),
+        (AskedPage(["overview", "gears"], prints_all=True), True, False),
+        (AskedPage(), False, True),
+    ],
+)
+def test_stick_diagrams_of_gears_are_printed_once(
+    asked: AskedPage, large: bool, small: bool
+) -> None:
+    """Small beside the table of gears, or large in the overview, where that is printed in full."""
+    found = pictures(solve(load(CASES / "simpson-th400.yaml")), asked)
+    assert (found.bare_stick is None, bool(found.small_sticks)) == (large, small)

@@ -1,0 +1,106 @@
+"""The pages that calculate, for whoever has no mouse, another sight, or a narrow window."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.accessibility import serious_faults
+from tests.commands import CASES
+from tests.page.serve.served import BOX
+from tests.page.serve.windows import Program, Window, looked_through
+
+pytestmark = pytest.mark.slow
+VIBRATING, DECK, SCENARIO = (
+    "moskvich412.yaml",
+    "mzkt7922.dat",
+    "scenarios/tarasik-set-lock.yaml",
+)
+PHONE = {"width": 390, "height": 844}
+
+
+@pytest.fixture(params=[VIBRATING, DECK, SCENARIO])
+def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """A shipped case, where it may be changed."""
+    copy: Path = shutil.copytree(CASES, tmp_path / "cases") / request.param
+    return copy
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_served_page_has_no_serious_fault_whatever_it_shows(
+    browser: Any, shipped: Path, scheme: str
+) -> None:
+    """All its parts, numbers that are edited, a conflict, errors of the file."""
+    here = Window(browser, Program(shipped), color_scheme=scheme)
+    looked_through(here)
+    assert not serious_faults(here.page)
+    text = shipped.read_bytes()
+    if here.page.locator("input.field:enabled").count():
+        field = here.page.locator("input.field:enabled").first
+        field.fill(str(float(field.input_value()) + 1))
+        here.until("!document.getElementById('save').hidden")
+        looked_through(here)
+        assert not serious_faults(here.page)
+        shipped.write_bytes(text + b"# by somebody else\n")
+        here.state("conflict")
+        assert not serious_faults(here.page)
+        here.page.click("#take-file")
+    shipped.write_bytes(b"no case\n")
+    here.state("error")
+    assert not serious_faults(here.page)
+    here.context.close()
+
+
+def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
+    """Also with long numbers and errors."""
+    here = Window(browser, Program(shipped), viewport=PHONE)
+    width = "document.documentElement.scrollWidth"
+    looked_through(here)
+    assert here.page.evaluate(width) <= PHONE["width"]
+    shipped.write_bytes(b"an: error of a line that is longer than a telephone is wide; " * 9)
+    here.state("error")
+    assert here.page.evaluate(width) <= PHONE["width"]
+    here.context.close()
+
+
+def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window]) -> None:
+    """A number by its slider, then Save, Undo, Revert; what has the focus is outlined."""
+    here = window()
+    keys = here.page.keyboard
+
+    def to(selector: str, key: str = "Tab") -> None:
+        """Tab until something has the focus."""
+        for _ in range(200):
+            if here.page.evaluate(f"document.activeElement.matches('{selector}')"):
+                style = "getComputedStyle(document.activeElement)"
+                assert here.page.evaluate(f"{style}.outlineStyle") != "none"
+                return
+            keys.press(key)
+        pytest.fail(f"no key leads to {selector}")
+
+    to('input.slider[data-path="P1.efficiency"]')
+    keys.press("ArrowLeft")
+    here.until("!document.getElementById('save').hidden")
+    value = float(here.field("P1.efficiency"))
+    assert value < 0.97
+    to("#save", "Shift+Tab")
+    keys.press("Enter")
+    here.until("document.getElementById('save').hidden")
+    saved = program.file.read_text("utf-8")
+    assert saved == BOX.replace("0.97", str(value))
+    to("#undo")
+    keys.press("Space")
+    here.until("!document.getElementById('save').hidden")
+    assert float(here.field("P1.efficiency")) == 0.97
+    to("#revert", "Shift+Tab")
+    keys.press("Enter")
+    here.until("document.getElementById('save').hidden")
+    assert float(here.field("P1.efficiency")) == value
+    program.file.write_text(BOX, encoding="utf-8")
+    here.until(
+        "document.querySelector('input.field[data-path=\"P1.efficiency\"]').value === '0.97'"
+    )

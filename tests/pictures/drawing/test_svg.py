@@ -1,0 +1,108 @@
+"""SVG of pictures: texts that can be found and copied, titles, nothing that could run."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree as ET
+
+import pytest
+from matplotlib.figure import Figure
+
+from tests.commands import CASES
+from vstatics import load, solve
+from vstatics.pictures import OF_VIBRATION, PICTURES, render
+from vstatics.pictures.drawing.files import settings_of
+from vstatics.pictures.drawing.pen import blank
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.svg import halo, told, written_as_svg
+from vstatics.vehicle.case.vehicle import Vehicle
+
+SVG = "{http://www.w3.org/2000/svg}"
+STYLE = Style()
+VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])
+SET = solve(load(CASES / "ravigneaux-gf4a.yaml").replace(vehicle=VAN))
+SPRINGS = solve(load(CASES / "moskvich412.yaml"))
+KINDS = [kind for kind in PICTURES if kind != "shift"]
+
+
+def parsed(svg: bytes) -> ET.Element:
+    """Our own SVG."""
+    return ET.fromstring(svg)  # noqa: S314 - from nowhere else
+
+
+def made(**how: object) -> ET.Element:
+    """A picture of one text."""
+    figure = Figure(figsize=(2, 1))
+    with settings_of(STYLE):
+        figure.text(0.5, 0.5, "sun <1>\nК & −2.5", **how)  # type: ignore[arg-type]
+        return parsed(written_as_svg(figure, "a <set>", STYLE))
+
+
+def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
+    root = made()
+    assert [one.text for one in root.iter(f"{SVG}text")] == ["sun <1>", "К & −2.5"]
+    assert "sans-serif" in root.attrib["font-family"]
+    assert root.find(f"{SVG}title") is not None
+    assert root.findtext(f"{SVG}title") == "a <set>"
+
+
+def test_what_an_artist_says_is_its_title_and_data() -> None:
+    root = made(gid=told('P1: "sun" & <ring>', gear="R"))
+    group = next(root.iter(f"{SVG}g"))
+    assert group.findtext(f"{SVG}title") == 'P1: "sun" & <ring>'
+    assert group.attrib == {"data-gear": "R"}
+
+
+def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
+    root = made(**halo(STYLE), gid=told(halo=True))
+    group = next(root.iter(f"{SVG}g"))
+    assert group.attrib["paint-order"] == "stroke"
+    assert group.attrib["stroke"] == STYLE.paper
+    assert len(list(root.iter(f"{SVG}text"))) == 2
+
+
+def test_a_halo_stays_for_pictures_of_dots() -> None:
+    figure = Figure()
+    with settings_of(STYLE):
+        text = figure.text(0.5, 0.5, "x", **halo(STYLE))
+        written_as_svg(figure, "", STYLE)
+    assert text.get_path_effects()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("kind", KINDS)
+def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> None:
+    style = Style(dark=dark)
+    results = SPRINGS if kind in OF_VIBRATION else SET
+    gears = (2,) if kind in OF_VIBRATION else ()
+    root = parsed(render(results, kind, "svg", style, gears))
+    readable = {style.ink, style.soft, style.engaged, style.lost, style.circulating}
+    texts = [*root.iter(f"{SVG}text")]
+    assert texts
+    assert {one.attrib.get("fill", "#000000") for one in texts} <= readable | {style.paper}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> None:
+    results = SPRINGS if kind in OF_VIBRATION else SET
+    gears = (2,) if kind in OF_VIBRATION else ()
+    root = parsed(render(results, kind, "svg", STYLE, gears))
+    assert len(root.findall(f".//{SVG}title")) > 4
+    for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):
+        assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", text), text
+
+
+def test_what_belongs_together_is_one_group() -> None:
+    """Parts of two links drawn in turns stand by link, and their wires have their class."""
+    with settings_of(Style()):
+        pen = blank(50.0, 50.0, Style())
+        for turn in range(2):
+            for name in ("sun", "ring"):
+                link = pen.within("scheme").within("link", name=name)
+                link.line((0.0, turn), (5.0, turn), kind="wire", color="#000000")
+        root = parsed(written_as_svg(pen.figure, "", Style()))
+    [scheme] = root.findall(".//*[@class='scheme']")
+    assert {link.get("data-name"): [part.get("class") for part in link] for link in scheme} == {
+        "sun": ["wire", "wire"],
+        "ring": ["wire", "wire"],
+    }

@@ -1,0 +1,185 @@
+"""`vstatics simulate --samples` and `vstatics sweep SCENARIO` as commands: files, formats, errors."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.commands import vstatics
+from tests.core.cli.test_schemas import validator
+from tests.sweep.scenarios import CASE, SCENARIO
+
+LOCKS = 0.410054006
+"""tarasik.md, section 4."""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder with case and scenario, the current one."""
+    monkeypatch.chdir(tmp_path)
+    Path("set.yaml").write_bytes(CASE)
+    Path("lock.yaml").write_bytes(SCENARIO)
+
+
+def samples(*options: object) -> str:
+    said = vstatics("simulate", "lock.yaml", "--samples", 5, "--jobs", 1, "-q", *options)
+    assert (said.status, said.err) == (0, "")
+    return said.out
+
+
+def test_statistics_fit_a_terminal_and_json_has_them() -> None:
+    shown = samples("--seed", 3)
+    assert max(map(len, shown.splitlines())) <= 80
+    assert "Drawn, 5 runs" in shown
+    assert "Results, 5 runs" in shown
+    found = json.loads(samples("--seed", 3, "-f", "json"))
+    assert list(validator("samples").iter_errors(found)) == []
+    assert list(found["drawn"]) == ["controls.brake.scale", "torques.sun"]
+    assert {"abs(peaks)[brake]", "heat[brake]", "locks[brake]", "work"} <= set(found["results"])
+    assert 'heat["lock-up"]' not in found["results"]  # 0 in all runs
+
+
+def test_the_runs_are_written_and_give_the_same_statistics() -> None:
+    """Against NumPy on what the file holds."""
+    options = ("--seed", 3, "--out", "locks[brake]")
+    found = json.loads(samples(*options, "-f", "json"))["results"]["locks[brake]"]
+    shown = samples(*options, "-o", "runs.npz")
+    columns = np.load("runs.npz")
+    times = columns["locks[brake]"]
+    assert len(times) == 5
+    assert found["mean"] == pytest.approx(times.mean(), rel=1e-12)
+    assert found["deviation"] == pytest.approx(times.std(ddof=1), rel=1e-12)
+    assert found["quantiles"]["50%"] == pytest.approx(float(np.median(times)), rel=1e-12)
+    assert f"{times.mean():.3f}".lstrip("0") in shown
+    samples(*options, "-o", "runs.csv")
+    with Path("runs.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["locks[brake]"]) for row in rows] == pytest.approx(times, rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--seed", "1"], "--seed belongs to --samples."),
+        (["--samples", "3", "--step", ".1"], "--step is for one run, without --samples."),
+        (["--samples", "3", "-o", "out.md"], "--samples writes .csv .jsonl .ndjson .npz .parquet"),
+        (["--samples", "3", "--resume"], "--resume needs a file to go on with"),
+        (["--out", "jerks"], "--out asks for columns over time: expected -o with .csv .json"),
+        (["--out", "jerks", "--method", "tarasik"], "--out is for the method `events`."),
+        (["--samples", "0"], "0 is not in the range"),
+    ],
+)
+def test_wrong_use_of_samples(options: list[str], said: str) -> None:
+    shown = vstatics("simulate", "lock.yaml", *options)
+    assert (shown.status, shown.out) == (2, "")
+    assert said in shown.err
+    assert not Path("out.md").exists()
+
+
+def test_runs_that_cannot_be_are_counted() -> None:
+    text = SCENARIO.replace(b"{normal: [1, 0.05]}", b"{uniform: [-1, -0.5]}")
+    Path("lock.yaml").write_bytes(text)
+    shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
+    assert shown.status == 1
+    assert "3 runs, of which 3 invalid" in shown.err
+    assert "expected a scale of 0 or more" in shown.err
+    assert shown.out == ""
+
+
+def test_a_sample_of_what_there_is_not_is_told_without_samples_too() -> None:
+    Path("lock.yaml").write_bytes(SCENARIO.replace(b"torques.sun:", b"torques.son:"))
+    for command in ("simulate", "check"):
+        shown = vstatics(command, "lock.yaml")
+        assert shown.status == 1
+        assert "lock.yaml:11:3: error: samples: torques: read 'son', expected" in shown.all
+        assert "did you mean `sun`?" in shown.all
+
+
+def test_a_sweep_without_any_run_says_why() -> None:
+    shown = vstatics("sweep", "lock.yaml", "--vary", "duration=-1,-2", "--out", "work")
+    assert shown.status == 1
+    assert "2 rows of 2 variants (2 invalid)" in shown.err
+    assert "duration: read -1, expected a time above 0" in shown.err
+
+
+def test_a_sweep_takes_a_scenario() -> None:
+    swept = ("sweep", "lock.yaml", "-q", "--vary", "controls.brake.1.2=100:140:3")
+    said = vstatics(*swept, "--out", "locks[brake]", "--min", "abs(locks[brake]-.41)", "--best", 1)
+    assert (said.status, said.err) == (0, "")
+    heads, row = csv.reader(said.out.splitlines())
+    assert heads == ["variant", "controls.brake.1.2", "status", "locks[brake]"]
+    assert row[:3] == ["1", "120", "ok"]
+    assert float(row[3]) == pytest.approx(LOCKS, abs=5e-10)
+    said = vstatics(*swept, "--dry-run")
+    assert said.status == 0
+    assert "heat[brake]" in said.out
+
+
+@pytest.mark.parametrize(
+    ("options", "status", "said"),
+    [
+        (["--vary", "duratio=1,2"], 1, "has a key `duratio`; did you mean `duration`?"),
+        (["--vary", "duration=1,2", "--out", "gears"], 1, "a run has no table `gears`"),
+        (["--vary", "duration=1,2", "--coast"], 2, "--coast is for a case"),
+        (["--vary", "duration=1,2", "-o", "set.yaml"], 2, "can't tell the format of set.yaml"),
+    ],
+)
+def test_mistakes_in_a_sweep_of_a_scenario(options: list[str], status: int, said: str) -> None:
+    shown = vstatics("sweep", "lock.yaml", *options)
+    assert (shown.status, shown.out) == (status, "")
+    assert said in shown.err
+    assert Path("set.yaml").read_bytes() == CASE
+
+
+def test_a_case_that_is_not_there_is_told_where_it_is_named() -> None:
+    Path("set.yaml").rename("box.yaml")
+    shown = vstatics("sweep", "lock.yaml", "--vary", "duration=1,2")
+    assert shown.status == 1
+    assert "lock.yaml:1:7: error: set.yaml can't be read" in shown.err
+
+
+def test_messages_of_runs_are_told_once_with_their_number() -> None:
+    """Above 110 N*m are 120 and 140; what is written and what goes to a stream say it alike."""
+    text = CASE.replace(
+        b"brake: [ring, housing]", b"brake: {links: [ring, housing], capacity: 110 N*m}"
+    )
+    Path("set.yaml").write_bytes(text)
+    swept = ("sweep", "lock.yaml", "--vary", "controls.brake.1.2=100:140:3", "--strict")
+    for more in ((), ("-o", "runs.npz"), ("--max", "work", "--best", 1)):
+        said = vstatics(*swept, *more)
+        assert said.status == 0, said.err  # a note is no warning
+        [note] = [line for line in said.err.splitlines() if "above the capacity" in line]
+        assert note.startswith("lock.yaml: note: in 2 of 3 variants, the first is 1: at 0 s the")
+    assert "capacity" not in vstatics(*swept, "--allow", "N605").err
+    Path("lock.yaml").write_bytes(SCENARIO.replace(b"[1, 0.05]", b"[1, 0]"))
+    shown = vstatics("simulate", "lock.yaml", "--samples", 3, "--jobs", 1)
+    assert "lock.yaml: note: in all 3 variants: at 0 s the control of brake" in shown.err
+
+
+LIGHT = b"""\
+links: [a, b, c]
+inertias: {a: 1, c: 1}
+springs: {ab: {links: [a, b], stiffness: 100}, bc: {links: [b, c], stiffness: 100}}
+"""
+JUMP = b"""\
+case: light.yaml
+duration: 0.2
+start: {speeds: {a: 0}}
+torques: {b: [[0, 0], [0.1, 0], [0.1, 10]]}
+"""
+
+
+def test_a_warning_of_a_run_makes_a_strict_sweep_fail() -> None:
+    """A link without inertia, on which a torque jumps; by 0 N*m it does not."""
+    Path("light.yaml").write_bytes(LIGHT)
+    Path("jump.yaml").write_bytes(JUMP)
+    swept = ("sweep", "jump.yaml", "--vary", "torques.b.3.2=0,10,20", "--out", "work")
+    said = vstatics(*swept, "--strict")
+    assert "jump.yaml: warning: in 2 of 3 variants, the first is 1: link b has no" in said.err
+    assert (said.status, len(said.out.splitlines())) == (1, 4)
+    assert vstatics(*swept).status == 0
+    assert "1 warning (W602), which --strict makes fail" in vstatics(*swept, "--strict", "-q").err

@@ -1,0 +1,250 @@
+"""`vstatics simulate` and `check` of a scenario: formats, files, messages, exit statuses.
+
+The numbers are those of the facts about a single planetary set: its brake locks at 0.410054006 s.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.core.cli.test_schemas import validator
+from vstatics.core.errors import Problem
+from vstatics.simulation import run as module
+
+CASE = """\
+name: one set
+links: [in, ring, "out, too"]
+inertias: {in: 0.5, ring: 0.7, "out, too": 0.8}
+mechanisms: {set: {first: in, second: ring, third: "out, too", ratio: -1.5}}
+shift_elements: {brake: [ring, housing], clutch: [in, ring]}
+gears: {low: [brake]}
+"""
+SCENARIO = """\
+case: box.yaml
+duration: 1
+start: {speeds: {in: 500 rpm, "out, too": 0}}
+controls: {brake: 120}
+torques: {in: 40, "out, too": -60}
+"""
+LOCKS = 0.410054006
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder with case and scenario, the current one."""
+    monkeypatch.chdir(tmp_path)
+    Path("box.yaml").write_text(CASE, encoding="utf-8")
+    Path("lock.yaml").write_text(SCENARIO, encoding="utf-8")
+
+
+def names() -> list[str]:
+    return sorted(path.name for path in Path().iterdir())
+
+
+def document(*options: str) -> Any:
+    said = vstatics("simulate", "lock.yaml", "-f", "json", *options)
+    assert (said.status, said.err) == (0, "")
+    found = json.loads(said.out)
+    assert list(validator("simulation").iter_errors(found)) == []
+    return found
+
+
+def test_columns_that_are_asked_for_are_in_all_files() -> None:
+    out = 'accelerations[ring], heat[brake], powers["out, too"]'
+    found = document("--out", out)
+    assert list(found["accelerations"]) == ["ring"]
+    assert list(found["powers"]) == ["out, too"]
+    assert found["heat"]["brake"][-1] == pytest.approx(found["energy"]["heat"]["brake"])
+    said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", out)
+    rows = list(csv.DictReader(io.StringIO(said.out)))
+    for heading, row in (
+        ("accelerations[ring]", found["accelerations"]["ring"]),
+        ("heat[brake]", found["heat"]["brake"]),
+        ('powers["out, too"]', found["powers"]["out, too"]),
+    ):
+        assert [float(one[heading]) for one in rows] == row
+    vstatics("simulate", "lock.yaml", "-o", "out.npz", "--out", out)
+    assert np.load("out.npz")["heat[brake]"].tolist() == found["heat"]["brake"]
+
+
+def test_columns_that_there_are_not_are_told_at_once() -> None:
+    said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", "jerk[in], jerks[inn], work")
+    assert (said.status, said.out) == (1, "")
+    assert "--out:1:1: error: read `jerk[in]`, expected columns of accelerations" in said.err
+    assert "--out:1:17: error: there is no link `inn`" in said.err
+    assert "--out:1:23: error: read `work`" in said.err
+
+
+def test_tables_for_people_fit_a_terminal() -> None:
+    said = vstatics("simulate", "lock.yaml")
+    assert (said.status, said.err) == (0, "")
+    assert max(map(len, said.out.splitlines())) <= 80
+    assert ".410054006  brake    locks" in said.out
+    assert "  brake     858.815" in said.out
+
+
+def test_json_has_all_of_it() -> None:
+    found = document("--step", "0.25")
+    assert list(found["energy"]) == [
+        *("work", "heat", "losses", "kinetic", "elastic", "impact", "balance"),
+    ]
+    [event] = found["events"]
+    assert event == {
+        "time": pytest.approx(LOCKS, abs=1e-8),
+        "element": "brake",
+        "event": "locks",
+        "energy": 0,
+        "word": "locks",
+    }
+    assert found["energy"]["heat"]["brake"] == pytest.approx(858.815102, abs=1e-5)
+    assert set(found["speeds"]) == {"in", "ring", "out, too"}
+    assert {0.0, 0.25, 0.5, 0.75, 1.0} <= set(found["time"])
+    assert found["time"][-1] == 1.0
+    assert found["stopped"] is None
+
+
+@pytest.mark.parametrize("form", ["csv", "npz", "parquet"])
+def test_columns_have_the_names_of_expressions(form: str) -> None:
+    said = vstatics("simulate", "lock.yaml", "-o", f"out.{form}")
+    assert (said.status, said.all) == (0, "")
+    read: dict[str, Any]
+    if form == "csv":
+        rows = list(csv.reader(io.StringIO(Path("out.csv").read_text("utf-8"))))
+        read = dict(zip(rows[0], np.array(rows[1:], float).T, strict=True))
+    elif form == "npz":
+        read = dict(np.load("out.npz"))
+    else:
+        table = pytest.importorskip("pyarrow.parquet").read_table("out.parquet")
+        read = {name: table[name].to_numpy() for name in table.column_names}
+    assert list(read)[:4] == ["time", "speeds[in]", "speeds[ring]", 'speeds["out, too"]']
+    assert list(read)[4:] == [
+        *("slips[brake]", "slips[clutch]"),
+        *("torques[brake]", "torques[clutch]", "torques[set]"),
+    ]
+    found = document()
+    assert np.array_equal(read["time"], found["time"])
+    assert np.array_equal(read["torques[set]"], found["torques"]["set"])
+
+
+def test_targets_are_told_where_they_are_asked_for() -> None:
+    assert "targets" not in document()
+    Path("lock.yaml").write_text(SCENARIO + "targets: {in: [60, 1e4]}\n", encoding="utf-8")
+    met, missed = document()["targets"]
+    assert met["link"] == "in"
+    # after the lock the input gains 25.477707 rad/s^2 from 52.135036 rad/s
+    expected = LOCKS + (60 - 52.135036) / 25.477707
+    assert met["time"] == pytest.approx(expected, abs=1e-6)
+    assert missed["time"] is None
+    assert "Speeds reached" in vstatics("simulate", "lock.yaml").out
+
+
+def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
+    Path("heavy.yaml").write_text(CASE.replace("0.8", "8"), encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml", "heavy.yaml")
+    assert said.status == 0
+    assert ".410054006" not in said.out
+    without = SCENARIO.partition("\n")[2]
+    assert vstatics("simulate", "-", "box.yaml", stdin=without.encode()).status == 0
+    said = vstatics("simulate", "-", stdin=without.encode())
+    assert (said.status, said.out) == (1, "")
+    assert "<stdin>:1:1: error: `case` is missing: the file of the case" in said.err
+
+
+def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
+    wrong = SCENARIO.replace("brake: 120", "brakes: 120").replace("box.yaml", "box.yaml # x")
+    Path("lock.yaml").write_text(wrong, encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("lock.yaml:4:12: error: controls: read 'brakes', expected the name")
+    Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", "bax.yaml"), encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
+    assert said.err.startswith("lock.yaml:1:7: error: bax.yaml can't be read: No such file")
+    assert "did you mean `box.yaml`?" in said.err
+    Path("lock.yaml").write_text(SCENARIO.replace("box.yaml", '"b\\0x"'), encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml", "-o", "out.csv")
+    assert said.err.startswith("lock.yaml:1:7: error: b\\u0000x can't be read: ")
+    assert names() == ["box.yaml", "lock.yaml"]
+
+
+def test_start_speeds_that_contradict_each_other_are_told_in_the_scenario() -> None:
+    text = SCENARIO.replace("in: 500 rpm", "in: 500 rpm, ring: 100")
+    Path("lock.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("lock.yaml:3:")
+    text = SCENARIO.replace("in: 500 rpm, ", "")
+    Path("lock.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("simulate", "lock.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("lock.yaml:3:")
+
+
+@pytest.mark.parametrize("form", ["json", "csv", "text"])
+def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
+    form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = module.simulate
+
+    def stopped(*scenario: Any, **options: Any) -> Any:
+        problem = Problem("E608", "at 0.5 s brake neither sticks nor slips")
+        return whole(*scenario, **options)._replace(stopped=problem)
+
+    monkeypatch.setattr(module, "simulate", stopped)
+    said = vstatics("simulate", "lock.yaml", "-f", form)
+    assert said.status == 1
+    assert said.err == "lock.yaml: error: at 0.5 s brake neither sticks nor slips\n"
+    if form == "json":
+        assert json.loads(said.out)["stopped"] == "at 0.5 s brake neither sticks nor slips [E608]"
+    assert said.out
+
+
+def test_wrong_use() -> None:
+    assert vstatics("simulate", "lock.yaml", "-o", "box.yaml").status == 2
+    assert vstatics("simulate", "lock.yaml", "--step", "0").status == 2
+    assert vstatics("simulate", "lock.yaml", "--step", "nan").status == 2
+    assert vstatics("simulate", "lock.yaml", "--step", "1e-9").status == 2
+    assert vstatics("simulate", "lock.yaml", "-o", "out.svg").status == 2
+    assert vstatics("simulate", "-", "-").status == 2
+    said = vstatics("simulate", "box.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert "this is a case, expected a scenario" in said.err
+
+
+def test_a_scenario_is_checked_with_its_case() -> None:
+    said = vstatics("check", "lock.yaml", "box.yaml")
+    assert (said.status, said.err) == (0, "")
+    assert said.out.startswith("lock.yaml: 1 s, 1 control, 2 torques\nbox.yaml: 3 links")
+    text = SCENARIO.replace("-60", "{road: {mass: 1000, radius: 0.3}}")
+    Path("lock.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("check", "lock.yaml", "--strict")
+    assert said.status == 1
+    assert said.err.startswith("lock.yaml:5:19: warning: torques.out, too: the case has an inertia")
+    text = SCENARIO.replace("in: 500 rpm, ", "")
+    Path("lock.yaml").write_text(text, encoding="utf-8")
+    said = vstatics("check", "lock.yaml")
+    assert (said.status, said.out) == (1, "")
+    assert said.err.startswith("lock.yaml:3:")
+    Path("lock.yaml").write_text(SCENARIO.replace("120", "1e20"), encoding="utf-8")
+    [problem] = json.loads(vstatics("check", "lock.yaml", "-f", "json").out)
+    assert (problem["line"], problem["severity"]) == (4, "error")
+
+
+def test_shipped_scenarios_fit_their_schema() -> None:
+    from vstatics.core.readers.named.nodes import decode
+    from vstatics.simulation.scenario.file import load_scenario
+
+    yaml = pytest.importorskip("yaml")
+    files = sorted((CASES / "scenarios").glob("*.yaml"))
+    assert files
+    for file in files:
+        data = yaml.safe_load(decode(file.read_bytes(), file.name).text)
+        assert list(validator("scenario").iter_errors(data)) == [], file.name
+        load_scenario(file)

@@ -1,0 +1,92 @@
+"""The bar of gears: pieces of time in which all elements of a gear stick, and what is between.
+
+The run: A and B hold gear 1; C takes over from B in gear 2. By hand: C slips from 1 s and locks at
+3 s, B slips from 2 s; D is of a third gear.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.simulation.pictures.test_shift import run
+from vstatics.simulation.pictures.elements import ElementStates
+from vstatics.simulation.pictures.gears import GearPiece, ShiftPhase, common, gear_pieces, phases
+from vstatics.simulation.record.motion import Motion
+
+GEARS = {"1": frozenset("AB"), "2": frozenset("AC"), "3": frozenset("CD")}
+ROWS = [
+    ElementStates("A", 0, ((4.0, 5.0),), ((0.0, 4.0),)),
+    ElementStates("B", 1, ((2.0, 2.5),), ((0.0, 2.0),)),
+    ElementStates("C", 2, ((1.0, 3.0),), ((3.0, 5.0),)),
+]
+
+
+def shifting(**sticks: list[int]) -> Motion:
+    """A run of which it is known what sticks between whole seconds, A to D by default."""
+    known = {"A": [1, 1, 1, 1, 0], "B": [1, 1, 0, 0, 0], "C": [0, 0, 0, 1, 1]}
+    known |= {"D": [0] * len(sticks.get("A", known["A"]))} | sticks
+    table = {name: np.r_[0.0, values] for name, values in known.items()}
+    time = np.arange(1.0 + len(known["A"]))
+    return run()._replace(time=time, elements=tuple(table), beside={"sticks": table})
+
+
+def test_a_gear_holds_while_all_its_elements_stick() -> None:
+    assert gear_pieces(GEARS, shifting()) == [GearPiece("1", 0.0, 2.0), GearPiece("2", 3.0, 4.0)]
+
+
+def test_between_two_gears_are_a_torque_phase_and_an_inertia_phase() -> None:
+    motion = shifting()
+    assert phases(GEARS, motion, gear_pieces(GEARS, motion), ROWS) == [
+        ShiftPhase("torque", 1.0, 2.0),
+        ShiftPhase("inertia", 2.0, 3.0),
+        ShiftPhase("slip", 4.0, 5.0),
+    ]
+
+
+def test_of_gears_within_one_another_the_one_with_more_elements_holds() -> None:
+    """A gear of one clutch beside those that need it and a second one."""
+    pieces = gear_pieces({"0": frozenset("A"), **GEARS}, shifting())
+    assert [(one.gear, one.start, one.end) for one in pieces] == [
+        ("1", 0.0, 2.0), ("0", 2.0, 3.0), ("2", 3.0, 4.0),
+    ]  # fmt: skip
+
+
+def test_a_lock_up_clutch_that_slips_leaves_the_gear_in_brackets() -> None:
+    motion = shifting(L=[0, 0, 0, 0, 0])
+    gears = {name: elements | {"L"} for name, elements in GEARS.items()}
+    assert common(gears, motion) == ["L"]
+    assert gear_pieces(gears, motion) == []
+    found = phases(gears, motion, [], ROWS)
+    parts = [(one.gear, one.start, one.end) for one in found if one.phase == "part"]
+    assert parts == [("1", 0.0, 2.0), ("2", 3.0, 4.0)]
+
+
+def test_without_what_sticks_there_is_no_bar() -> None:
+    assert gear_pieces(GEARS, shifting()._replace(beside={})) == []
+
+
+@given(st.lists(st.tuples(*[st.booleans()] * 4), min_size=1, max_size=12))
+def test_pieces_are_where_all_elements_of_a_gear_stick(states: list[tuple[bool, ...]]) -> None:
+    """At any second: whichever gear holds, all of it sticks; if none does, none could."""
+    columns = {name: [int(row[n]) for row in states] for n, name in enumerate("ABCD")}
+    motion = shifting(**columns)
+    gears = {"".join(two): frozenset(two) for two in combinations("ABCD", 2)}
+    pieces = gear_pieces(gears, motion)
+    for second, row in enumerate(states):
+        stuck = {name for name, does in zip("ABCD", row, strict=True) if does}
+        shown = {one.gear for one in pieces if one.start <= second < one.end}
+        assert shown == {name for name, elements in gears.items() if elements <= stuck}
+
+
+@pytest.mark.parametrize("lost", ["B", "C"])
+def test_a_gear_that_comes_back_is_no_inertia_phase(lost: str) -> None:
+    kept = {"B": [1, 0, 1, 1, 1], "C": [0, 0, 0, 0, 0]}
+    motion = shifting(A=[1, 1, 1, 1, 1], **kept)
+    rows = [ElementStates(lost, 0, ((1.0, 2.0),), ())]
+    [phase] = phases(GEARS, motion, gear_pieces(GEARS, motion), rows)
+    assert phase == ShiftPhase("slip", 1.0, 2.0)

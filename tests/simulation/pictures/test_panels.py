@@ -1,0 +1,260 @@
+"""The picture of shipped runs, by the groups of its SVG, against the JSON of `vstatics simulate`."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from vstatics import load_scenario, solve
+from vstatics.pictures import pages
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
+from vstatics.simulation.pictures.rows import WORD_HEIGHT
+from vstatics.simulation.run import simulate
+
+SVG = "{http://www.w3.org/2000/svg}"
+QUICK = {
+    "8l90-shifts": "vehicle_acceleration",
+    "gf4a-upshifts": "vehicle_acceleration",
+    "moskvich-start": "",
+    "tarasik-box": "",
+    "tarasik-set-lock": "",
+    "tarasik-set-upshift": "",
+}
+SLOW = {
+    "8hp70-downshift": "vehicle_acceleration",
+    "8hp70-shifts": "vehicle_acceleration",
+    "8hp70-upshift": "vehicle_acceleration",
+    "tarasik-truck": "vehicle_acceleration",
+}
+NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
+
+
+class Shown(NamedTuple):
+    """A run as its picture and its JSON tell it."""
+
+    name: str
+    root: ET.Element
+    run: Mapping[str, Any]
+
+    def panels(self, kind: str) -> list[ET.Element]:
+        """Groups of a kind of panel."""
+        return self.root.findall(f".//{SVG}g[@class='panel'][@data-panel='{kind}']")
+
+    def lines(self, kind: str) -> list[tuple[str, float]]:
+        """Name and last value of each line."""
+        groups = [g for panel in self.panels(kind) for g in panel.findall(f"{SVG}g[@class='line']")]
+        return [(g.get("data-name", ""), float(g.get("data-last", "nan"))) for g in groups]
+
+    def ends(self, *tables: str) -> list[tuple[str, float]]:
+        """The last values of tables of the run."""
+        return [
+            (name, values[-1] if isinstance(values, list) else values)
+            for table in tables
+            for name, values in self.run[table].items()
+        ]
+
+    @property
+    def texts(self) -> str:
+        """All that is written."""
+        return " ".join("".join(one.itertext()) for one in self.root.iter(f"{SVG}text"))
+
+
+def parsed(svg: str | bytes) -> ET.Element:
+    """A picture that we made ourselves."""
+    return ET.fromstring(svg)  # noqa: S314
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def shown(request: pytest.FixtureRequest) -> Shown:
+    name = request.param
+    file = CASES / "scenarios" / f"{name}.yaml"
+    asked = {**QUICK, **SLOW}[name]
+    out = ("--out", asked) if asked else ()
+    said = vstatics("simulate", str(file), "-f", "json", *out)
+    drawn = vstatics("plot", str(file), "--kind", "shift", "-o", "-").out
+    run = json.loads(said.out)
+    return Shown(name, parsed(drawn), run)
+
+
+def near(one: list[tuple[str, float]], other: list[tuple[str, float]]) -> bool:
+    """Whether names agree, and numbers as far as another step of output leaves them."""
+    largest = max((abs(value) for _, value in other), default=0.0)
+    pairs = dict(other)
+    return all(
+        name in pairs and value == pytest.approx(pairs[name], rel=1e-6, abs=1e-9 * largest)
+        for name, value in one
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "table"), [("speed", "speeds"), ("slip", "slips"), ("torque", "torques")]
+)
+def test_lines_end_where_the_run_does(shown: Shown, kind: str, table: str) -> None:
+    lines = shown.lines(kind)
+    assert lines
+    assert near(lines, shown.ends(table))
+
+
+def test_every_link_that_moves_has_a_line(shown: Shown) -> None:
+    speeds = shown.run["speeds"]
+    largest = max(max(map(abs, one)) for one in speeds.values())
+    moves = {name for name, one in speeds.items() if max(map(abs, one)) > 1e-5 * largest}
+    assert {name for name, _ in shown.lines("speed")} == moves
+
+
+def test_heat_and_losses_have_a_line_or_are_left_out_by_name(shown: Shown) -> None:
+    energies = [*shown.run["energy"]["heat"].items(), *shown.run["energy"]["losses"].items()]
+    most = max(value for _, value in energies)
+    large = [(name, value) for name, value in energies if value > 0.01 * most]
+    lines = shown.lines("heat")
+    assert sorted(name for name, _ in lines) == sorted(name for name, _ in large)
+    assert sorted(value for _, value in lines) == pytest.approx(sorted(v for _, v in large))
+    small = [name for name, value in energies if value <= 0.01 * most]
+    notes = shown.texts.partition("left out: ")[2]
+    assert bool(notes) == bool(small)
+    assert [name for name in small if name not in notes] == []
+
+
+def test_vehicle_or_output_is_a_panel(shown: Shown) -> None:
+    if "vehicle_acceleration" in shown.run:
+        assert shown.panels("output") == []
+        lines = shown.lines("acceleration")
+        assert near(lines, shown.ends("vehicle_acceleration"))
+    else:
+        assert shown.panels("acceleration") == []
+        lines = shown.lines("output")
+    assert len(lines) == 1
+
+
+def test_a_panel_has_six_lines_at_most(shown: Shown) -> None:
+    for panel in shown.root.iterfind(f".//{SVG}g[@class='panel']"):
+        assert len(panel.findall(f"{SVG}g[@class='line']")) <= 6
+
+
+def test_capacities_stand_behind_torques(shown: Shown) -> None:
+    """Of elements alone, and none below what is carried at the end."""
+    for panel in shown.panels("torque"):
+        lines = {g.get("data-name"): g for g in panel.findall(f"{SVG}g[@class='line']")}
+        for group in panel.findall(f"{SVG}g[@class='capacity']"):
+            name, last = group.get("data-name", ""), float(group.get("data-last", "nan"))
+            assert name in shown.run["slips"]
+            carried = abs(float(lines[name].get("data-last", "nan")))
+            assert carried <= last * (1 + 1e-9) + 1e-9
+            assert colours(group) == colours(lines[name])
+            assert "stroke-dasharray" in ET.tostring(group, encoding="unicode")
+
+
+def colours(group: ET.Element) -> set[str]:
+    """The colours of the lines and areas of a group but paper."""
+    found = set()
+    for one in group.iter():
+        for key in ("stroke", "fill"):
+            colour = re.search(rf"{key}: (#\w+)", one.get("style", "")) or re.match(
+                r"()?(#\w+)", one.get(key, "")
+            )
+            if colour:
+                found.add(colour[colour.lastindex or 1])
+    return found - {Style().paper}
+
+
+def test_an_element_has_one_colour(shown: Shown) -> None:
+    """Through bars, slip, torque, heat; and no other of up to seven has it."""
+    found: dict[str, set[str]] = {}
+    for kind in ("elements", "slip", "torque", "heat"):
+        for panel in shown.panels(kind):
+            for group in panel:
+                name = group.get("data-name", "")
+                if name in shown.run["slips"] and group.get("class") in ("element", "line"):
+                    found.setdefault(name, set()).update(thing_colours(group))
+    assert [name for name, seen in found.items() if len(seen) != 1] == []
+    distinct = {next(iter(seen)) for seen in found.values()}
+    assert len(distinct) == min(len(found), len(Style().colours))
+
+
+def thing_colours(group: ET.Element) -> set[str]:
+    """But ink and what is faint: words of events and the line at rest."""
+    return colours(group) - {Style().ink, Style().faint}
+
+
+def gears(shown: Shown) -> Mapping[str, set[str]]:
+    """The elements of each gear, freewheels where they hold."""
+    file = CASES / "scenarios" / f"{shown.name}.yaml"
+    results = solve(load_scenario(file).case)
+    case = results.with_freewheels_engaged
+    names = [one.name for one in case.shift_elements]
+    return {gear.name: {names[n - 1] for n in gear.engaged} for gear in case.gears}
+
+
+def pieces(shown: Shown) -> Iterator[tuple[str, float, float]]:
+    for one in shown.root.iterfind(f".//{SVG}g[@data-gear]"):
+        start, end = (float(one.get(f"data-{side}", "nan")) for side in ("from", "to"))
+        yield one.get("data-gear", ""), start, end
+
+
+def test_pieces_of_the_gear_bar_are_when_all_elements_stick(shown: Shown) -> None:
+    """By the slips of the run: none inside a piece; it ends where something happens."""
+    time, slips, own = shown.run["time"], shown.run["slips"], gears(shown)
+    torques = shown.run["torques"]
+    largest = max(max(map(abs, one)) for one in shown.run["speeds"].values())
+    found, beside = list(pieces(shown)), 1e-5 * time[-1]  # slip is nearly 0 there
+    known = {0.0, time[-1], *(event["time"] for event in shown.run["events"])}
+    for gear, start, end in found:
+        inside = [n for n, at in enumerate(time) if start < at < end]
+        assert all(abs(slips[name][n]) <= 1e-6 * largest for name in own[gear] for n in inside)
+        assert all(any(abs(at - one) < 1e-9 for one in known) for at in (start, end))
+    for n, at in enumerate(time):
+        if any(start - beside <= at <= end + beside for _, start, end in found):
+            continue
+        holds = [
+            gear
+            for gear, names in own.items()
+            if names and all(abs(slips[x][n]) <= 1e-9 * largest and torques[x][n] for x in names)
+        ]
+        assert holds == [], at
+
+
+def test_gears_of_a_shift_follow_each_other() -> None:
+    """8l90-shifts.yaml asks for 2, 3, 2; tarasik-box.yaml engages FH F1, FB F1, FH F2: 1, 2, 3."""
+    for name, expected in (("8l90-shifts", ["2", "3", "2"]), ("tarasik-box", ["1", "2", "3"])):
+        file = CASES / "scenarios" / f"{name}.yaml"
+        drawn = vstatics("plot", str(file), "--kind", "shift", "-o", "-").out
+        assert [gear for gear, _, _ in pieces(Shown(name, parsed(drawn), {}))] == expected
+
+
+def test_events_have_their_words_beside_their_rows(shown: Shown) -> None:
+    """All of the shipped runs; together they take less than a fifth of the height."""
+    said = [one.text or "" for one in shown.root.iter(f"{SVG}title")]
+    for event in shown.run["events"]:
+        word = event["word"] if "word" in event else f"step {event['step']}"
+        assert any(one.startswith(f"{event['element']} {word}") for one in said), event
+    rows = [g for panel in shown.panels("elements") for g in panel]
+    with_words = [g for g in rows if len(list(g.iter(f"{SVG}text"))) > 1]  # beside its name
+    assert WORD_HEIGHT * len(with_words) < 0.2 * float(shown.root.get("height", "").rstrip("pt"))
+    assert bool(with_words) == bool(shown.run["events"])
+
+
+def test_pages_are_no_larger_than_paper(shown: Shown) -> None:
+    file = CASES / "scenarios" / f"{shown.name}.yaml"
+    scenario = load_scenario(file)
+    style = Style(height=PAGE_HEIGHT)
+    made = pages(solve(scenario.case), "shift", "svg", style, motion=simulate(scenario))
+    groups: list[str] = []
+    for page in made:
+        root = parsed(page)
+        size = [float(root.get(side, "").removesuffix("pt")) for side in ("width", "height")]
+        assert size[0] <= PAGE_WIDTH + 0.01
+        assert size[1] <= PAGE_HEIGHT + 0.01
+        groups += [g.get("data-panel", "") for g in root.iterfind(f".//{SVG}g[@class='panel']")]
+    whole = [g.get("data-panel", "") for g in shown.root.iterfind(f".//{SVG}g[@class='panel']")]
+    assert sorted(groups) == sorted(whole)
+
+
+def test_scenarios_that_ship_are_all_looked_at() -> None:
+    files = {path.stem for path in (CASES / "scenarios").glob("*.yaml")}
+    assert files - {"moskvich-samples"} == {*QUICK, *SLOW}  # the samples are of moskvich-start

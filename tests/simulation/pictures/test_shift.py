@@ -1,0 +1,212 @@
+"""Pictures of a run: what is drawn of it, over time and into the kinematic plan.
+
+The run is that of a planetary set whose brake locks, in closed form (V. P. Tarasik, simulation of
+planetary gearboxes, 2018, figure 2): constant accelerations to the lock at .410054 s, and from there.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.commands import CASES
+from tests.pictures.drawn import titled
+from tests.pictures.test_pictures import overlaps
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, load, solve
+from vstatics.pictures import picture, render
+from vstatics.pictures.drawing.line_styles import thing_look
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.plan.course import course, visited
+from vstatics.pictures.plan.rays import plans
+from vstatics.simulation.pictures.elements import states
+from vstatics.simulation.pictures.events import event_text, named_events
+from vstatics.simulation.pictures.lines import thinned
+from vstatics.simulation.pictures.panels import panels
+from vstatics.simulation.record.asked import TABLES
+from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+
+LOCK = 34.906585 / 85.126799
+"""Slip at the start by its acceleration. [s]"""
+
+
+@pytest.fixture(scope="module")
+def results() -> Results:
+    return solve(load(CASES / "tarasik-set.yaml"))
+
+
+def run(count: int = 20) -> Motion:
+    """The brake slips to `LOCK` and then sticks; the lock-up clutch stays open."""
+    before, after = np.linspace(0.0, LOCK, count), np.linspace(LOCK, 1.0, count)
+    sun = np.r_[52.359878 - 0.548321 * before, 52.135036 + 25.477707 * (after - LOCK)]
+    carrier = np.r_[50.856751 * before, (52.135036 + 25.477707 * (after - LOCK)) / 2.5]
+    ring = np.r_[-34.906585 + 85.126799 * before, 0.0 * after]
+    time = np.r_[before, after]
+    brake = np.r_[np.full(count, -120.0), np.full(count, -60.5)]
+    heat = np.r_[858.815102 * (1 - (1 - before / LOCK) ** 2), np.full(count, 858.815102)]
+    none = np.zeros_like(time)
+    return Motion(
+        time,
+        ("sun", "ring", "carrier"),
+        ("brake", "lock-up"),
+        ("brake", "lock-up", "set"),
+        np.stack([sun, ring, carrier], axis=1),
+        np.stack([ring, sun - ring], axis=1),
+        np.stack([brake, none, brake / 1.5], axis=1),
+        np.stack([heat, none], axis=1),
+        (Event(LOCK, "brake", "locks"),),
+        Energy(1163.48, {"brake": 858.815102}, {}, {}, 304.665, 0.0, 0.0, 0.0),
+        {"brake": Peak(-120.0, 0.0)},
+    )
+
+
+def test_an_element_slips_until_it_locks_and_what_never_carries_is_left_out() -> None:
+    [brake] = states(run())
+    assert brake.name == "brake"
+    assert np.array(brake.slips) == pytest.approx(np.array([[0.0, LOCK]]))
+    assert np.array(brake.sticks) == pytest.approx(np.array([[LOCK, 1.0]]))
+
+
+def test_panels_have_what_moves(results: Results) -> None:
+    shown = {
+        panel.text: [name for line in panel.lines for name in line.names]
+        for panel in panels(results.case, run())
+    }
+    assert shown == {
+        "speed, rpm": ["sun", "carrier", "ring"],
+        "slip, rpm": ["brake"],
+        "torque of elements, N·m": ["brake"],
+        "heat, kJ": ["brake"],
+    }
+
+
+def test_columns_that_are_asked_for_have_panels_of_their_own(results: Results) -> None:
+    """Heat once: no second line of what has one. Links look as everywhere."""
+    asked = {
+        "slip_power": {"brake": run().slips[:, 0] * -120.0},
+        "heat": {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]},
+    }
+    found = panels(results.case, run()._replace(asked=asked))
+    kinds = [(panel.kind, [name for one in panel.lines for name in one.names]) for panel in found]
+    assert kinds[-3:] == [("heat", ["brake"]), ("slip_power", ["brake"]), ("heat", ["carrier"])]
+    assert found[-1].lines[0].links == (3,)
+    power = found[-2]
+    assert power.lines[0].values[0] / power.unit == pytest.approx(34.906585 * 0.12)
+
+
+def test_each_table_that_can_be_asked_for_can_be_drawn(results: Results) -> None:
+    asked = {name: {"brake": run().time} for name in TABLES}
+    assert (
+        len(panels(results.case, run()._replace(asked=asked))) == 4 + len(TABLES) - 1
+    )  # heat once
+
+
+def test_links_of_one_speed_share_a_line(results: Results) -> None:
+    speeds = run().speeds[:, [0, 0, 2]]
+    speed, *_ = panels(results.case, run()._replace(speeds=speeds))
+    assert [line.names for line in speed.lines] == [("sun", "ring"), ("carrier",)]
+
+
+def test_torques_far_apart_have_panels_of_their_own(results: Results) -> None:
+    torques = run().torques.copy()
+    torques[:, 1] = 1e5
+    found = panels(results.case, run()._replace(torques=torques))
+    torque = [
+        [name for one in panel.lines for name in one.names]
+        for panel in found
+        if panel.kind == "torque"
+    ]
+    assert torque == [["brake"], ["lock-up"]]
+
+
+def test_of_many_events_impacts_and_locks_are_named() -> None:
+    events = [Event(0.1 * n, "C", "slips" if n % 2 else "locks") for n in range(8)]
+    events[5] = Event(0.5, "C", "impact", 3.0)
+    assert named_events(events, 5) == [one for one in events if one.event != "slips"]
+
+
+def test_steps_of_sequences_are_named_by_their_number() -> None:
+    step, locks = Event(0.1, "up", "step", None, "step", 2), Event(0.2, "C", "locks")
+    assert [event_text(step, Style(lang)) for lang in ("en", "ru")] == ["up step 2", "up шаг 2"]
+    assert named_events([step, locks], 1) == [locks]
+
+
+def test_a_thinned_line_keeps_ends_and_extremes() -> None:
+    time = np.linspace(0.0, 2.0, 200_001)
+    values = np.sin(3e3 * time)
+    values[77_777] = 5.0
+    fewer, kept = thinned(time, values)
+    assert (fewer[0], fewer[-1], max(kept)) == (0.0, 2.0, 5.0)
+    assert len(fewer) < 7000
+
+
+def test_a_run_is_on_the_plan_of_what_sticks(results: Results) -> None:
+    """The set has two degrees of freedom, so it is always on its plan: from rest to 1/2.5."""
+    [(_, through)] = visited(results.case, plans(results), run())
+    assert through.on_plan.sum() >= len(through.time) - 4  # those beside the rounded lock
+    assert [float(through.output[place]) for place in (0, -1)] == pytest.approx([0.0, 0.4])
+
+
+def test_a_run_leaves_a_plan_whose_element_slips() -> None:
+    """Two sets in a row: the plan of the second brake ends where this slips, from the half on."""
+    sets = [Mechanism(1, 2, 3, -2.0), Mechanism(3, 4, 5, -2.0)]
+    brakes = [ShiftElement(2), ShiftElement(4), ShiftElement(1, 3)]
+    gears = [Gear([1, 2]), Gear([3, 2])]
+    case = Transmission(5, brakes, sets, gears, output=5)
+    [plan] = plans(solve(case))
+    time = np.linspace(0.0, 1.0, 11)
+    speeds = np.ones((11, 5))
+    speeds[:, 3] = np.where(time < 0.5, 0.0, 0.1)
+    motion = run()._replace(time=time, links=("1", "2", "3", "4", "5"), speeds=speeds)
+    through = course(case, plan, motion)
+    assert through.on_plan.tolist() == (time < 0.5).tolist()
+    assert np.isnan(through.masked(through.output, on_plan=True)[time >= 0.5]).all()
+
+
+def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Results) -> None:
+    with pytest.raises(CaseError, match="expected a scenario, not a case"):
+        picture(results, "shift", Style())
+    with pytest.raises(CaseError, match="nothing moves"):
+        picture(
+            results,
+            "shift",
+            Style(),
+            motion=run()._replace(speeds=0 * run().speeds, torques=0 * run().torques),
+        )
+
+
+def test_things_of_a_run_look_different() -> None:
+    """Seven colours that no eye mixes up, as of links; then by their dashes."""
+    looks = [tuple(map(str, thing_look(n, Style()).values())) for n in range(35)]
+    assert len(set(looks)) == len(looks)
+
+
+def test_a_further_panel_has_what_a_panel_has_no_room_for(results: Results) -> None:
+    count = 11
+    motion = run()._replace(
+        elements=tuple(f"C{n}" for n in range(count)),
+        torques=np.tile(run().torques[:, :1], count),
+        slips=np.tile(run().slips[:, :1], count),
+        heat=np.tile(run().heat[:, :1], count),
+    )
+    slips = [len(one.lines) for one in panels(results.case, motion) if one.kind == "slip"]
+    assert slips == [6, 5]
+
+
+def test_a_bar_says_when_its_element_slips_and_sticks(results: Results) -> None:
+    said = [one for one, _ in titled(picture(results, "shift", Style(), motion=run()))]
+    assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {*said}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["shift", "plan"])
+@pytest.mark.parametrize("style", [Style(), Style("ru", dark=True)])
+def test_no_label_covers_another(results: Results, kind: str, style: Style) -> None:
+    many = tuple(Event(n / 40, "brake", "slips" if n % 2 else "locks") for n in range(1, 40))
+    for motion in (run(), run()._replace(events=()), run()._replace(events=many)):
+        assert overlaps(results, kind, style, motion) == []
+
+
+@pytest.mark.slow
+def test_the_same_run_gives_the_same_bytes(results: Results) -> None:
+    made = {render(results, kind, "svg", Style(), motion=run()) for kind in ("shift", "plan") * 2}
+    assert len(made) == 2

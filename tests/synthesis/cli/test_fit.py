@@ -1,0 +1,181 @@
+"""`vstatics synth fit`: what it shows, what it writes, what it is asked for wrongly."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.commands import CASES, Said, vstatics
+from tests.core.cli.test_schemas import validator
+from vstatics import load, solve
+from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.writers.saving import case_data
+
+BELAZ = CASES / "belaz7516.yaml"
+GOLDEN = ("--ratios", "2=4.00,4=2.01,R2=-5.12,5=1.4925")
+
+
+def said(*options: str, case: Path = BELAZ) -> Said:
+    return vstatics("synth", "fit", case, *options)
+
+
+def document(*options: str, case: Path = BELAZ) -> dict[str, Any]:
+    made: dict[str, Any] = json.loads(said(*options, "-f", "json", case=case).out)
+    assert list(validator("fit").iter_errors(made)) == []
+    return made
+
+
+def test_the_document_has_the_best_solution_and_all() -> None:
+    """Closed form: p3 = i2 - 1, p2 = i2(i4 - 1)/(i2 - i4), p4 = (1 - iR)/p3, p1 = 1/(i5 - 1)."""
+    made = document(*GOLDEN)
+    assert list(made) == ["ratios", "gears", "residual", "unmet", "solutions"]
+    expected = {"P1": -1 / 0.4925, "P2": -4 * 1.01 / 1.99, "P3": -3.0, "P4": -2.04}
+    assert made["ratios"] == pytest.approx(expected, rel=1e-12)
+    assert made["residual"] < 1e-12
+    assert made["solutions"] == [{key: made[key] for key in list(made)[:4]}]
+    assert list(made["gears"]) == ["1", "2", "3", "4", "5", "6", "R1", "R2"]
+
+
+def test_options_may_be_repeated_and_calculated() -> None:
+    apart = document(*("--ratios", "2=4", "--ratios", "4=201/100, R2=-5.12", "--ratios=5=1.4925"))
+    assert apart == document(*GOLDEN)
+
+
+def test_bounds_weights_and_tolerance() -> None:
+    options = ("--ratios", "2=4,R2=-5.12", "--bounds", "P3=-2.9:-2,P4=-2.1")
+    answer = said(*options, "-f", "json")
+    made = json.loads(answer.out)
+    assert (answer.status, made["unmet"]) == (1, ["2", "R2"])
+    assert (made["ratios"]["P3"], made["ratios"]["P4"]) == (-2.9, -2.1)
+    assert made["gears"]["R2"] == pytest.approx(1 - 2.9 * 2.1)
+    assert "error: not met: 2 and R2, off by up to 2.53 %" in answer.err
+    assert said(*options, "--tolerance", ".03").status == 0
+    heavy = document("--ratios", "2=4,4=2.01,3=2.9", "--weights", "3=1000")
+    assert abs(heavy["gears"]["3"] - 2.9) < 1e-3
+
+
+def test_a_gear_without_a_ratio_is_null(tmp_path: Path) -> None:
+    file = tmp_path / "box.yaml"
+    text = (CASES / "simpson.yaml").read_text(encoding="utf-8")
+    file.write_text(text + "  N: []\n", encoding="utf-8")
+    assert document("--ratios", "1=2.8", case=file)["gears"]["N"] is None
+
+
+@pytest.mark.parametrize("suffix", ["yaml", "json", "dat"])
+def test_the_case_that_is_written_has_the_ratios(suffix: str, tmp_path: Path) -> None:
+    file = tmp_path / f"fitted.{suffix}"
+    answer = said(*GOLDEN, "--write", str(file))
+    assert (answer.status, answer.err) == (0, "")
+    ratios = dict(zip("123456", solve(load(file)).ratio.tolist(), strict=False))
+    assert [ratios["2"], ratios["4"], ratios["5"]] == pytest.approx([4.0, 2.01, 1.4925])
+
+
+def test_shared_planets_are_written_as_mechanisms(tmp_path: Path) -> None:
+    file = tmp_path / "fitted.yaml"
+    wanted = "1=4.17,2=2.34,3=1.52,4=1.14,5=0.87,6=0.69,R=-3.40"
+    answer = said("--ratios", wanted, "--write", str(file), case=CASES / "ford-6r80.yaml")
+    left_out = "planet speeds of rear.small_sun-ring: with these ratios no planet ratio is known"
+    assert (answer.status, answer.err) == (0, f"{file}: left out: {left_out}\n")
+    targets = [float(one.partition("=")[2]) for one in wanted.split(",")]
+    assert solve(load(file)).ratio.tolist() == pytest.approx(targets, rel=5e-3)
+
+
+def test_planet_ratios_that_are_left_out_are_told(tmp_path: Path) -> None:
+    """That of P1 stays with its ratio; P2 has -1.4, not (K + 1)/2 as a plain set; P3 just that."""
+    file, fitted = tmp_path / "box.yaml", tmp_path / "fitted.yaml"
+    case = on_own_links(load(BELAZ)).case
+    given = {"P1": -0.7, "P2": -1.4, "P3": -1.0}
+    mechanisms = [one._replace(planet_ratio=given.get(one.name)) for one in case.mechanisms]
+    file.write_bytes(case_data(case.replace(mechanisms=mechanisms), "yaml")[0])
+    bounds = ("--bounds", "P4=1.5:4")
+    wanted = ("--ratios", "2=4.2,4=2.1,R2=12", *bounds, "--write", str(fitted))
+    answer = said(*wanted, case=file)
+    for text in (
+        "planet_ratio of P2: with these ratios planets turn as in plain sets",
+        "planet speeds of P4: with these ratios no planet ratio is known",
+    ):
+        assert f"{fitted}: left out: {text}\n" in answer.err
+    assert [one.planet_ratio for one in load(fitted).mechanisms] == [-0.7, None, None, None]
+    assert "left out" not in said(*wanted, "-q", case=file).err
+
+
+def test_what_leaves_a_choice_is_told() -> None:
+    answer = said("--ratios", "R2=-8")
+    assert "the wanted ratios leave a choice of P1, P2, P3, P4" in answer.err
+    assert answer.status == 0
+
+
+def test_the_dry_run_says_what_gears_can_have() -> None:
+    """1 - K3 and 1 - K3 K4 with K from -4 to -1.5."""
+    made = json.loads(
+        said("--ratios", "2=4,R2=-5", "--bounds", "all=-4:-1.5", "--dry-run", "-f", "json").out
+    )
+    assert made["varied"] == {"P3": {"from": -4, "to": -1.5}, "P4": {"from": -4, "to": -1.5}}
+    assert made["gears"] == {
+        "2": {"wanted": 4, "from": 2.5, "to": 5},
+        "R2": {"wanted": -5, "from": -15, "to": -1.25},
+    }
+    assert "What the gears can have" in said("--ratios", "2=4", "--dry-run").out
+
+
+def test_a_ratio_of_any_size_is_shown() -> None:
+    for more in ((), ("--dry-run",)):
+        assert "1e-300 " in said("--ratios", "2=1e-300", *more).out
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--ratios", "4.70,3.13"), "expected GEAR=RATIO with commas between"),
+        (("--ratios", "1=4,70"), "with commas between (and with decimal points)"),
+        (("--ratios", "1=4.70=3"), "expected GEAR=RATIO with commas between"),
+        (("--ratios", "2=four"), "2: read `four`, expected a number or a calculation"),
+        (("--ratios", "2=4,7"), "expected GEAR=RATIO"),
+        (("--ratios", "2=1/0"), "expected a denominator other than 0"),
+        (("--ratios", "2="), "2: read ``, expected a number"),
+        (("--ratios", "2=4,2=5"), "2 is given twice"),
+        (("--ratios", "2=4", "--ratios", "2=5"), "2 is given twice"),
+        (("--ratios", "2=4,02=5"), "no gear `02`; did you mean `2`?; gears are 1, 2, 3, 4"),
+        (("--ratios", "2=4 rpm"), "expected a number"),
+        (("--ratios", ""), "expected GEAR=RATIO"),
+        (("--ratios", "2=4,9=1"), "Invalid value for --ratios: no gear `9`; gears are 1, 2, 3"),
+        (("--ratios", "7=-7"), "no gear `7`; gears are 1, 2, 3, 4, 5, 6, R1, R2"),
+        (("--ratios", "2=4", "--weights", "8=2"), "Invalid value for --weights: no gear `8`"),
+        (("--ratios", "6=1.01"), "gear 6: read 1.01, but its ratio is 1 whatever"),
+        (("--ratios", "R2=5.12"), "expected a ratio below 0"),
+        (("--ratios", "2=4", "--bounds", "P3=-1.5:-4"), "did you mean -4:-1.5?"),
+        (("--ratios", "2=4", "--bounds", "P3=-4..-1"), "expected LOW:HIGH, such as -4:-1.5"),
+        (("--ratios", "2=4", "--bounds", "-4:-1"), "expected MECHANISM=LOW:HIGH"),
+        (("--ratios", "2=4", "--bounds", "P8=-4:-1"), "no mechanism `P8`"),
+        (("--ratios", "2=4", "--weights", "1=2"), "gear 1: no ratio is wanted of it"),
+        (("--ratios", "2=4", "--tolerance", "0"), "--tolerance: read 0, expected a number above 0"),
+        (("--ratios", "2=4", "--tolerance", "nan"), "read nan, expected a number above 0"),
+        (("--ratios", "2=4", "--write", "x.txt"), "can't tell the format of x.txt"),
+        (("--ratios", "2=4", "--write", "x.yaml", "-o", "x.yaml"), "x.yaml"),
+        (("--ratios", "2=4", "--write", str(BELAZ)), "would be overwritten"),
+        (("--ratios", "2=4", "-o", "x/"), "one case gives one text"),
+    ],
+)
+def test_wrong_use_is_told(options: tuple[str, ...], message: str) -> None:
+    answer = said(*options)
+    assert (answer.status, answer.out) == (2, "")
+    assert message in " ".join(answer.err.split())
+
+
+def test_a_ratio_is_wanted_of_one_gear_at_least() -> None:
+    assert "Missing option '--ratios'" in said().err
+
+
+def test_a_gear_whose_ratios_are_all_given_is_not_met() -> None:
+    answer = said("--ratios", "2=4", "--bounds", "P3=-4")
+    assert (answer.status, "error: not met: 2, off by up to 22.3 %" in answer.err) == (1, True)
+    assert "gear 2 can't have 4: within the bounds its ratio is 5" in answer.err
+
+
+def test_hostile_names_are_printed_safely() -> None:
+    answer = said("--ratios", "\x1b[31m=4", "--bounds", "\x1b]0;x\x07=1:2")
+    assert answer.status == 2
+    assert "\x1b" not in answer.all

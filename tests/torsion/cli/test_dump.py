@@ -1,0 +1,160 @@
+"""`vstatics torsion dump` of a case."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from tests.commands import MZKT, ROOT, vstatics
+from tests.torsion.clutch.test_gear_dump import car
+from vstatics import loads
+from vstatics.core.writers import named
+from vstatics.torsion.clutch.gear_dump import gear_dumps
+
+VAZ = car("ВАЗ-2101")
+FOUR = VAZ.replace(", N: [clutch], open: [dog 1]", "")
+"""Without gears in which the clutch could not be dumped."""
+FORWARD = ("--gear", "1", "--gear", "2", "--gear", "3", "--gear", "4")
+
+
+def said(*options: str, text: str = VAZ) -> Any:
+    return vstatics("torsion", "dump", "-", *options, stdin=text.encode())
+
+
+def test_one_gear_is_as_a_file_of_numbers() -> None:
+    answer = said("--gear", "2", "-f", "json")
+    assert (answer.status, answer.err) == (0, "")
+    made = json.loads(answer.out)
+    [expected] = gear_dumps(loads(VAZ), ["2"])
+    assert expected.given is not None
+    assert expected.made is not None
+    assert (made["name"], made["to"]) == ("2", "propshaft")
+    assert made["reduced"] == expected.given._asdict()
+    assert made["case"] == "A3"
+    assert made["max_torque"] == expected.made.max_torque
+    numbers = json.loads(said("-f", "json", text=json.dumps(made["reduced"])).out)
+    assert numbers["max_torque"] == made["max_torque"]
+
+
+def test_without_a_gear_all_are_told() -> None:
+    answer = said("-f", "json", "--rate", "50", text=FOUR)
+    assert answer.status == 0
+    gears = json.loads(answer.out)["gears"]
+    assert [one["name"] for one in gears] == ["1", "2", "3", "4"]
+    assert [one["case"] for one in gears] == ["A3", "A3", "A2", "A2"]
+    assert all(one["engagement"]["rate"] == 50 for one in gears)
+
+
+def test_gears_without_such_a_torque_are_told() -> None:
+    answer = said("-f", "json")
+    assert answer.status == 1
+    *_, neutral, loose = json.loads(answer.out)["gears"]
+    assert neutral.keys() == {"name", "error"}
+    assert loose["error"].startswith("engine of J1 does not turn with propshaft")
+    assert "error: gear N: engine of J1 does not turn with propshaft" in answer.err
+
+
+@pytest.mark.parametrize(
+    "options", [(), ("--gear", "1"), ("--gear", "N"), FORWARD, ("--gear", "3", "--rate", "9")]
+)
+def test_json_fits_its_schema(options: tuple[str, ...]) -> None:
+    schema = json.loads((ROOT / "schemas" / "dump.schema.json").read_text("utf-8"))
+    validator: Any = Draft202012Validator(schema)
+    made = json.loads(said("-f", "json", *options).out)
+    validator.validate(made)
+    assert not validator.is_valid({**made, "more": 1})
+    assert not validator.is_valid({key: made[key] for key in ("format", "version")})
+
+
+NUMBERS = (
+    "{J1: 4.29, J2: 0.1, J3: 0.0674, J4: 0.147, J5: 10.8, E: 2600e-6, M_C0: 1344, %s, omega1: 135}"
+)
+
+
+def test_json_has_the_limits_that_tables_have() -> None:
+    """Of a GAZ-24 (table 3.7): ``M_C0 (J1 + J2 + J3)/J1``, ``M_phi (1 + J4/J5)``, (3.14)."""
+    text = NUMBERS % "M_phi: 507"
+    made = json.loads(said("-f", "json", text=text).out)
+    assert made["case"] == "V3"
+    assert made["clutch_breaks_at"] == pytest.approx(1344 * (4.29 + 0.1 + 0.0674) / 4.29)
+    assert made["tyres_break_at"] == pytest.approx(507 * (1 + 0.147 / 10.8))
+    assert made["grabs_below"] == pytest.approx(0.8 * 1344 * (2600e-6 / 0.1) ** 0.5)
+    assert made["grip_ratio"] == pytest.approx(1344 / 507)  # (3.1)
+    assert made["dynamic_factor_of_least"] == pytest.approx(1481 / 507, rel=1e-3)  # (3.4)
+    cells = said("-f", "csv", text=text).out
+    numbers = [one for one in made.values() if isinstance(one, float)]
+    assert len(numbers) == 10
+    assert all(repr(one) in cells for one in numbers)
+    grips = json.loads(said("-f", "json", text=NUMBERS % "M_phi: .inf").out)
+    assert (grips["tyres_break_at"], grips["grip_ratio"]) == (None, 0.0)
+    assert grips["dynamic_factor_of_least"] == pytest.approx(grips["max_torque"] / 1344)
+
+
+def test_the_limits_of_gears_are_told() -> None:
+    made = json.loads(said("-f", "json", text=FOUR).out)["gears"][0]
+    text, cells = said(text=FOUR).out, said("-f", "csv", text=FOUR).out
+    for name, row in (
+        ("clutch_breaks_at", "the clutch breaks away at [N*m]"),
+        ("tyres_break_at", "the wheels break away at [N*m]"),
+        ("grabs_below", "the clutch grabs below a speed of [rad/s]"),
+    ):
+        assert row in text
+        assert repr(made[name]) in cells
+
+
+def test_tables_for_people() -> None:
+    answer = said(text=FOUR)
+    assert "Clutch dump, on propshaft\n" in answer.out
+    assert "Reduced to propshaft\n" in answer.out
+    answer = said("--gear", "1")
+    assert "Clutch dump: the clutch slips, the wheels break away\n" in answer.out
+    assert "\nomega1 [rad/s]  156" in answer.out
+    assert "engaged at the rate" in said("--rate", "50", text=FOUR).out
+
+
+@pytest.mark.parametrize("suffix", ["csv", "md", "tex", "xlsx", "jsonl"])
+def test_every_format_can_be_written(suffix: str, tmp_path: Path) -> None:
+    file = tmp_path / f"dump.{suffix}"
+    assert said("-o", str(file), text=FOUR).status == 0
+    assert file.stat().st_size > 0
+
+
+def test_a_case_in_json(tmp_path: Path) -> None:
+    file = tmp_path / "case.json"
+    text = named.write_json(loads(VAZ))
+    file.write_text(text, "utf-8")
+    assert vstatics("torsion", "dump", file, "--gear", "1").out
+    spaced = text.replace("\n ", "\n\t")  # a tab, which YAML does not take
+    assert said("--gear", "1", text=spaced).status == 0
+
+
+def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
+    answer = vstatics("torsion", "dump", MZKT)
+    assert answer.status == 1
+    assert "there is no `dump`, expected the links of `J1` to `J5`" in answer.err
+    file = tmp_path / "case.yaml"
+    file.write_text(VAZ[: VAZ.index("dump:")], "utf-8")
+    answer = vstatics("torsion", "dump", file)
+    assert f"{file}:1:1: error: dump: there is no `dump`" in answer.err
+
+
+def test_what_is_wrong_in_a_case_is_told_with_its_place() -> None:
+    answer = said(text=VAZ.replace("J1: [engine]", "J1: [engin]"))
+    assert answer.status == 1
+    assert "did you mean `engine`?" in answer.err
+
+
+@pytest.mark.parametrize("options", [["--gear", "7"], ["--rate", "0"], ["-f", "png"]])
+def test_wrong_use(options: list[str]) -> None:
+    answer = said(*options)
+    assert (answer.status, answer.out) == (2, "")
+
+
+def test_a_file_of_numbers_has_no_gears() -> None:
+    answer = said("--gear", "1", text="{J1: 1, J2: 1}")
+    assert answer.status == 2
+    assert "--gear is for a case, but <stdin> has numbers alone" in answer.err

@@ -1,0 +1,278 @@
+"""`vstatics torsion response`: orders, speeds, tables of torque, what is shown of them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from pathlib import Path
+
+import numpy as np
+import openpyxl
+import pytest
+
+from tests.torsion.cli.torsional import GOOD, document, said, tables
+from vstatics import loads
+from vstatics.torsion.forced.harmonic_torques import Harmonic, response
+
+AT = ("--at", "engine")
+SPEED = ("--speed", "600:1000:5")
+TABLE = "order,amplitude,phase [deg]\n2,80,0\n4,25,90\n6,8,-45\n"
+MASS = """\
+links: [mass]
+inertias: {mass: 0.5}
+springs: {mount: {links: [mass, housing], stiffness: 800}}
+output: mass
+"""
+"""It is hit at 40 rad/s."""
+HIT = 40 * 30 / math.pi
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder with a table, the current one."""
+    monkeypatch.chdir(tmp_path)
+    Path("engine.csv").write_text(TABLE, encoding="utf-8")
+
+
+def bytes_of(*call: str, text: str) -> bytes:
+    """The workbook that a command writes."""
+    assert said(*call, "-o", "new.xlsx", text=text).status == 0
+    return Path("new.xlsx").read_bytes()
+
+
+def test_json_has_the_moduli_of_the_library() -> None:
+    made = document("response", *AT, "--orders", "2,4.5", *SPEED, text=GOOD)
+    speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
+    [expected] = response(loads(GOOD), "engine", [Harmonic(2.0), Harmonic(4.5)], speeds)
+    [gear] = made["gears"]
+    assert (made["at"], gear["speeds"]) == ("engine", expected.speeds.tolist())
+    assert set(gear["speeds"]) == {*speeds, *(one["speed"] for one in gear["resonances"])}
+    assert [one["order"] for one in gear["orders"]] == [2.0, 4.5]
+    for told, one in zip(gear["orders"], expected.orders, strict=True):
+        assert told["amplitudes"] == {k: np.abs(v).tolist() for k, v in one.amplitudes.items()}
+        assert told["torques"] == {k: np.abs(v).tolist() for k, v in one.torques.items()}
+    assert gear["resonances"] == [one._asdict() for one in expected.resonances]
+    assert "sum" not in gear
+
+
+def test_a_table_gives_orders_amplitudes_and_phases() -> None:
+    one = document("response", *AT, "--orders", "2,4", *SPEED, "--sum", text=GOOD)["gears"][0]
+    call = ("response", *AT, "--torque", "engine.csv", *SPEED, "--sum")
+    [given] = document(*call, text=GOOD)["gears"]
+    [chosen] = document(*call, "--orders", "4,2,4", text=GOOD)["gears"]
+    assert [order["order"] for order in given["orders"]] == [2.0, 4.0, 6.0]
+    assert [order["order"] for order in chosen["orders"]] == [4.0, 2.0]
+    for place, factor in ((0, 80), (1, 25)):
+        expected = factor * np.array(one["orders"][place]["torques"]["damper"])
+        assert given["orders"][place]["torques"]["damper"] == pytest.approx(expected)
+    both = np.array([order["amplitudes"]["disc"] for order in chosen["orders"]])
+    total = chosen["sum"]["amplitudes"]["disc"]
+    assert total["rms"] == pytest.approx(np.sqrt((both**2).sum(axis=0) / 2))
+    assert np.all(np.array(total["largest"]) <= both.sum(axis=0) * (1 + 1e-12))
+    assert np.all(np.array(total["largest"]) >= both.max(axis=0))
+
+
+def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
+    def speeds(written: str) -> list[float]:
+        made = document("response", *AT, "--orders", "2", "--speed", written, text=GOOD)
+        told: list[float] = made["gears"][0]["speeds"]
+        return told
+
+    [peak] = set(speeds("600:1000:3")) - {600.0, 800.0, 1000.0}
+    assert speeds("600:1000:3") == [600.0, peak, 800.0, 1000.0]
+    assert speeds("1000:600:3") == [1000.0, 800.0, peak, 600.0]
+    assert speeds("600, 650.5,6e2") == [600.0, 650.5, 600.0]
+    assert speeds("0:0:2") == [0.0, 0.0]
+    assert speeds("600 1/min:1000 1/min:3") == speeds("600:1000:3")
+    assert speeds("10 rev/s") == [600.0]
+
+
+def test_csv_is_one_table_with_a_line_for_each_value() -> None:
+    call = ("response", *AT, "--orders", "2,4.5", *SPEED, "--sum")
+    [gear] = document(*call, text=GOOD)["gears"]
+    heading, *rows = csv.reader(io.StringIO(said(*call, "-f", "csv", text=GOOD).out))
+    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
+    found = {tuple(row[:6]): row[6] for row in rows}
+    assert len(found) == len(rows)
+    expected = {
+        ("resonance", "direct", str(one["order"]), str(one["mode"]), "", ""): one["speed"]
+        for one in gear["resonances"]
+    }
+    for table, key in (("amplitude", "amplitudes"), ("torque", "torques")):
+        for place, speed in enumerate(gear["speeds"]):
+            for order in gear["orders"]:
+                for row, values in order[key].items():
+                    at = (table, "direct", str(order["order"]), "", str(speed), row)
+                    expected[at] = values[place]
+            for part in ("largest", "rms"):
+                for row, values in gear["sum"][key].items():
+                    at = (f"{table} {part}", "direct", "", "", str(speed), row)
+                    expected[at] = values[part][place]
+    assert found == {at: repr(value) for at, value in expected.items()}
+
+
+def test_csv_without_a_resonance_or_a_value_has_its_headings() -> None:
+    call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT), "-f", "csv")
+    heading, resonance, *rows = csv.reader(io.StringIO(said(*call, text=MASS).out))
+    assert heading == ["table", "gear", "order", "mode", "speed", "row", "value"]
+    assert resonance[:4] == ["resonance", "1", "1.0", "1"]
+    assert [row[-1] for row in rows] == ["", ""]
+    none = said(*call[:-3], "1000", "-f", "csv", text=MASS).out
+    assert "resonance" not in none
+    assert none.startswith("table,gear,order,mode,speed,row,value\n")
+
+
+def test_text_shows_what_is_largest_and_xlsx_every_speed() -> None:
+    call = ("response", *AT, "--orders", "2,4", *SPEED, "--sum")
+    text = said(*call, text=GOOD).out
+    assert "Gear direct: largest torques of devices [N*m]\n" in text
+    assert "Gear direct, all orders: torques of devices [N*m]\n" in text
+    book = openpyxl.load_workbook(io.BytesIO(bytes_of(*call, text=GOOD)))
+    told = document(*call, text=GOOD)["gears"][0]
+    cells = [cell for sheet in book for row in sheet.values for cell in row]
+    numbers = {f"{cell:.9g}" for cell in cells if isinstance(cell, float)}
+    assert {f"{one:.9g}" for one in told["orders"][1]["torques"]["damper"]} <= numbers
+    assert f"{max(told['sum']['torques']['damper']['rms']):.9g}" in numbers
+
+
+def test_resonances_within_the_speeds_and_that_there_are_none() -> None:
+    call = ("response", "--at", "mass", "--orders", "1,2", "--speed")
+    [gear] = document(*call, "100:400:2", text=MASS)["gears"]
+    assert [(one["order"], one["mode"]) for one in gear["resonances"]] == [(1, 1), (2, 1)]
+    assert [one["speed"] for one in gear["resonances"]] == pytest.approx([HIT, HIT / 2])
+    assert "Resonances\n" in said(*call, "100:400:2", text=MASS).out
+    assert "Resonances: none at these speeds\n" in said(*call, "1000", text=MASS).out
+
+
+def test_a_resonance_that_nothing_damps_has_no_bound_and_that_is_told() -> None:
+    """Nearer and nearer the speed the amplitude grows without end, with any damping not."""
+    call = ("response", "--at", "mass", "--orders", "1", "--speed")
+    damped = MASS.replace("stiffness: 800", "stiffness: 800, damping: {ratio: 0.01}")
+    near = [f"{HIT * (1 + 10.0**-n)!r}" for n in (2, 4, 6)]
+    told = said(*call, f"100,{','.join(near)}", text=MASS).err
+    assert f"note: gear 1: nothing damps the resonance at {HIT:.6g} rpm" in told
+    for text, grows in ((MASS, True), (damped, False)):
+        [gear] = document(*call, f"100,{','.join(near)}", text=text)["gears"]
+        sizes = dict(zip(gear["speeds"], gear["orders"][0]["amplitudes"]["mass"], strict=True))
+        first, *_, last = (sizes[float(one)] for one in near)
+        assert (last > 1e3 * first) == grows == (not gear["resonances"][0]["damped"])
+    assert said(*call, "100:400:4", text=damped).err == ""
+
+
+def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
+    call = ("response", "--at", "mass", "--orders", "1", "--speed", f"{HIT!r},100", "--sum")
+    [gear] = document(*call, text=MASS)["gears"]
+    assert gear["orders"][0]["amplitudes"]["mass"][0] is None
+    assert gear["orders"][0]["torques"]["mount"][0] is None
+    assert gear["sum"]["torques"]["mount"]["largest"][0] is None
+    assert gear["orders"][0]["amplitudes"]["mass"][1] is not None
+    rows = tables(said(*call, "-f", "csv", text=MASS).out)
+    assert rows["amplitude"][1][-1] == ""
+    shown = said(*call[:-1], text=MASS).out
+    assert "100.0" in shown.partition("largest amplitudes")[2]
+
+
+def test_where_nothing_has_a_value_text_says_so() -> None:
+    call = ("response", "--at", "mass", "--orders", "1", "--speed", repr(HIT))
+    answer = said(*call, text=MASS)
+    assert answer.status == 0
+    assert "mass        -           -\n" in answer.out
+    assert (
+        "Resonances\ngear  order  mode  speed [rpm]  participation\n1         1     1        382.0          1.000\n"
+        in answer.out
+    )
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ("", "engine.csv:1:1: error: the file is empty, expected a table of orders"),
+        (
+            "order,torque\n2,1\n",
+            "engine.csv:1:1: error: read the heading 'torque', expected `order`, `amplitude",
+        ),
+        ("order,amplitude\n2,1 kN*m\n", "engine.csv:2:1: error: amplitude: read '1 kN*m'"),
+        ("order,amplitude\n-2,1\n3,5\n", "engine.csv:2:1: error: order: read -2, expected"),
+        ("order,amplitude\n2,inf\n", "engine.csv:2:1: error: amplitude: read 'inf'"),
+        ("order,amplitude\n2,1\n2,1\n", "engine.csv:3:1: error: order 2 is given twice"),
+        ("order,amplitude\n", "engine.csv:1:1: error: there is no row below"),
+    ],
+)
+def test_faults_of_a_table_are_told_at_their_lines(table: str, words: str) -> None:
+    Path("engine.csv").write_text(table, encoding="utf-8")
+    answer = said("response", *AT, "--torque", "engine.csv", *SPEED, "-o", "new.csv", text=GOOD)
+    assert (answer.status, answer.out) == (1, "")
+    assert words in answer.err
+    assert not Path("new.csv").exists()
+
+
+def test_a_table_in_bytes_of_no_text_is_told() -> None:
+    Path("engine.csv").write_bytes(b"\xff\xfe\0order")
+    answer = said("response", *AT, "--torque", "engine.csv", *SPEED, text=GOOD)
+    assert (answer.status, answer.err.startswith("engine.csv:")) == (1, True)
+
+
+def test_an_order_that_the_table_does_not_have_is_wrong_use() -> None:
+    call = ("response", *AT, "--torque", "engine.csv", "--orders", "2,3", *SPEED)
+    answer = said(*call, text=GOOD)
+    assert (answer.status, answer.out) == (2, "")
+    assert "engine.csv has no order 3; it has 2, 4, 6" in answer.err
+
+
+def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin() -> None:
+    call = ("response", *AT, "--torque", "engine.csv", *SPEED)
+    assert said(*call, "-o", "engine.csv", text=GOOD).status == 2
+    assert Path("engine.csv").read_text(encoding="utf-8") == TABLE
+    answer = said("response", *AT, "--torque", "-", *SPEED, text=GOOD)
+    assert (answer.status, "standard input (-) can be read once" in answer.err) == (2, True)
+
+
+def test_a_link_that_stands_still_has_no_response_and_others_are_named_that_have_one() -> None:
+    text = GOOD.replace("direct: {engaged: [C, D]}", "held: {engaged: [A]}")
+    text = text.replace("output: vehicle\n", "output: vehicle\ninput: disc\n")
+    answer = said("response", *AT, "--orders", "2", *SPEED, text=text)
+    assert answer.status == 1
+    assert "gear held: link engine stands still: expected another, such as " in answer.err
+    other = answer.err.partition("such as ")[2].split()[0].strip(",")
+    assert said("response", "--at", other, "--orders", "2", *SPEED, text=text).status == 0
+
+
+ORDERS = ("", "0", "-2", "nan", "inf", "x", "2,", ",2", "2,,4", "2;4", "1:3:3")
+SPEEDS = (
+    *("", "-1", "nan", "inf", "x", "600,", "600:1000", "600:1000:5:2", "::", "a:b:5"),
+    *("-5:10:3", "1:nan:3", "1:inf:3", "1:2:0", "1:2:1", "1:2:-3", "1:2:2.5", "1:2:nan", "1:2:"),
+    *("1:2:999999999999", "1:2:1e3", "1:2:100001", "1:2:٣", "1 kg", "1 rpm,2 Hz"),
+)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        (*AT, "--orders", "2"),
+        (*AT, *SPEED),
+        ("--at", "", "--orders", "2", *SPEED),
+        ("--at", "nobody", "--orders", "2", *SPEED),
+        ("--at", "housing", "--orders", "2", *SPEED),
+        *((*AT, *SPEED, "--orders", one) for one in ORDERS),
+        *((*AT, "--orders", "2", "--speed", one) for one in SPEEDS),
+    ],
+)
+def test_wrong_use(options: tuple[str, ...]) -> None:
+    answer = said("response", *options, text=GOOD)
+    assert (answer.status, answer.out) == (2, "")
+    assert len(answer.err) < 500
+
+
+def test_without_a_link_the_torque_acts_on_the_input() -> None:
+    """As in the picture; gears with inputs of their own need a link."""
+    made = document("response", "--orders", "2", *SPEED, text=GOOD)
+    assert made == document("response", *AT, "--orders", "2", *SPEED, text=GOOD)
+    two = MASS.replace("[mass]", "[mass, other, out]").replace("output: mass", "output: out") + (
+        "gears: {a: {}, b: {input: other}}\n"
+    )
+    asked = ("response", "--orders", "2", *SPEED)
+    made = said(*asked, text=two)
+    assert made.status == 2
+    assert "Missing option '--at': gears have the inputs mass, other" in made.err
+    assert document(*asked, "--gear", "a", text=two)["at"] == "mass"

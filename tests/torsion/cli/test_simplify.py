@@ -1,0 +1,223 @@
+"""`vstatics torsion simplify`: its steps, and the case that it writes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.torsion.cli.torsional import CHAIN, GOOD, document, said, tables
+from vstatics import load
+
+OF_GOOD = ("--gear", "direct", "--links", "2")
+OF_CHAIN = ("--gear", "1", "--links", "1")
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An empty folder, the current one."""
+    monkeypatch.chdir(tmp_path)
+
+
+def names() -> list[str]:
+    return sorted(path.name for path in Path().iterdir())
+
+
+def test_steps_of_a_chain_in_json() -> None:
+    """A mass of 1 between springs of 1 and 4: partial ``sqrt(5)``; by hand what is left.
+
+    Its two neighbours take 1/5 and 4/5 of it, the springs are one of compliance 1.25.
+    """
+    made = document("simplify", *OF_CHAIN, text=CHAIN)
+    [step] = made["steps"]
+    assert (made["format"], made["gear"], made["rule"]) == (
+        "vstatics-simplification",
+        "1",
+        "partial",
+    )
+    assert step["partial_frequency"] == pytest.approx(5**0.5)
+    assert step["names"] == ["a", "c"]
+    assert step["inertias"] == pytest.approx([4.2, 4.8])
+    assert step["compliances"] == pytest.approx([1.25])
+    assert step["stiffness"] is None
+    assert step["omegas"] == pytest.approx([((1 / 4.2 + 1 / 4.8) / 1.25) ** 0.5])
+
+
+def test_of_a_branched_scheme_there_are_matrices() -> None:
+    made = document("simplify", *OF_GOOD, text=GOOD)
+    assert made["rule"] == "r"
+    for step, count in zip(made["steps"], (4, 3), strict=True):
+        assert step["compliances"] is None
+        assert [len(row) for row in step["stiffness"]] == [count] * count
+        assert len(step["inertias"]) == count
+
+
+@pytest.mark.parametrize(
+    ("form", "begins"),
+    [("jsonl", '{"format": '), ("markdown", "# two gears\n"), ("latex", "\\noindent")],
+)
+def test_steps_in_other_formats(form: str, begins: str) -> None:
+    assert said("simplify", *OF_GOOD, "-f", form, text=GOOD).out.startswith(begins)
+
+
+def test_steps_as_tables() -> None:
+    made = document("simplify", *OF_GOOD, text=GOOD)["steps"]
+    found = tables(said("simplify", *OF_GOOD, "-f", "csv", text=GOOD).out)
+    assert [row[0] for row in found["steps"][1:]] == [step["operation"] for step in made]
+    assert [row[0] for row in found["masses"][1:]] == made[-1]["names"]
+    assert [float(row[1]) for row in found["masses"][1:]] == made[-1]["inertias"]
+    assert found["springs"][2][:2] == ["damper+axle+wind-up", "1*engine -1*wheel"]
+    shown = said("simplify", *OF_GOOD, text=GOOD).out
+    assert [line for line in shown.splitlines() if line in ("Masses", "Springs")] == [
+        *("Masses", "Springs")
+    ]
+
+
+@pytest.mark.parametrize("suffix", ["yaml", "json"])
+@pytest.mark.parametrize(
+    ("text", "options"),
+    [
+        (CHAIN, OF_CHAIN),
+        (CHAIN, (*OF_CHAIN, "--remove", "c")),
+        (GOOD, OF_GOOD),
+        (GOOD, ("--gear", "direct", "--links", "4")),
+        *((GOOD, (*OF_GOOD, "--rule", rule)) for rule in "rbu"),
+        (GOOD, (*OF_GOOD, "--remove", "casing, disc")),
+    ],
+)
+def test_the_written_case_runs_and_vibrates_as_told(
+    suffix: str, text: str, options: tuple[str, ...]
+) -> None:
+    output = f"simple.{suffix}"
+    answer = said("simplify", *options, "-o", output, "-f", "json", text=text)
+    assert (answer.status, names()) == (0, [output])
+    steps = json.loads(answer.out)["steps"]
+    again = json.loads(vstatics("torsion", "modes", output, "-f", "json").out)
+    given = json.loads(said("modes", "-f", "json", text=text).out)["gears"][0]["modes"]
+    expected = steps[-1]["omegas"] if steps else [mode["omega"] for mode in given]
+    [gear] = again["gears"]
+    assert gear["name"] == options[1]
+    assert [mode["omega"] for mode in gear["modes"]] == pytest.approx(expected)
+    ran = vstatics("run", output, "--strict")
+    assert (ran.status, ran.err) == (0, "")
+    assert vstatics("check", output, "--strict").status == 0
+
+
+def test_a_simplified_case_can_be_simplified_again() -> None:
+    said("simplify", "--gear", "direct", "--links", "3", "-o", "one.yaml", text=GOOD)
+    vstatics("torsion", "simplify", "one.yaml", *OF_GOOD, "-o", "two.yaml")
+    said("simplify", *OF_GOOD, "-o", "at-once.yaml", text=GOOD)
+    [one, other] = [load(file) for file in ("two.yaml", "at-once.yaml")]
+    assert one.inertias == pytest.approx(other.inertias)
+    assert one.link_names == other.link_names
+
+
+def test_a_case_of_teeth_is_simplified_too(tmp_path: Path) -> None:
+    """The driveline that is shipped: every gear that has a scheme loses a mass."""
+    file = next(path for path in sorted(CASES.glob("*.yaml")) if "moskvich" in path.name)
+    for gear in (one.name for one in load(file).gears[:2]):
+        output = tmp_path / f"{gear}.yaml"
+        answer = vstatics("torsion", "simplify", file, "--gear", gear, "--links", "3", "-o", output)
+        assert answer.status == 0, answer.err
+        assert len(json.loads(vstatics("torsion", "modes", output, "-f", "json").out)["gears"]) == 1
+
+
+def test_the_name_of_a_mass_may_have_commas() -> None:
+    text = CHAIN.replace("b:", '"b, x":').replace("b]", '"b, x"]').replace("[b,", '["b, x",')
+    made = document("simplify", *OF_CHAIN, "--remove", '"b, x"', text=text)
+    assert made["steps"][0]["operation"] == "remove b, x"
+    assert said("simplify", *OF_CHAIN, "--remove", "b, x", text=text).status == 1
+
+
+def test_a_frequency_above_half_of_a_partial_one_is_doubtful() -> None:
+    options = ("simplify", *OF_GOOD, "--remove", "disc,wheel")
+    answer = said(*options, text=GOOD)
+    assert answer.status == 0
+    assert answer.err.startswith("<stdin>: warning: ")
+    assert "is kept, more than half of the partial frequency" in answer.err
+    strict = said(*options, "--strict", "-q", "-o", "new.yaml", text=GOOD)
+    assert (strict.status, strict.out, names()) == (1, answer.out, ["new.yaml"])
+    assert "1 warning (W502), which --strict makes fail" in strict.err
+
+
+def test_a_loss_factor_is_left_out_with_a_warning() -> None:
+    text = GOOD.replace("stiffness: 474", "stiffness: 474, damping: {ratio: .02}")
+    answer = said("simplify", *OF_GOOD, text=text)
+    assert answer.status == 0
+    assert "warning: the loss factor of tyre is left out" in answer.err
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--links", "5"), "read 5 natural frequencies to remain (--links), expected 1 to 4"),
+        (("--links", "2", "--remove", ""), "read `` to remove, expected a link of the scheme"),
+        (("--links", "2", "--remove", "disc,"), "read `` to remove"),
+        (("--links", "2", "--remove", "dsic"), "did you mean `disc`?"),
+        (("--links", "2", "--remove", "disc,disc"), "which is removed before"),
+        (("--links", "3", "--remove", "disc,wheel"), "read 2 links to remove, expected 1 at most"),
+        (("--links", "2", "--rule", "partial"), "the scheme is no chain, `axle` is no shaft"),
+    ],
+)
+def test_what_the_scheme_does_not_have(options: tuple[str, ...], words: str) -> None:
+    answer = said("simplify", "--gear", "direct", *options, "-o", "new.yaml", text=GOOD)
+    assert (answer.status, answer.out, names()) == (1, "", [])
+    assert answer.err.startswith("<stdin>: error: ")
+    assert words in answer.err
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--gear", "direct"),
+        *((*OF_GOOD, "--links", one) for one in ("0", "-1", "1.5", "nan", "inf", "", "1e3")),
+        (*OF_GOOD, "--rule", "x"),
+        *((*OF_GOOD, "-f", one) for one in ("xlsx", "yaml", "")),
+        *((*OF_GOOD, "-o", one) for one in ("new.csv", "new.dat", "new", "new/")),
+    ],
+)
+def test_wrong_use(options: tuple[str, ...]) -> None:
+    answer = said("simplify", *options, text=GOOD)
+    assert (answer.status, answer.out, names()) == (2, "", [])
+
+
+def test_a_rigid_set_with_inertia_on_all_its_links_is_taken_out_first() -> None:
+    text = GOOD.replace("direct: {engaged: [C, D]}", "low: {engaged: [C, B]}")
+    answer = said("simplify", "--gear", "low", "--links", "2", "-f", "json", text=text)
+    assert answer.status == 0
+    first, *others = json.loads(answer.out)["steps"]
+    assert all(first["partial_frequency"] > 1000 * one["partial_frequency"] for one in others)
+
+
+def test_an_error_of_the_output_leaves_what_was_there() -> None:
+    Path("kept.yaml").write_text("kept", encoding="utf-8")
+    said("simplify", *OF_GOOD, "--links", "9", "-o", "kept.yaml", text=GOOD)
+    assert Path("kept.yaml").read_text(encoding="utf-8") == "kept"
+
+
+def test_json_of_steps_on_stdout_beside_the_case_in_a_file() -> None:
+    answer = said("simplify", *OF_GOOD, "-f", "json", "-o", "new.json", text=GOOD)
+    assert json.loads(answer.out)["format"] == "vstatics-simplification"
+    assert [one.name for one in load("new.json").springs] == ["tyre", "damper+axle+wind-up"]
+
+
+def test_masses_that_turn_as_one() -> None:
+    """Two wheels of 1 kg*m^2 on 1 N*m/rad each: one of 2 on 2, against 4: sqrt(1.5)."""
+    Path("fork.yaml").write_text(
+        "inertias: {axle: 4, left: 1, right: 1}\n"
+        "springs: {l: {links: [axle, left], stiffness: 1}, "
+        "r: {links: [axle, right], stiffness: 1}}\n",
+        encoding="utf-8",
+    )
+    words = ("torsion", "simplify", "fork.yaml", "--links", "1", "--merge")
+    answer = vstatics(*words, "left+right", "-f", "json", "-o", "one.yaml")
+    [step] = json.loads(answer.out)["steps"]
+    assert step["operation"] == "merge left and right"
+    assert step["omegas"] == pytest.approx([1.5**0.5])
+    assert sorted(load("one.yaml").inertias.values()) == [2.0, 4.0]
+    failed = vstatics(*words, "left+rihgt")
+    assert failed.status == 1
+    assert "fork.yaml: error: read `left+rihgt` to merge, expected two links" in failed.err
+    assert "did you mean `right`?" in failed.err

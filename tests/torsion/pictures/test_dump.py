@@ -1,0 +1,96 @@
+"""Pictures of a dumped clutch: bars and limits are the torques that `torsion dump` tells."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+
+from tests.commands import CASES, vstatics
+from tests.pictures import drawn as said
+from tests.pictures.test_pictures import STYLES, overlaps
+from tests.torsion.pictures.marks import drawn, marks, plotted
+from vstatics import load, solve
+from vstatics.pictures import picture
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
+from vstatics.torsion.pictures import dump
+
+FILE = CASES / "moskvich412.yaml"
+
+
+def answers() -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = json.loads(vstatics("torsion", "dump", FILE, "-f", "json").out)[
+        "gears"
+    ]
+    return found
+
+
+def test_bars_are_as_long_as_the_torques(tmp_path: Path) -> None:
+    """All by one factor from the left edge, that of the largest torque."""
+    gears = marks(plotted(tmp_path, FILE, "-k", "dump"), "dump")
+    expected = answers()
+    assert [one.data["gear"] for one in gears] == [one["name"] for one in expected]
+    unit = 0.0
+    for mark, told in zip(gears, expected, strict=True):
+        paths = [
+            [float(n) for n in re.sub("[MLz]", " ", one.attrib["d"]).split()]
+            for one in mark.element.iter()
+            if one.get("d", "").endswith("z")
+        ]
+        lengths = [max(one[::2]) - min(one[::2]) for one in paths if len(one) >= 8][:2]
+        unit = unit or lengths[0] / told["max_torque"]
+        torques = told["max_torque"], told["input_shaft_torque"]
+        assert lengths == pytest.approx([unit * one for one in torques], abs=0.03)
+
+
+def test_each_gear_tells_its_torque_and_case() -> None:
+    texts = said.texts(picture(solve(load(FILE)), "dump", Style()))
+    for one in answers():
+        assert any(
+            text.startswith(f"{one['max_torque']:.1f} N·m\n{one['case']}: ") for text in texts
+        )
+
+
+def test_every_case_of_the_source_has_words() -> None:
+    from vstatics.torsion.clutch.dumped import DumpCase
+
+    assert set(dump._WORDS) == set(get_args(DumpCase))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("style", STYLES)
+def test_no_label_covers_another(style: Style) -> None:
+    assert overlaps(solve(load(FILE)), "dump", style) == []
+
+
+def test_pages_fit_their_paper() -> None:
+    results = solve(load(FILE))
+    style = Style(height=0.4 * PAGE_HEIGHT)
+    pages = dump.draw(results, style)
+    assert len(pages) == 2
+    for figure in pages:
+        wide, high = (72 * size for size in figure.get_size_inches())
+        assert (wide <= style.width + 0.01, high <= style.height + 0.01) == (True, True)
+    assert b'class="dump"' in drawn(results, "dump", Style(), 2)
+
+
+def test_a_case_without_a_dump_says_so(tmp_path: Path) -> None:
+    result = vstatics(
+        "plot", CASES / "driveline-8hp70.yaml", "-k", "dump", "-o", tmp_path / "a.svg"
+    )
+    assert result.status == 1
+    assert "there is no `dump`, expected the links of `J1` to `J5`" in result.err
+
+
+def test_a_clutch_that_is_open_in_all_gears_has_no_torque(tmp_path: Path) -> None:
+    text = FILE.read_text(encoding="utf-8")
+    file = tmp_path / "open.yaml"
+    gears = text.index("gears:")
+    dumped = text.index("# the clutch of table 2.2")
+    file.write_text(f"{text[:gears]}gears: {{N: [damper, dog 1, shaft 1]}}\n{text[dumped:]}")
+    result = vstatics("plot", file, "-k", "dump", "-o", tmp_path / "a.svg")
+    assert result.status == 1
+    assert "error: no torque of a dumped clutch in gear N: engine of J1 does not turn" in result.err

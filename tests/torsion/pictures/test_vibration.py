@@ -1,0 +1,253 @@
+"""Pictures of vibration: what they show is what the modes are, and no label covers another."""
+
+from __future__ import annotations
+
+import importlib.util
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from matplotlib.colors import to_rgba
+
+from tests.commands import CASES, vstatics
+from tests.pictures import drawn
+from tests.pictures.test_pictures import STYLES, overlaps
+from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, load, solve
+from vstatics.core.errors import CaseError
+from vstatics.core.texts import Language
+from vstatics.pictures import PICTURES, picture, render
+from vstatics.pictures.drawing.files import Format, settings_of
+from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
+from vstatics.torsion.pictures.shapes.links import mode_links
+from vstatics.torsion.pictures.shown_modes import modes_of
+
+COLOURS = Style().colours
+PAGE = Style(height=PAGE_HEIGHT)
+NARROW = Style(width=0.8 * PAGE_WIDTH, height=0.85 * PAGE_HEIGHT)
+KINDS = ("modes", "campbell", "response")
+SHIPPED = ("moskvich412.yaml", "driveline-8hp70.yaml")
+
+
+def chain(count: int, name: str = "m", stiffness: float = 1e4) -> Results:
+    """Equal masses on equal shafts."""
+    links = range(1, count + 1)
+    springs = [Spring({k: 1, k + 1: -1}, stiffness, name=f"s{k}") for k in links[:-1]]
+    names = [f"{name} {link}" for link in links]
+    return solve(
+        Transmission(
+            *(count, [], [], []),
+            springs=springs,
+            inertias=dict.fromkeys(links, 0.1),
+            link_names=names,
+        )
+    )
+
+
+def one_mass() -> Results:
+    springs = [Spring({1: 1}, 100.0, name="mount")]
+    return solve(Transmission(1, [], [], [], springs=springs, inertias={1: 1.0}))
+
+
+def tied() -> Results:
+    """A set of which one gear holds a link too many."""
+    brakes = [ShiftElement(2, name="B"), ShiftElement(3, name="C")]
+    gears = [Gear([1], name="low"), Gear([1, 2], name="both")]
+    springs = [
+        Spring({3: 1}, stiffness=50.0, name="mount", damping=2.0),
+        Spring({1: 1}, stiffness=50.0, name="first"),
+        Spring({1: 1}, stiffness=20.0, name="second"),
+    ]
+    case = Transmission(
+        *(3, brakes, [Mechanism(1, 2, 3, -2.0, name="set")], gears),
+        springs=springs,
+        inertias={1: 1.0, 3: 10.0},
+    )
+    return solve(case)
+
+
+ODD = {
+    "two masses": chain(2),
+    "one mass": one_mass(),
+    "sixteen masses": chain(16),
+    "long names": chain(5, "the intermediate shaft of the auxiliary drive"),
+    "a long word": chain(3, "x" * 70),
+    "many masses": chain(55),
+    "a gear that is tied up": tied(),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", ODD)
+def test_no_label_covers_another(name: str, kind: str) -> None:
+    style = STYLES[list(ODD).index(name) % len(STYLES)]
+    assert overlaps(ODD[name], kind, style) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("name", "style"), list(zip(SHIPPED, STYLES, strict=True)))
+def test_no_label_covers_another_in_shipped_cases(name: str, style: Style, kind: str) -> None:
+    assert overlaps(solve(load(CASES / name)), kind, style) == []
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_what_is_said_of_a_mode_keeps_clear_of_its_bars(language: Language) -> None:
+    """On a page, and on one so narrow that it stands in lines above them."""
+    results = solve(load(CASES / "moskvich412.yaml"))
+    for width in (PAGE_WIDTH, 0.7 * PAGE_WIDTH, 0.5 * PAGE_WIDTH):
+        assert overlaps(results, "modes", Style(width=width, language=language)) == []
+
+
+@pytest.mark.parametrize(("kind", "form"), [("modes", "svg"), ("campbell", "pdf")])
+def test_the_same_case_gives_the_same_bytes(kind: str, form: Format) -> None:
+    results = ODD["two masses"]
+    assert render(results, kind, form, Style()) == render(results, kind, form, Style())
+
+
+def texts(results: Results, kind: str, *gears: int) -> list[str]:
+    return drawn.texts(picture(results, kind, Style(), gears))
+
+
+def test_a_mode_has_its_frequencies_and_shares() -> None:
+    """Two equal masses: omega^2 = 2 c/J, half of the energy of motion in each."""
+    shown = texts(chain(2, stiffness=500.0), "modes")
+    assert "mode 1    15.92 Hz    100.0 rad/s" in shown
+    assert shown.count("50%") == 2
+    figure = picture(chain(2, stiffness=500.0), "modes", Style())
+    bars = {said: one.get_facecolor() for said, one in drawn.titled(figure) if "%" in said}
+    assert [bars[f"m {link}: 50%"] for link in (1, 2)] == [to_rgba(one) for one in COLOURS[:2]]
+    assert shown.count("100%") == 1
+
+
+def test_links_stand_in_the_order_in_which_power_comes_to_them() -> None:
+    """And not in that of the case; what stands and what nothing loads is left out, and told."""
+    pairs = [Mechanism(2, 5, 0, -2.0, name="pair"), Mechanism(2, 4, 0, -3.0, name="idle pair")]
+    springs = [Spring({1: 1, 2: -1}, 9.0, name="shaft"), Spring({5: 1, 3: -1}, 9.0, name="axle")]
+    brake = ShiftElement(6, name="B")
+    case = Transmission(
+        *(6, [brake], pairs, [Gear([1])]),
+        springs=springs,
+        inertias={1: 1.0, 3: 5.0, 6: 1.0},
+        output=3,
+        link_names=["engine", "hub", "vehicle", "loose wheel", "wheel", "held"],
+    )
+    results = solve(case)
+    [modes] = modes_of(results)
+    row = mode_links(results, 1, modes)
+    assert row.names == ("engine", "hub", "wheel", "vehicle")
+    assert row.heavy == (True, False, False, True)
+    assert [(one.name, one.elastic, one.members) for one in row.devices] == [
+        ("shaft", True, (0, 1)),
+        ("axle", True, (2, 3)),
+        ("pair", False, (1, 2)),
+    ]
+    note = "amplitudes of links, the largest is 1; these stand: held; without load: loose wheel"
+    assert note in texts(results, "modes")
+
+
+def test_devices_beside_each_other_have_levels_of_their_own() -> None:
+    springs = [
+        Spring({1: 1, 2: -1}, 9.0),
+        Spring({1: 1, 2: -1}, 9.0),
+        Spring({1: 1, 2: -2, 3: 1}, 9.0),
+        Spring({3: 1}, 9.0),
+        Spring({3: 1}, 9.0),
+    ]
+    results = solve(Transmission(3, [], [], [], springs=springs, inertias={1: 1, 2: 1, 3: 1}))
+    row = mode_links(results, 1, modes_of(results)[0])
+    assert [(one.members, one.level) for one in row.devices] == [
+        ((0, 1), 0),
+        ((0, 1), 1),
+        ((0, 1, 2), 2),
+        ((2,), 0),
+        ((2,), 1),
+    ]
+
+
+def test_the_first_gear_is_shown_unless_others_are_asked_for() -> None:
+    results = solve(load(CASES / "moskvich412.yaml"))
+    assert [one for one in texts(results, "modes") if one.startswith("gear ")] == ["gear 1"]
+    shown = texts(results, "modes", 4, 8)
+    assert [one for one in shown if one.startswith("gear ")] == ["gear 4", "gear 4 at stop"]
+
+
+def test_damping_is_told_of_what_is_damped() -> None:
+    assert any("damping" in one for one in texts(tied(), "modes"))
+    assert not any("damping" in one for one in texts(chain(2), "modes"))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", ODD)
+@pytest.mark.parametrize("style", [PAGE, NARROW])
+def test_no_page_is_larger_than_its_paper_and_no_letter_small(
+    name: str, kind: str, style: Style
+) -> None:
+    module = import_module(PICTURES[kind])
+    with settings_of(style):
+        figures = module.draw(ODD[name], style)
+    for figure in figures:
+        wide, high = (72 * size for size in figure.get_size_inches())
+        assert wide <= style.width + 0.01
+        assert high <= style.height + 0.01
+        assert min(float(text.get_fontsize()) for text in figure.texts) >= 7
+
+
+def test_pages_have_all_modes() -> None:
+    from vstatics.torsion.pictures.shapes import modes
+
+    figures = modes.draw(ODD["sixteen masses"], PAGE)
+    assert len(figures) > 1
+    told = [text for figure in figures for text in drawn.texts(figure)]
+    assert [text.split("    ")[0] for text in told if text.startswith("mode ")] == [
+        f"mode {number}" for number in range(1, 16)
+    ]
+
+
+def test_there_are_sheets_for_all_gears() -> None:
+    from vstatics.torsion.pictures.shapes import modes
+
+    told = [
+        text for one in modes.draw(tied(), Style(height=PAGE_HEIGHT)) for text in drawn.texts(one)
+    ]
+    assert [text for text in told if text.startswith(("gear ", "tied"))] == [
+        "gear low",
+        "gear both",
+        "tied up",
+    ]
+
+
+def test_a_gear_that_is_tied_up_says_so_beside_others() -> None:
+    assert "gear both: tied up" in "".join(texts(tied(), "campbell"))
+    assert any(one.startswith("tied up") for one in texts(tied(), "response"))
+    assert "tied up" in texts(tied(), "modes", 1, 2)
+    with pytest.raises(CaseError, match="gear both has no natural frequency: tied up: B, C and"):
+        picture(tied(), "modes", Style(), (2,))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_case_that_does_not_vibrate_says_so(kind: str, tmp_path: Path) -> None:
+    said = vstatics("plot", CASES / "simpson.yaml", "-k", kind, "-o", tmp_path / "a.svg")
+    assert said.status == 1
+    assert "simpson.yaml: error: nothing has an inertia, so nothing vibrates" in said.err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_without_scipy_the_command_names_the_extra(
+    kind: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name, package=None: None if name == "scipy" else found(name, package),
+    )
+    said = vstatics("plot", CASES / "moskvich412.yaml", "-k", kind, "-o", tmp_path / "a.svg")
+    assert said.status == 1
+    needs = 'a picture of natural modes needs the package scipy: pip install "vstatics[torsion]", or "vstatics[all]"'
+    assert needs in said.err
+
+
+def test_kinds_are_known() -> None:
+    assert set(KINDS) < set(PICTURES)

@@ -1,0 +1,103 @@
+"""Fatigue strengths of devices: what a case may say of them, read, checked, written again."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import pytest
+
+from vstatics import CaseError, ReadError, Transmission, loads
+from vstatics.core.model.springs import Spring, between
+from vstatics.core.writers.deck_limits import check_deck
+from vstatics.core.writers.named import write_json, write_yaml
+from vstatics.vehicle.case.fatigue import Fatigue
+
+SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
+CASE = """\
+inertias: {engine: .15, vehicle: 9}
+springs: {shaft: {links: [engine, vehicle], stiffness: 9e4}}
+fatigue: {shaft: {%s}}
+"""
+GIVEN = "endurance: 100 MPa, exponent: 3, cycles: 4e6"
+
+
+def read(keys: str) -> Transmission:
+    return loads(CASE % keys, format="yaml")
+
+
+def test_units_and_defaults() -> None:
+    """1 MPa is 1 N/mm^2; a shaft of 42 mm has pi 42^3/16 mm^3 (strength of materials)."""
+    shaft = read(f"diameter: 42 mm, {GIVEN}").fatigue["shaft"]
+    assert shaft == Fatigue(1e8, 3.0, 4e6, diameter=0.042)
+    assert shaft.modulus == pytest.approx(math.pi * 42**3 / 16 * 1e-9)
+    assert (shaft.asymmetry, shaft.threshold, shaft.sum) == (0.0, 0.6, 1.0)
+    other = "section_modulus: 4 cm^3, endurance: 100 N/mm^2, exponent: 3, cycles: 4e6"
+    assert read(other).fatigue["shaft"].modulus == pytest.approx(4e-6)
+
+
+def test_written_and_read_it_is_the_same() -> None:
+    case = read(f"section_modulus: 4e-6, {GIVEN}, asymmetry: .1, threshold: 0, sum: .7")
+    assert loads(write_yaml(case), format="yaml") == case
+    assert loads(write_json(case), format="json") == case
+    assert pickle.loads(pickle.dumps(case)) == case  # noqa: S301 - our own
+    with pytest.raises(CaseError, match="the fatigue strength of shaft"):
+        check_deck(case)
+
+
+@pytest.mark.parametrize(
+    ("keys", "identity", "at", "message"),
+    [
+        (f"diameter: .04, section_modulus: 4e-6, {GIVEN}", "E881", "shaft", "both `diameter` and"),
+        (GIVEN, "E881", "shaft", "neither `diameter` nor `section_modulus`"),
+        (
+            "diameter: .04, endurance: 0, exponent: 3, cycles: 1",
+            "E255",
+            "0, exp",
+            "an endurance above 0",
+        ),
+        (
+            "diameter: .04, endurance: 1, exponent: -3, cycles: 1",
+            "E255",
+            "-3",
+            "an exponent above 0",
+        ),
+        ("diameter: .04, endurance: 1, exponent: 3, cycles: 0", "E255", "0}", "of cycles above 0"),
+        (f"diameter: .04, {GIVEN}, asymmetry: much", "E107", "much", "expected a number"),
+        (f"diameter: .04, {GIVEN}, asymmetry: -1", "E216", "-1", "an asymmetry of 0 or more"),
+        (f"diameter: .04, {GIVEN}, threshold: .inf", "E107", ".inf", "expected a number"),
+        (f"diameter: 4 cm^2, {GIVEN}", "E107", "4 cm", "this is an area"),
+        (
+            "diameter: .04, endurance: 3 N*m, exponent: 3, cycles: 1",
+            "E107",
+            "3 N*m",
+            "a stress in Pa",
+        ),
+        ("diameter: .04, endurance: 1e8, cycles: 1", "E191", "shaft", "`exponent` is missing"),
+    ],
+)
+def test_what_is_wrong_is_told_where_it_stands(
+    keys: str, identity: str, at: str, message: str
+) -> None:
+    with pytest.raises(ReadError) as caught:
+        read(keys)
+    [problem] = caught.value.problems
+    assert message in problem.message
+    assert problem.id == identity
+    assert problem.place
+    line = (CASE % keys).splitlines()[2]
+    assert problem.place[1:3] == (3, line.index(at) + 1)
+
+
+def test_a_device_that_there_is_not() -> None:
+    case = CASE.replace("fatigue: {shaft", "fatigue: {shafd") % f"diameter: .04, {GIVEN}"
+    with pytest.raises(ReadError, match=r"no device `shafd`; did you mean `shaft`\?") as caught:
+        loads(case, format="yaml")
+    assert [one.id for one in caught.value.problems] == ["E880"]
+
+
+def test_a_device_without_a_name_has_that_which_it_gets() -> None:
+    spring = Spring(between(1), stiffness=1.0)
+    assert [*Transmission(1, [], [], [], springs=[spring], fatigue={"S1": SHAFT}).fatigue] == ["S1"]
+    with pytest.raises(CaseError, match="no device `S2`"):
+        Transmission(1, [], [], [], springs=[spring], fatigue={"S2": SHAFT})

@@ -1,0 +1,87 @@
+"""Damage of devices: by hand, and a long random record against the closed form."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tests.chance import generator
+from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.damage.devices import device_damage
+from vstatics.vehicle.damage.rayleigh import rayleigh_life
+
+SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0.0)
+EXAMPLE = 100 * np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2])
+"""ASTM E1049-85, 5.4.4, in units of 100 N*m; an amplitude of 400 N*m is the endurance."""
+COUNTS = {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5}
+"""Of its ranges, as the standard prints them."""
+
+
+def test_the_example_of_the_standard() -> None:
+    by_hand = sum(Fraction(n) * Fraction(r, 8) ** 3 for r, n in COUNTS.items()) / 4_000_000
+    made = device_damage(SHAFT, EXAMPLE)
+    assert made.damage == pytest.approx(float(by_hand), rel=1e-14)
+    assert made.damage == pytest.approx(5.341796875e-7, rel=1e-14)
+    assert made.repeats == pytest.approx(1 / float(by_hand))
+    assert made.largest_stress == pytest.approx(450 / 4e-6)
+
+
+def test_cycles_count_from_the_threshold_on() -> None:
+    """With 3/4 ranges of 600 and more: 6 is there, 4 is not."""
+    by_hand = sum(n * (r / 8) ** 3 for r, n in COUNTS.items() if r >= 6) / 4e6
+    made = device_damage(SHAFT._replace(threshold=0.75), EXAMPLE)
+    assert made.damage == pytest.approx(by_hand)
+    small = device_damage(SHAFT, EXAMPLE / 1e3)
+    none = device_damage(SHAFT._replace(threshold=0.6), EXAMPLE / 1e3)
+    assert (none.damage, none.repeats) == (0.0, None)
+    assert small.damage == pytest.approx(5.341796875e-16)
+
+
+def test_a_mean_stress_counts_in_part_whatever_its_sign() -> None:
+    """(4.38): 200 N*m about 300 N*m is as 230 N*m about 0 with an asymmetry of .1."""
+    leaning = device_damage(SHAFT._replace(asymmetry=0.1), np.array([100.0, 500.0]))
+    other = device_damage(SHAFT._replace(asymmetry=0.1), np.array([-100.0, -500.0]))
+    even = device_damage(SHAFT, np.array([-230.0, 230.0]))
+    assert leaning.damage == other.damage == pytest.approx(even.damage, rel=1e-14)
+    assert leaning.largest_stress == pytest.approx(230 / 4e-6)
+
+
+def test_a_sum_of_damages_at_which_it_fails() -> None:
+    whole, half = (device_damage(SHAFT._replace(sum=a), EXAMPLE) for a in (1.0, 0.5))
+    assert half.damage == whole.damage
+    assert whole.repeats is not None
+    assert half.repeats == pytest.approx(whole.repeats / 2)
+
+
+def test_a_round_shaft() -> None:
+    """Its largest stress is 16 M/(pi d^3)."""
+    shaft = SHAFT._replace(section_modulus=None, diameter=0.04)
+    made = device_damage(shaft, np.array([0.0, 1000.0, -1000.0, 0.0]))
+    assert made.largest_stress == pytest.approx(16e3 / (math.pi * 0.04**3))
+
+
+@pytest.mark.parametrize("torques", [[0.0, math.nan, 3.0], [0.0, math.inf], [1e200, -1e200, 0.0]])
+def test_what_is_open_or_too_large_has_no_damage(torques: list[float]) -> None:
+    made = device_damage(SHAFT, np.array(torques))
+    assert math.isnan(made.damage)
+    assert made.repeats is None
+
+
+def test_a_narrow_band_has_the_life_of_rayleighs_distribution() -> None:
+    """A narrow band of noise: its amplitudes have that distribution (Rice).
+
+    The deviation is 60 % of the endurance, as in the book's example.
+    """
+    chance, cycles, samples = generator(4), 20_000, 32
+    spectrum = np.zeros(cycles * samples // 2 + 1, dtype=complex)
+    band = slice(cycles - cycles // 20, cycles + cycles // 20)
+    spectrum[band] = chance.normal(size=(cycles // 20 * 2, 2)) @ [1, 1j]
+    waves = np.fft.irfft(spectrum)
+    shaft = SHAFT._replace(threshold=0.6)
+    made = device_damage(shaft, 240.0 * waves / np.std(waves))
+    expected = rayleigh_life(shaft, 60e6).life
+    assert made.repeats is not None
+    assert made.repeats * cycles == pytest.approx(expected, rel=0.1)

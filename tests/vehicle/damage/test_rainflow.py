@@ -1,0 +1,84 @@
+"""Rainflow counting against the example of the standard, another way to count, and its own sums."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from tests.chance import count, generator
+from vstatics.vehicle.damage.rainflow import LoadCycle, extremes, rainflow
+
+EXAMPLE = [-2.0, 1, -3, 5, -1, 3, -4, 4, -2]
+"""ASTM E1049-85, 5.4.4, figure 6."""
+
+
+def by_range(cycles: Iterable[LoadCycle]) -> dict[float, float]:
+    found: dict[float, float] = {}
+    for one in cycles:
+        found[one.range] = found.get(one.range, 0.0) + one.counted
+    return found
+
+
+def four_points(values: Sequence[float]) -> list[LoadCycle]:
+    """Where two of four points lie between the others they are a cycle; what is left are halves.
+
+    The way of Amzallag and others (1994): another one than that of the standard.
+    """
+    left, cycles = [*values], []
+    at = 0
+    while at + 3 < len(left):
+        a, b, c, d = left[at : at + 4]
+        if min(a, d) <= min(b, c) and max(b, c) <= max(a, d):
+            cycles.append(LoadCycle(abs(b - c), (b + c) / 2, 1.0))
+            del left[at + 1 : at + 3]
+            at = max(at - 2, 0)
+        else:
+            at += 1
+    pairs = pairwise(left)
+    return [*cycles, *(LoadCycle(abs(a - b), (a + b) / 2, 0.5) for a, b in pairs)]
+
+
+def test_the_example_of_the_standard() -> None:
+    cycles = rainflow(np.array(EXAMPLE))
+    assert by_range(cycles) == {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5}
+    assert [one.mean for one in cycles if one.range == 4] == [-1.0, 1.0]
+
+
+def test_points_between_extremes_and_repeated_ones_do_not_count() -> None:
+    drawn = np.interp(np.arange(0, 8.01, 0.25), range(9), EXAMPLE)
+    assert rainflow(np.repeat(drawn, 3)) == rainflow(np.array(EXAMPLE))
+    assert extremes(np.repeat(drawn, 2)).tolist() == EXAMPLE
+
+
+@pytest.mark.parametrize("values", [[], [3.0], [3.0, 3.0, 3.0]])
+def test_what_does_not_change_has_no_cycle(values: list[float]) -> None:
+    assert rainflow(np.array(values)) == []
+
+
+def test_a_record_that_rises_is_half_a_cycle() -> None:
+    assert rainflow(np.array([0.0, 1, 2, 10])) == [LoadCycle(10.0, 5.0, 0.5)]
+
+
+@pytest.mark.parametrize("seed", range(count(60, 2000)))
+@pytest.mark.parametrize("whole", [True, False])
+def test_random_records_as_by_four_points(seed: int, whole: bool) -> None:
+    """Whole numbers have many ranges that are equal."""
+    chance = generator(seed)
+    values = chance.normal(size=int(chance.integers(2, 80))) * 4
+    values = np.round(values) if whole else values
+    turning = extremes(values).tolist()
+    counted = rainflow(values)
+    assert by_range(counted) == by_range(four_points(turning))
+    assert sum(2 * one.counted for one in counted) == max(len(turning) - 1, 0)
+    ways = sum(2 * one.range * one.counted for one in counted)
+    assert ways == pytest.approx(np.abs(np.diff(values)).sum())
+
+
+def test_the_other_way_round_and_upside_down() -> None:
+    """Ranges of a record are those of its mirror image; means change their sign."""
+    values = generator(7).normal(size=500)
+    upside_down = [LoadCycle(one.range, -one.mean, one.counted) for one in rainflow(-values)]
+    assert sorted(upside_down) == rainflow(values)

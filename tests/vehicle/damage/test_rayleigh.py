@@ -1,0 +1,65 @@
+"""Life under random stresses against the book, quadrature, and limits."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.damage.rayleigh import rayleigh_life
+
+STEEL = Fatigue(100e6, 3, 4e6)
+
+
+@pytest.mark.parametrize(
+    ("exponent", "integral", "life"), [(3, 3.6191919, 51167.55), (6, 47.915922, 17892.57)]
+)
+def test_the_example_of_the_book(exponent: float, integral: float, life: float) -> None:
+    """Tsitovich and Algin, after (4.40), print 3.62 and 51 000 km; the digits are by quadrature."""
+    made = rayleigh_life(STEEL._replace(exponent=exponent), 60e6, 100)
+    assert made.integral == pytest.approx(integral, rel=1e-7)
+    assert made.life == pytest.approx(life, rel=3e-7)
+
+
+@pytest.mark.parametrize("exponent", [0.5, 1, 2.7, 9, 12.5])
+@pytest.mark.parametrize("threshold", [0.0, 0.3, 2.0])
+def test_the_integral_by_a_sum(exponent: float, threshold: float) -> None:
+    """The trapezoidal rule over x^(m+1) exp(-x^2/2)."""
+    x = np.linspace(threshold / 0.6, 40, 400_001)
+    y = x ** (exponent + 1) * np.exp(-x * x / 2)
+    expected = (y.sum() - (y[0] + y[-1]) / 2) * (x[1] - x[0])
+    made = rayleigh_life(STEEL._replace(exponent=exponent, threshold=threshold), 60e6)
+    assert made.integral == pytest.approx(expected, rel=1e-6)
+
+
+def test_all_cycles_of_an_exponent_of_2_are_the_variance() -> None:
+    """Without a threshold the mean of s^2 is 2 D: life = cycles endurance^2/(2 D)."""
+    made = rayleigh_life(Fatigue(80e6, 2, 1e6, threshold=0, sum=0.7), 50e6)
+    assert made.integral == pytest.approx(2.0)
+    assert made.life == pytest.approx(0.7e6 * 1.6**2 / 2)
+
+
+def test_what_never_reaches_the_threshold_lives_for_ever() -> None:
+    assert rayleigh_life(STEEL, 1e5) == (0.0, None)
+    assert rayleigh_life(STEEL, 1e-300) == (0.0, None)
+
+
+@pytest.mark.parametrize(("logarithm", "is_told"), [(699.99, True), (700.01, False)])
+def test_a_life_is_told_up_to_a_logarithm_of_700(logarithm: float, is_told: bool) -> None:
+    """Exponent 2 without a threshold: life = (endurance/deviation)^2/2, see above."""
+    strength = Fatigue(math.sqrt(2) * math.exp(logarithm / 2), 2, 1.0, threshold=0.0)
+    if is_told:
+        assert math.log(rayleigh_life(strength, 1.0).life or 0.0) == pytest.approx(logarithm)
+    else:
+        with pytest.raises(ValueError, match="so large"):
+            rayleigh_life(strength, 1.0)
+
+
+def test_numbers_too_large() -> None:
+    with pytest.raises(ValueError, match="so large"):
+        rayleigh_life(STEEL._replace(exponent=1e4, threshold=0), 60e6)
+    with pytest.raises(ValueError, match="so large"):
+        rayleigh_life(STEEL._replace(endurance=1e300, threshold=0), 1e-300)
+    assert math.isfinite(rayleigh_life(STEEL._replace(exponent=100), 60e6).life or math.nan)

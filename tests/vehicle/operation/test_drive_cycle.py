@@ -1,0 +1,471 @@
+"""Driving cycles: energies in closed form, and what the engine gives against statics."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.chance import seeded
+from tests.commands import vstatics
+from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
+from vstatics.core.model.checks import doubts
+from vstatics.core.model.parts import BatteryBalance
+from vstatics.core.model.transmission import SpeedOf
+from vstatics.core.readers import sweep_tables
+from vstatics.core.summary.design_table import design
+from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.vehicle.operation.shifting import EngineSpeeds, by_shift_speeds, read_shifts
+from vstatics.vehicle.operation.trace import Trace, read_trace
+from vstatics.vehicle.operation.traction import performance
+
+CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
+CASE = Transmission(
+    4,
+    [ShiftElement(1, 2), ShiftElement(1, 3)],
+    [Mechanism(2, 4, 0, 3.5, 0.97, name="first"), Mechanism(3, 4, 0, -1.5, 0.9, name="second")],
+    [Gear([1], name="1"), Gear([2], name="2")],
+    vehicle=CAR,
+    inertias={1: 0.15, 3: 0.02, 4: 0.3},
+)
+
+
+def trace(*rows: tuple[float, float, str]) -> Trace:
+    """Of time [s], speed [m/s] and gear."""
+    lines = [f"{time!r},{speed!r},{gear}" for time, speed, gear in rows]
+    return read_trace("\n".join(["time [s],speed [m/s],gear", *lines]).encode(), "t.csv")
+
+
+@pytest.mark.parametrize(
+    ("gear", "ratio", "eta", "name"), [("1", 3.5, 0.97, "first"), ("2", 1.5, 0.9, "second")]
+)
+def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -> None:
+    """From 10 to 12 m/s in 2 s; the engine's torque by hand, with what turns on each side."""
+    made = drive(CASE, trace((0, 10, gear), (2, 12, gear)), GearChoice())
+    force = 1200 * 1 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 11**2
+    k = 4.1 / 0.3
+    at_output = force / k + 0.3 * k
+    if gear == "1":  # the second pair turns, too, and speeds its first link up
+        at_output += 0.02 * 1.5**2 * k / 0.9
+    own = 0.15 + (0.02 if gear == "2" else 0.0)
+    engine = at_output / ratio / eta + own * k * ratio
+    energy = engine * ratio * k * 22
+    assert made.energy.engine == pytest.approx(energy, rel=1e-12)
+    assert made.energy.wheels == pytest.approx(force * 22, rel=1e-12)
+    assert made.energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
+    spinning = 0.3 * k**2 + own * (ratio * k) ** 2
+    if gear == "1":
+        spinning += 0.02 * (1.5 * k) ** 2
+    assert made.energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+    expected = [1.0, 3.6 * 11, float(gear), ratio * k * 11 * 30 / math.pi, engine, force]
+    assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
+
+
+def test_brakes_take_what_the_engine_does_not() -> None:
+    """Coasting through .9 the overrun of -30 N*m holds 30 1.5/.9 on the output."""
+    car = CAR._replace(overrun=[(0.0, -30.0)])
+    case = CASE.replace(vehicle=car, inertias={})
+    made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice())
+    force = -1200 * 5 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 15**2
+    k, way = 4.1 / 0.3, 30.0
+    held = -30 * 1.5 / 0.9 * k
+    assert made.energy.brakes == pytest.approx((held - force) * way, rel=1e-12)
+    assert made.energy.engine == pytest.approx(-30 * 1.5 * k * way, rel=1e-12)
+    assert made.energy.lost["second"] == pytest.approx(
+        30 * 1.5 * k * way * (1 / 0.9 - 1), rel=1e-12
+    )
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_random_cycles_are_in_balance(number: int) -> None:
+    """The engine is the sum of all others, and its torque gives the force at the wheels."""
+    rng = seeded(2770 + number)
+    etas = [rng.uniform(0.7, 1.0) for _ in range(2)]
+    sets = [m._replace(efficiency=eta) for m, eta in zip(CASE.mechanisms, etas, strict=True)]
+    case = CASE.replace(
+        mechanisms=sets,
+        gears=[gear._replace(drag={4: rng.uniform(0, 3)}) for gear in CASE.gears],
+        vehicle=CAR._replace(overrun=[(0.0, -rng.uniform(0, 20))]),
+        load=Load(2000.0, 100.0),
+    )
+    rows = [(2.0 * n, rng.choice([0.0, rng.uniform(1, 30)]), rng.choice("12")) for n in range(9)]
+    made = drive(case, trace(*rows), GearChoice())
+    parts = made.energy
+    total = parts.wheels + parts.inertias + parts.brakes + math.fsum(parts.lost.values())
+    assert parts.engine == pytest.approx(total, rel=1e-9, abs=1e-6)
+    assert parts.brakes >= 0
+
+
+def test_standing_takes_fuel_at_the_edge_and_no_torque() -> None:
+    grid = FuelMap(
+        np.array([80.0, 600.0]), np.array([0.0, 200.0]), np.array([[0.1, 1.0], [2.0, 9.0]])
+    )
+    made = drive(CASE, trace((0, 0, "1"), (60, 0, "1")), GearChoice(), grid)
+    assert made.fuel == pytest.approx(6.0)
+    assert made.energy.engine == made.energy.wheels == made.distance == 0
+
+
+def test_elements_that_carry_too_much_are_told_with_their_steps() -> None:
+    """Clutch 1 bears what the engine gives, here nothing turns but the car."""
+    steps = trace((0, 10, "1"), (2, 12, "1"), (4, 18, "1"), (6, 18, "2"), (8, 18, "2"))
+    bare = CASE.replace(inertias={}, load=Load(None, 10.0))
+    made = drive(bare, steps, GearChoice())
+    torques = made.steps["engine torque [N*m]"]
+    for part, told in ((0.99, True), (1.01, False)):
+        first = bare.shift_elements[0]._replace(capacity=torques[1] * part / 10)
+        case = bare.replace(shift_elements=[first, bare.shift_elements[1]])
+        said = [(one.id, one.text) for one in drive(case, steps, GearChoice()).messages]
+        text = f"in 1 of 4 steps {first.name} carries up to {torques[1]:.5g} of "
+        text += f"{torques[1] * part:.5g} N*m, more than its capacity, most from 2 s on, gear 1"
+        assert said == [("W430", text)] * told
+
+
+def test_from_rest_to_rest_inertias_take_what_goes_at_shifts() -> None:
+    """Of the input and what turns with the open gear, by its ratio: J (w^2 - w'^2)/2 at each."""
+    rows = (0, 0, "1"), (3, 8, "2"), (7, 14, "2"), (9, 5, "1"), (12, 0, "1")
+    made = drive(CASE, trace(*rows), GearChoice())
+    wheel = 4.1 / 0.3
+    change = 0.15 * ((3.5 * wheel) ** 2 - (1.5 * wheel) ** 2) / 2  # link 3 turns as ever
+    assert made.energy.inertias == pytest.approx(change * (8**2 - 5**2), rel=1e-12)
+
+
+def test_a_gear_that_drives_nothing_is_told_at_its_row() -> None:
+    case = CASE.replace(gears=[Gear([1], name="1"), Gear([1, 2], name="tied"), Gear(name="none")])
+    for name in ("tied", "none"):
+        with pytest.raises(CaseError, match=f"gear {name} has no ratio") as caught:
+            drive(case, trace((0, 0, name), (1, 3, name), (2, 5, "1"), (3, 5, name)), GearChoice())
+        assert caught.value.problems[0].path == (0,)
+
+
+SET = Transmission(
+    3,
+    [ShiftElement(2, 0, "B")],
+    [Mechanism(1, 2, 3, -2.5, 0.96, name="set")],
+    [Gear([1], name="low")],
+    vehicle=CAR._replace(engine=[(0.0, 150.0), (600.0, 150.0)]),
+    inertias={1: 0.15, 2: 0.1, 3: 0.3},
+    load=Load(2000.0, 100.0),
+)
+
+
+def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
+    rows = trace((0, 0, "low"), (3, 9, "low"), (8, 14, "low"), (12, 2, "low"))
+    held = SET.replace(gears=[Gear(speeds={2: 0.0}, name="low")])
+    braked, made = (drive(one, rows, GearChoice()).energy for one in (SET, held))
+    for one, other in zip(braked[:4], made[:4], strict=True):
+        assert one == pytest.approx(other, rel=1e-12)
+    assert made.lost == pytest.approx(braked.lost)
+    assert performance(held) == performance(SET)
+
+
+@pytest.mark.parametrize(
+    ("gear", "why"),
+    [
+        (Gear(speeds={2: 1.5}), "a given speed of 2"),
+        (Gear(speeds={2: SpeedOf(3, 0.5)}), "a given speed of 2"),
+        (Gear([1], torques={2: 0.2}), "a given torque on 2"),
+        (Gear(speeds={}, balance=BatteryBalance([(1, 0.9), (2, 0.9)], -1.0)), "a balance"),
+    ],
+)
+def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
+    """Their power is none of the engine's: energies would not close."""
+    case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
+    assert [(one.id, why in one.message) for one in doubts(case)] == [("W890", True)]
+    told, alone = performance(case), performance(SET)
+    assert told.gears["low"] == alone.gears["low"]
+    assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
+    assert all(map(math.isnan, told.gears["split"]))
+    rows = [(0, 3, "low"), (4, 9, "split"), (8, 30, "")]
+    with pytest.raises(CaseError, match=f"gear split has {why}, expected one in which") as caught:
+        drive(case, trace(*rows), GearChoice())
+    assert caught.value.problems[0].path == (1,)
+    unnamed = trace(*rows)._replace(gears=[])
+    assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
+
+
+@pytest.mark.parametrize("turned", [1, -1])
+def test_as_many_gears_both_ways_are_told_apart_by_their_names(turned: int) -> None:
+    """Whichever way the wheels turn and whatever stands first, as in the design table."""
+    ratios = {"R1": -4.0, "F2": 2.0, "2R": -2.0, "F1": 4.0}
+
+    def driven(names: Sequence[str]) -> DriveCycle:
+        pairs = [Mechanism(n, 6, 0, turned * u) for n, u in enumerate(ratios.values(), 2)]
+        clutches = [ShiftElement(1, link) for link in range(2, 6)]
+        gears = [Gear([n], name=name) for n, name in enumerate(names, 1)]
+        case = Transmission(6, clutches, pairs, gears, vehicle=CAR)
+        steady = trace((0, 5, ""), (1, 5, ""))._replace(gears=[])
+        made = drive(case, steady, GearChoice(least_speed=1.0))
+        assert made.gears[0] in design(solve(case)).forward
+        return made
+
+    made = driven([*ratios])
+    assert (made.gears, made.messages) == (["F2"], [])
+    made = driven(["a", "b", "c", "d"])
+    assert (made.gears, [one.id for one in made.messages]) == (["c"], ["N417"])
+
+
+def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
+    rows = [(2.0 * n, speed, "") for n, speed in enumerate((0, 4, 8, 8, 4, 3, 0))]
+    text = trace(*rows)._replace(gears=[])
+    shifts = read_shifts("1-2: 6 m/s/3.6 m/s")
+    ahead = CASE.mechanisms[1]._replace(ratio=1.5)
+    case = CASE.replace(mechanisms=[CASE.mechanisms[0], ahead])
+    assert drive(case, text, GearChoice(shifts=shifts)).gears == ["1", "2", "2", "2", "1", "1"]
+    least = 5 * 1.5 * 4.1 / 0.3  # of the engine in the second gear at 5 m/s
+    assert drive(case, text, GearChoice(least)).gears == ["1", "2", "2", "2", "1", "1"]
+    with pytest.raises(CaseError, match="no column `gear`"):
+        drive(CASE, text, GearChoice())
+    for both in GearChoice(least, shifts), GearChoice(least), GearChoice(shifts=shifts):
+        given = text if both == GearChoice(least, shifts) else trace((0, 4, "1"), (2, 8, "1"))
+        with pytest.raises(CaseError, match=r"and --\S+ tell the gears, expected one of them"):
+            drive(case, given, both)
+    turned = read_shifts("2-1: 6 m/s/3.6 m/s")
+    with pytest.raises(CaseError, match=r"larger ratio \(`2` 1.5 and `1` 3.5\), .* first: 1-2"):
+        drive(case, text, GearChoice(shifts=turned))
+    same = case.replace(mechanisms=[one._replace(ratio=0.1 + 0.2) for one in case.mechanisms])
+    same = same.replace(mechanisms=[same.mechanisms[0], ahead._replace(ratio=0.3)])
+    assert drive(same, text, GearChoice(shifts=turned)).gears[0] == "2"
+
+
+def test_three_gears_by_shift_speeds() -> None:
+    """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    clutches = [ShiftElement(1, link) for link in (2, 3, 4)]
+    gears = [Gear([n], name=str(n)) for n in (1, 2, 3)]
+    case = Transmission(5, clutches, pairs, gears, vehicle=CAR)
+    speeds = [5, 7, 11, 13, 10, 8.5, 11, 5, 3.5, 13, 3]
+    steady = [speed for speed in speeds for _ in range(2)]
+    text = trace(*((2.0 * n, speed, "") for n, speed in enumerate(steady)))._replace(gears=[])
+    made = drive(case, text, GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s")))
+    assert made.gears[::2] == [*"12233222131"]
+    assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: int) -> None:
+    """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34.
+
+    So it is with a final drive that turns them all.
+    """
+    pairs = [Mechanism(n, 5, 0, ratio) for n, ratio in ((2, 4.0), (3, 2.0), (4, 1.0))]
+    gears = [Gear(name=str(n)) for n in (1, 2, 3)]
+    speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
+    engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
+    shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
+    case = Transmission(5, [], pairs, gears)
+    places = by_shift_speeds(case, shifts, speeds, engine, sign * ratios)
+    assert places.tolist() == [2, 1, 1, 0]
+
+
+@pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
+def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
+    """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
+    ratios = {"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0}
+    elements = [ShiftElement(1, link) for link in range(2, 7)]
+    sets = [Mechanism(link, 7, 0, ratio) for link, ratio in enumerate(ratios.values(), 2)]
+    gears = [Gear([number], name=name) for number, name in enumerate(ratios, 1)]
+    gears[3] = gears[3]._replace(torques={2: 0.2})
+    case = Transmission(7, elements, sets, [*gears, Gear(name="N")], vehicle=CAR)
+    text = trace((0, 5, ""), (2, 6, ""))._replace(gears=[])
+    with pytest.raises(CaseError, match=f"the shift {shift} .* neighbours: 1-2, 2-3"):
+        drive(case, text, GearChoice(shifts=read_shifts(f"{shift}: 5 m/s/4 m/s")))
+    skipping = GearChoice(shifts=read_shifts("1-3: 5 m/s/4 m/s"))
+    assert drive(case, text, skipping).gears == ["3"]
+
+
+@pytest.mark.parametrize("number", range(5))
+def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int) -> None:
+    """By both rules, over a random engine and steady speeds; counted by hand where none holds."""
+    rng = seeded(3410 + number)
+    first, last = rng.uniform(50, 150), rng.uniform(300, 600)
+    ahead = CASE.mechanisms[1]._replace(ratio=rng.uniform(0.5, 3.0))
+    sets = [CASE.mechanisms[0], ahead]
+    case = CASE.replace(
+        mechanisms=sets, vehicle=CAR._replace(engine=[(first, 1e5), (last, 1e5)]), inertias={}
+    )
+    speeds = [rng.uniform(1, 70) for _ in range(40)]
+    rows = [(0.0, speeds[0], ""), *((n, 2 * one, "") for n, one in enumerate(speeds, 1))]
+    given = trace(*rows)
+    given = given._replace(gears=[], speed=np.array(speeds), acceleration=np.zeros(40))
+    least = rng.uniform(first, last)
+    shift = read_shifts(f"1-2: {rng.uniform(5, 60)} m/s/{rng.uniform(1, 5)} m/s")
+    for choice in (GearChoice(least), GearChoice(shifts=shift)):
+        made = drive(case, given, choice)
+        turned = np.array([[v * 4.1 / 0.3 * m.ratio for m in sets] for v in speeds])
+        own = turned[np.arange(40), [int(name) - 1 for name in made.gears]]
+        holds = (turned <= last).any(axis=1)
+        assert (own[holds] <= last).all()
+        np.testing.assert_allclose(own[~holds], turned[~holds].min(axis=1))
+        fast = int((~holds).sum())
+        assert made.beyond == fast  # full load is far away, but beyond the last point there is none
+        said = {one.id: one.text for one in made.messages}
+        assert ("W428" in said) == (fast > 0)
+        assert said.get("W428", f"in {fast} of 40").startswith(f"in {fast} of 40")
+
+
+def test_what_the_engine_cannot_is_a_warning_by_which_strict_fails(tmp_path: Path) -> None:
+    case, given = tmp_path / "car.yaml", tmp_path / "t.csv"
+    case.write_text(CAR_FILE.replace("fuel: {file: fuel.csv}", "engine: [[0, 90], [300, 90]]"))
+    given.write_text("time [s],speed [m/s]\n0,60\n1,60\n2,80\n3,80\n")
+    asked = ["cycle", str(case), str(given), "-f", "json", "--least-speed"]
+    ran = vstatics(*asked, "1000 rpm")
+    messages = json.loads(ran.out)["cycle"]["messages"]
+    assert ran.status == 0
+    assert [one[-6:] for one in messages] == ["[W428]", "[W429]"]
+    # the second gear turns 4 v: 240, 280, 320 rad/s, and 1000 kg 20 m/s^2 are beyond any engine
+    assert "in 1 of 3 steps" in messages[0]
+    assert f"{320 * 30 / math.pi:.6g} rpm" in messages[0]
+    assert "in 1 of 3 steps" in messages[1]
+    assert f"{case}: {messages[0][:-7]}" in ran.err  # `tests.commands` drops ids
+    assert vstatics(*asked, "1000 rpm", "--strict").status == 1
+    ran = vstatics(*asked, "1000 rpm", "--strict", "--allow", "W428", "--allow", "W429")
+    assert (ran.status, json.loads(ran.out)["cycle"]["messages"]) == (0, [])
+    ran = vstatics(*asked, "1000")
+    assert ran.status == 2
+    assert "read '1000', expected a speed with its unit" in ran.err
+
+
+def test_a_specific_consumption_is_told_how_it_becomes_a_rate() -> None:
+    """What 250 g/kWh take at 3000 rpm and 100 N*m, idle has no power to be multiplied by."""
+    with pytest.raises(ReadError, match=r"`g/s`; g/kWh times speed \[rpm\] \* torque .*/9549.3"):
+        read_fuel_map(b"speed [rpm],torque [N*m],fuel [g/kWh]\n3000,100,250\n", "f.csv")
+    rate = 250 * 3000 * 100 / 9549.3
+    assert rate == pytest.approx(250 * 100 * 3000 * math.pi / 30 / 1000, rel=1e-6)
+
+
+def test_fuel_is_bilinear() -> None:
+    """A + b w + c T + d w T is met exactly inside a cell."""
+    speeds, torques = np.array([100.0, 300.0, 500.0]), np.array([0.0, 100.0])
+
+    def fuel(w: Any, t: Any) -> Any:
+        return 0.2 + 0.001 * w + 0.002 * t + 1e-5 * w * t
+
+    rows = [f"{w},{t},{3600 * fuel(w, t)}" for w in speeds for t in torques]
+    text = "\n".join(["speed [rad/s],torque [N*m],fuel [g/h]", *rows])
+    read = read_fuel_map(text.encode(), "fuel.csv")
+    w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
+    np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
+    np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
+    with pytest.raises(ReadError, match="expected one for each pair"):
+        read_fuel_map(text.encode().rsplit(b"\n", 1)[0], "fuel.csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("time [s],speed [km/h]\n", "no row below the headings"),
+        ("time [s],speed [km/h]\n0,1\n", "expected two at least"),
+        ("time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a later time"),
+        ("time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
+        ("time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of the angle"),
+        ("time [s],speed [km/h],gear\n0,1,1\n1,2,9\n2,2,9\n", ":3:1: error: there is no gear `9`"),
+    ],
+)
+def test_faults_of_a_trace_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
+    case, file = tmp_path / "car.json", tmp_path / "t.csv"
+    pair = {"first": 1, "second": 2, "ratio": 4}
+    made = {"links": 2, "mechanisms": {"p": pair}, "gears": {"1": []}}
+    case.write_text(json.dumps(made | {"vehicle": {"mass": 1000, "radius": 0.5}}))
+    file.write_text(text)
+    ran = vstatics("cycle", str(case), str(file))
+    assert (ran.status, ran.out) == (1, "")
+    assert said in ran.err
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("speed [rpm],torque [N*m],fuel [kg]\n0,0,1\n", ":1:1: error: fuel: read the unit 'kg'"),
+        ("speed [rpm],torque [N*m],fuel [g/h]\n0,0,-1\n", ":2:1: error: fuel: expected 0 or more"),
+    ],
+)
+def test_faults_of_a_fuel_map_are_told_with_their_place(
+    tmp_path: Path, text: str, said: str
+) -> None:
+    (tmp_path / "t.csv").write_text("time [s],speed [km/h],gear\n0,1,1\n1,2,1\n")
+    (tmp_path / "fuel.csv").write_text(text)
+    case = tmp_path / "car.yaml"
+    case.write_text("""
+links: 2
+mechanisms: {p: {first: 1, second: 2, ratio: 4}}
+gears: {"1": []}
+vehicle: {mass: 1000, radius: 0.5, engine: [[0, 100]], fuel: {file: fuel.csv}}
+""")
+    ran = vstatics("cycle", str(case), str(tmp_path / "t.csv"))
+    assert (ran.status, ran.out) == (1, "")
+    assert f"fuel.csv{said}" in ran.err
+
+
+def test_a_case_without_a_vehicle_is_told(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text("time [s],speed [km/h]\n0,1\n1,2\n")
+    ran = vstatics("cycle", "cases/zf-8hp70.yaml", str(tmp_path / "t.csv"))
+    assert ran.status == 1
+    assert "the case has no `vehicle`" in ran.err
+
+
+def test_the_case_stands_first() -> None:
+    for command in (["cycle"], ["damage"]):
+        ran = vstatics(*command, "t.csv", "car.yaml")
+        assert ran.status == 2
+        assert "the case stands first, then the CSV file: car.yaml t.csv" in ran.err
+
+
+def test_the_engine_gives_what_statics_asks_for() -> None:
+    """The torque of the engine that comes out gives the force at the wheels, solved forward."""
+    case = CASE.replace(inertias={})
+    made = drive(case, trace((0, 15, "1"), (1, 15, "1")), GearChoice())
+    speed = 15 / 0.3 * 4.1 * 3.5
+    torque = made.energy.engine / speed
+    results = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
+    assert results.lossy_output_torque_Nm[0] * 4.1 / 0.3 == pytest.approx(made.energy.wheels / 15)
+
+
+CAR_FILE = """
+links: [engine, a, b, out]
+shift_elements: {A: [engine, a], B: [engine, b]}
+mechanisms:
+  first: {first: a, second: out, ratio: 4, efficiency: .8}
+  second: {first: b, second: out, ratio: 2, efficiency: .9}
+gears: {low: [A], high: [B]}
+vehicle: {mass: 1000 kg, radius: 0.5, fuel: {file: fuel.csv}}
+"""
+TRACE_FILE = "time [s],speed [m/s],gear\n2,0,low\n4,10,low\n5,12,high\n9,12,low\n10,0,low\n"
+
+
+def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(tmp_path: Path) -> None:
+    """F = m a at the wheels, M = F r/(i n) at the engine, w = v i/r, no fuel below 0 N*m."""
+    case, given, steps = (str(tmp_path / name) for name in ("car.yaml", "trace.csv", "steps.csv"))
+    Path(case).write_text(CAR_FILE)
+    Path(given).write_text(TRACE_FILE)
+    fuel = "speed [rad/s],torque [N*m],fuel [g/h]\n0,0,500\n0,900,500\n400,0,500\n400,900,500\n"
+    (tmp_path / "fuel.csv").write_text(fuel)
+    assert vstatics("cycle", case, given, "--steps", steps).status == 0
+    table = sweep_tables.read(Path(steps).read_bytes(), steps)
+    assert table.varied == ("time [s]",)
+    forces, speeds, ratios = [5000, 2000, 0, -12000], [5, 11, 12, 6], [4, 4, 2, 4]
+    expected = {
+        "time [s]": [3, 4.5, 7, 9.5],
+        "speed [km/h]": [3.6 * v for v in speeds],
+        "gear number": [1, 1, 2, 1],
+        "engine speed [rpm]": [
+            v / 0.5 * i * 30 / math.pi for v, i in zip(speeds, ratios, strict=True)
+        ],
+        "engine torque [N*m]": [5000 * 0.5 / 4 / 0.8, 2000 * 0.5 / 4 / 0.8, 0, 0],
+        "wheel force [N]": forces,
+        "fuel [g/h]": [500] * 4,
+    }
+    assert table.columns == {name: pytest.approx(column) for name, column in expected.items()}
+    picture = str(tmp_path / "cycle.svg")
+    assert vstatics("plot", steps, "-k", "curves", "-o", picture).status == 0
+    assert "engine torque" in Path(picture).read_text()
+    before = Path(given).read_bytes()
+    assert vstatics("cycle", case, given, "--steps", given).status == 2
+    assert Path(given).read_bytes() == before

@@ -1,0 +1,354 @@
+"""Duty cycles by points: energies against closed forms and against the results of each point."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from tests.trains import random_train
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ReadError,
+    ShiftElement,
+    Spring,
+    Transmission,
+    solve,
+)
+from vstatics.core.readers import from_dict
+from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.duty_file import read_duty_table
+from vstatics.vehicle.operation.load_spectrum import points_of, spectrum
+from vstatics.vehicle.operation.point_loads import DutyPoints
+
+PAIRS = Transmission(
+    3,
+    [],
+    [Mechanism(1, 2, 0, 2.0, 0.9, name="a"), Mechanism(2, 3, 0, -3.0, 0.8, name="b")],
+    [Gear(name="1")],
+    link_names=["in", "mid", "out"],
+)
+
+
+def points(*rows: tuple[float, float, float], are_shares: bool = False) -> DutyPoints:
+    """Of speed, torque and weight in gear 1."""
+    speeds, torques, weights = map(np.array, zip(*rows, strict=True))
+    return DutyPoints(np.zeros(len(rows), int), speeds, torques, weights, are_shares)
+
+
+def test_energies_of_two_pairs_in_closed_form() -> None:
+    """100 rad/s and 20 N*m for 10 s; then coasting with -9 N*m for 5 s, where 9/.72 N*m enter."""
+    made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (100.0, -9.0, 5.0)))
+    drive, coast = 2000 * 10.0, 900 * 5.0
+    assert made.energy.in_ == pytest.approx(drive + coast / 0.72)
+    assert made.energy.out == pytest.approx(drive * 0.72 + coast)
+    lost_b = drive * 0.9 * 0.2 + coast / 0.72 * 0.2
+    assert made.energy.lost == pytest.approx({"a": drive * 0.1 + coast / 0.9 * 0.1, "b": lost_b})
+    assert made.efficiency == pytest.approx(made.energy.out / made.energy.in_)
+
+
+def test_a_point_without_torques_says_why() -> None:
+    """A set on a freewheel that holds when it drives and overruns when it coasts."""
+    case = Transmission(
+        3,
+        [ShiftElement(2, 0, "F", kind="freewheel")],
+        [Mechanism(1, 2, 3, -2.5, 0.96)],
+        [Gear(name="1")],
+    )
+    assert spectrum(case, points((100.0, 20.0, 10.0))).energy.in_ == pytest.approx(20_000)
+    with pytest.raises(CaseError, match=r"has no torques .*: .*freewheel F overruns") as caught:
+        spectrum(case, points((100.0, 20.0, 10.0), (100.0, -20.0, 10.0)))
+    assert [one.path for one in caught.value.problems] == [(1,)]
+
+
+def test_equivalent_torque_and_turns() -> None:
+    """T^3 by turns: 20 N*m over 1000 rad, 10 N*m over 500 rad, at the first link."""
+    made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (50.0, 10.0, 10.0)))
+    one = made.members["a.first"]
+    assert one.torque == (20.0, 1)
+    assert one.speed.largest == pytest.approx(100 * 30 / math.pi)
+    assert one.revolutions == pytest.approx(1500 / (2 * math.pi))
+    assert one.equivalent_torque == pytest.approx(((20**3 * 1000 + 10**3 * 500) / 1500) ** (1 / 3))
+    mid = made.members["mid"]
+    assert mid.torque.largest == pytest.approx(20 * 2 * 0.9)
+    assert mid.revolutions == pytest.approx(750 / (2 * math.pi))
+
+
+def test_planets_turn_on_their_pins() -> None:
+    """A held ring: the carrier turns by 30/104 of the sun, the planet by 30/22 of the rest."""
+    wheels = {"kind": "planetary", "sun": "s", "ring": "r", "carrier": "c"}
+    case = from_dict(
+        {
+            "links": ["s", "r", "c"],
+            "shift_elements": {"B": ["r", "housing"], "C": ["s", "c"]},
+            "elements": {"P": {**wheels, "teeth": {"sun": 30, "ring": 74, "planet": 22}}},
+            "gears": {"low": ["B"], "direct": ["C"]},
+        }
+    )
+    low, direct = (100.0, 20.0, 10.0), (100.0, 20.0, 50.0)
+    both = points(low, direct)._replace(gears=np.array([0, 1]))
+    one = spectrum(case, both).members["P.planet"]
+    speed = 100 * (1 - 30 / 104) * 30 / 22
+    assert abs(one.speed.largest) == pytest.approx(speed * 30 / math.pi)
+    assert one.speed.row == 1
+    assert one.revolutions == pytest.approx(speed * 10 / (2 * math.pi))
+    assert np.isnan([one.torque.largest, one.equivalent_torque]).all()
+
+
+def test_shares_give_mean_powers() -> None:
+    made = spectrum(PAIRS, points((100.0, 20.0, 3.0), (100.0, 10.0, 1.0), are_shares=True))
+    assert made.energy.in_ == pytest.approx(2000 * 0.75 + 1000 * 0.25)
+
+
+def test_drag_of_a_link_is_what_its_torques_leave() -> None:
+    """2 N*m on the middle link, which turns at half the speed: 2 50 J/s."""
+    case = PAIRS.replace(
+        gears=[Gear(drag={2: 0.1}, name="1")],
+        mechanisms=[m._replace(efficiency=1.0) for m in PAIRS.mechanisms],
+    )
+    made = spectrum(case, points((100.0, 20.0, 1.0)))
+    assert made.energy.lost["drag.mid"] == pytest.approx(0.1 * 20 * 50)
+    assert made.members["mid"].torque.largest == pytest.approx(40)
+
+
+@pytest.mark.parametrize(
+    "number", [*range(8), *(pytest.param(n, marks=pytest.mark.slow) for n in range(8, 25))]
+)
+def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
+    """Each point is that of the case with this load; energies are sums over points."""
+    rng = seeded(2750 + number)
+    case = random_train(rng).replace(coast=None)
+    results = solve(case.replace(load=Load(1000.0, 50.0)))
+    whole = [
+        n for n, ok in enumerate(results.consistent & np.isfinite(results.losses).all(axis=1)) if ok
+    ]
+    whole = [n for n in whole if np.isfinite(results.lossy_output_torque_Nm[n])]
+    if not whole or case.freewheels:
+        return
+    gears = np.array([rng.choice(whole) for _ in range(4)])
+    speeds = np.array([rng.uniform(50, 300) for _ in gears])
+    torques = np.array([rng.uniform(5, 90) for _ in gears])
+    times = np.array([rng.uniform(1, 9) for _ in gears])
+    try:
+        made = spectrum(case, DutyPoints(gears, speeds, torques, times))
+    except CaseError:
+        return
+    entering = leaving = 0.0
+    for gear, speed, torque, time in zip(gears, speeds, torques, times, strict=True):
+        one = solve(case.replace(load=Load(speed * 30 / math.pi, torque)))
+        entering += 1e3 * one.input_power_kW[gear] * time
+        leaving += 1e3 * one.output_power_kW[gear] * time
+    assert made.energy.in_ == pytest.approx(entering, rel=1e-9)
+    assert made.energy.out == pytest.approx(leaving, rel=1e-9)
+    lost = math.fsum(made.energy.lost.values())
+    assert lost == pytest.approx(entering - leaving, rel=1e-8, abs=1e-6 * entering)
+
+
+@pytest.mark.parametrize("load", [400.0, 150.0])
+def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(load: float) -> None:
+    """A held ring bears 2.5 times the sun, as in `run` that without losses, which is larger.
+
+    Its capacity is in N*m, told by any load.
+    """
+    elements = [
+        ShiftElement(1, 2, "C", capacity=9999 / load),
+        ShiftElement(2, 0, "B", capacity=600 / load),
+    ]
+    gears = [Gear([2], name="low"), Gear([1], name="high")]
+    case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5, 0.96)], gears, load=Load(None, load))
+    rows = points((200.0, 239.0, 1.0), (200.0, -241.0, 1.0), (200.0, 300.0, 1.0), (200.0, 900.0, 1))
+    rows = rows._replace(gears=np.array([0, 0, 0, 1]))
+    [one] = spectrum(case, rows).messages
+    assert (one.id, one.text) == (
+        "W430",
+        f"in 2 of 4 rows B carries up to {2.5 * 300:.5g} of 600 N*m, more than its "
+        "capacity, most in row 3, gear low",
+    )
+    own = [gears[0]._replace(load=Load(1910.0, 300.0)), gears[1]]
+    [alone] = solve(case.replace(gears=own)).messages
+    assert (alone.id, alone.text) == ("W430", "B carries 750 of 600 N*m, more than its capacity")
+    assert not spectrum(case.replace(allow=("W430",)), rows).messages
+    assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
+
+
+def test_what_is_no_duty_cycle_is_told() -> None:
+    with pytest.raises(CaseError, match="no gear '2'"):
+        points_of(PAIRS, ["2"], {"speed": [1.0], "torque": [1.0], "time": [1.0]})
+    with pytest.raises(CaseError, match="expected a speed other than 0"):
+        points_of(PAIRS, ["1"], {"speed": [0.0], "torque": [1.0], "time": [1.0]})
+    with pytest.raises(CaseError, match="time: read -1"):
+        points_of(PAIRS, ["1"], {"speed": [1.0], "torque": [1.0], "time": [-1.0]})
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:1: error: speed: its unit is missing"),
+        ("time,gear,speed [kg],torque [N*m]\n1,1,2,3\n", "speed: read the unit 'kg'"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,1,nan,3\n", ":2:1: error: speed: read 'nan'"),
+        ("time,gear,speed [rpm],torque [N*m]\n", "no row below the headings"),
+        ("gear,speed [rpm],torque [N*m]\n1,2,3\n", "expected one of them"),
+        ("time,share,gear,speed [rpm],torque [N*m]\n1,1,1,2,3\n", "expected one of them"),
+        ("time,gear,sped [rpm],torque [N*m]\n1,1,2,3\n", "did you mean `speed`?"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,9,2,3\n", ":2:1: error: there is no gear '9'"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
+    ],
+)
+def test_faults_of_a_table_are_told_with_their_place(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "case.json").write_text(
+        json.dumps(
+            {
+                "links": 2,
+                "mechanisms": {"a": {"first": 1, "second": 2, "ratio": 2}},
+                "gears": {"1": []},
+            }
+        )
+    )
+    (tmp_path / "duty.csv").write_text(text)
+    ran = vstatics("summary", str(tmp_path / "case.json"), "--duty", str(tmp_path / "duty.csv"))
+    assert (ran.status, ran.out) == (1, "")
+    assert said in ran.err
+
+
+BEYOND = """
+links: [engine, a, out]
+shift_elements: {A: [engine, a], B: [a, out]}
+load: {speed: 1000 rpm, torque: 50 N*m}
+drag: {a: [[0, 1], [100, 3]]}
+mechanisms: {pair: {first: engine, second: out, ratio: 4}}
+gears: {fast: [A], slow: [B]}
+vehicle: {mass: 1000, radius: 0.5}
+"""
+"""The speed of `a` is that of the engine, or a quarter of it."""
+
+
+@pytest.mark.parametrize("command", ["duty", "cycle"])
+@pytest.mark.parametrize(("gear", "speed", "is_outside"), [("fast", 120, 1), ("slow", 120, 0)])
+def test_a_note_tells_points_outside_a_law_in_the_gear_of_each(
+    tmp_path: Path, command: str, gear: str, speed: float, is_outside: int
+) -> None:
+    case, file = tmp_path / "case.yaml", tmp_path / "points.csv"
+    case.write_text(BEYOND)
+    if command == "duty":
+        file.write_text(f"time [s],gear,speed [rad/s],torque [N*m]\n1,{gear},{speed},90\n")
+        given = ["summary", str(case), "--duty", str(file)]
+    else:  # v = w r / 4
+        file.write_text(f"time [s],speed [m/s],gear\n0,{speed / 8},{gear}\n1,{speed / 8},{gear}\n")
+        given = ["cycle", str(case), str(file)]
+    said = "note: outside the points of a the last one counts"
+    assert vstatics(*given).err.count(said) == is_outside
+    assert said not in vstatics(*given, "--allow", "N414").err
+
+
+@pytest.mark.parametrize("form", ["text", "markdown", "csv"])
+def test_an_equivalent_torque_says_of_which_exponent(tmp_path: Path, form: str) -> None:
+    case, file = tmp_path / "case.yaml", tmp_path / "duty.csv"
+    case.write_text(BEYOND)
+    file.write_text("time [s],gear,speed [rad/s],torque [N*m]\n1,fast,100,40\n")
+    asked = ["summary", str(case), "--duty", str(file), "-f", form]
+    for given, told in ([], "3"), (["--exponent", "6.5"], "6.5"):
+        found = vstatics(*asked, *given).out.replace("\\", "")
+        assert f"equivalent, p = {told}, N*m" in found
+
+
+def test_points_are_a_record_of_the_torques_of_devices() -> None:
+    """The example of ASTM E1049-85, 5.4.4, in 100 N*m, on a spring behind a pair of ratio 2."""
+    shaft = Spring({2: 1, 3: -1}, stiffness=9e3, name="shaft")
+    strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0)
+    pair = Mechanism(1, 2, 0, 2.0, name="pair")
+    case = Transmission(
+        3, [], [pair], [Gear(name="1")], springs=[shaft], fatigue={"shaft": strength}
+    )
+    example = (-2.0, 1.0, -3.0, 5.0, -1.0, 3.0, -4.0, 4.0, -2.0)
+    rows = [(100.0, 50 * torque, 1.0) for torque in example]
+    made = spectrum(case, points(*rows)).damage["shaft"]
+    assert made.damage == pytest.approx(5.341796875e-7, rel=1e-12)
+    assert made.cycles[-1].range == pytest.approx(900)
+
+
+def test_elements_bear_what_their_first_member_carries() -> None:
+    """As mechanisms do; of an element of several meshes each mesh has a life of its own."""
+    strength = {"section_modulus": 4e-6, "endurance": 100e6, "exponent": 3, "cycles": 4e6}
+    teeth = {"small_sun": 30, "large_sun": 36, "ring": 84, "short": 22, "long": 24}
+    wheels = {one: one for one in ("small_sun", "large_sun", "ring", "carrier")}
+    train = {"kind": "ravigneaux", **wheels, "teeth": teeth}
+    pair = {"kind": "gear_pair", "first": "in", "second": "small_sun"}
+    first = ["pair", "train.small_sun-short", "train.large_sun-long", "train.short-long"]
+    case = from_dict(
+        {
+            "links": ["in", "small_sun", "large_sun", "carrier", "ring"],
+            "output": "ring",
+            "elements": {"pair": pair | {"teeth": {"first": 20, "second": 60}}, "train": train},
+            "shift_elements": {"B": ["carrier", "housing"], "C": ["large_sun", "carrier"]},
+            "gears": {"low": ["B"], "direct": ["C"]},
+            "fatigue": {name: {**strength, "threshold": 0} for name in first},
+        }
+    )
+    torques = np.array([40.0, 90.0])
+    asked = DutyPoints(np.array([0, 0]), np.full(2, 100.0), torques, np.ones(2))
+    made = spectrum(case, asked)
+    ranges = {name: one.cycles[-1].range for name, one in made.damage.items() if one.cycles}
+    assert [*made.damage] == first
+    sun = made.members["train.small_sun"].torque.largest
+    assert ranges["pair"] == pytest.approx(50)
+    assert ranges["train.small_sun-short"] == pytest.approx(abs(sun) * 50 / 90)
+    assert ranges["train.short-long"] == pytest.approx(abs(sun) * 50 / 90 * 22 / 30 * 0.98)
+
+
+def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
+    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
+    points_ = [[0.0, 2.2], [0.85, 1.0], [1.0, 1.0]]
+    for mechanism, factor, lost in (
+        ({"kind": "variator", "speed_ratio": 0.4, "efficiency": 0.9}, 0.9 / 0.4, 0.1),
+        ({"kind": "variator", "speed_ratio": -0.5, "efficiency": 0.8}, 0.8 / -0.5, 0.2),
+        (
+            {"kind": "converter", "speed_ratio": 0.34, "points": points_},
+            2.2 - 0.4 * 1.2,
+            1 - 0.34 * (2.2 - 0.4 * 1.2),
+        ),
+    ):
+        case = from_dict(
+            {
+                "links": ["eng", "out"],
+                "mechanisms": {"h": {"first": "eng", "second": "out", **mechanism}},
+                "gears": {"1": []},
+                "drag": {"out": "1 N*m"},
+                "load": {"speed": "2000 rpm", "torque": "100 N*m"},
+            }
+        )
+        made = spectrum(case, points((200.0, 100.0, 10.0)))
+        second = made.members["h.second"].torque.largest
+        assert second == pytest.approx(-100 * factor, rel=1e-9)
+        speed = 200.0 * float(mechanism["speed_ratio"])  # type: ignore[arg-type]
+        assert made.energy.lost["h"] == pytest.approx(200e3 * lost)
+        assert made.energy.lost["drag.out"] == pytest.approx(10 * abs(speed))
+        closed = made.energy.in_ - made.energy.out - sum(made.energy.lost.values())
+        assert closed == pytest.approx(0, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(count(10, 200)))
+def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int) -> None:
+    """Numbers of any size: no warning of NumPy, which would be an error here."""
+    rng = seeded(5400 + seed)
+    for _ in range(20):
+        sizes = [1.0, rng.random(), *(10.0 ** rng.randint(-320, 308) for _ in range(2))]
+        rows = [
+            f"{rng.choice(sizes)!r},1,{rng.choice('- ')}{rng.choice(sizes)!r},{rng.choice(sizes)!r}"
+            for _ in range(3)
+        ]
+        text = "\n".join(["time [s],gear,speed [rad/s],torque [N*m]", *rows])
+        problems = []
+        try:
+            made = read_duty_table(text.encode(), "d.csv").of(solve(PAIRS))
+            assert math.isfinite(made.energy.in_)
+        except ReadError as error:
+            problems = error.problems
+        assert all(problem.place and problem.place.line > 1 for problem in problems)

@@ -1,0 +1,281 @@
+"""Driving cycles as they are published: the same cycle in hundreds of layouts, by exact sums."""
+
+from __future__ import annotations
+
+import math
+import resource
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+from random import Random
+
+import numpy as np
+import pytest
+
+from tests.chance import count, seeded
+from tests.commands import vstatics
+from vstatics import Gear, Mechanism, ReadError, Transmission
+from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.trace import read_trace
+
+CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1)
+CASE = Transmission(2, [], [Mechanism(1, 2, 0, 3.5, 0.9, name="p")], [Gear(name="1")], vehicle=CAR)
+
+TIMES = {"s": Fraction(1), "secs": Fraction(1), "seconds": Fraction(1), "ms": Fraction(1, 1000)}
+SPEEDS = {
+    "m/s": Fraction(1),
+    "mps": Fraction(1),
+    "km/h": Fraction(10, 36),
+    "kph": Fraction(10, 36),
+    "mph": Fraction(44704, 100000),  # 1 mile of 1609.344 m in 3600 s
+    "mi/h": Fraction(1609344, 3600000),
+}
+GRADES = {"grade": 1, "Grade [-]": 1, "grade [%]": 100, "Gradient (%)": 100, "cycGrade": 1}
+IN_SECONDS = ("Seconds", "sec", "Sec", "s", "SECS", "second")
+IMPLIED = {"cycSecs": "s", "<t>": "s", "cycMps": "m/s", "mps": "m/s", "<v>": "km/h"} | {
+    **dict.fromkeys(IN_SECONDS, "s"),
+    "MPH": "mph",
+    "km/h": "km/h",
+    "m/s": "m/s",
+}
+OTHERS = ("Phase", "cycRoadType", "Distance, m", "Remark", "Acceleration (m/s^2)")
+
+
+class Layout:
+    """A cycle of whole thousandths, and a file of it.
+
+    Attributes
+    ----------
+    data : bytes
+    times, speeds, grades : list of Fraction
+        [s], [m/s], [-]
+    """
+
+    def __init__(self, rng: Random) -> None:
+        self.rng = rng
+        self.separator = rng.choice(",;\t")
+        self.comma = self.separator != "," and rng.random() < 0.4
+        time, time_unit = self.heading(
+            [
+                "time",
+                "Time",
+                "TIME",
+                "t",
+                "Test Time",
+                "Elapsed_Time",
+                "cycSecs",
+                "<t>",
+                *IN_SECONDS,
+            ],
+            TIMES,
+        )
+        speed, speed_unit = self.heading(
+            [
+                "speed",
+                "Speed",
+                "SPEED",
+                "v",
+                "Target Speed",
+                "cycMps",
+                "<v>",
+                "Vehicle speed",
+                "MPH",
+                "km/h",
+                "m/s",
+            ],
+            SPEEDS,
+        )
+        steep = rng.choice([None, "slope", *GRADES])
+        fine = 1 if self.separator == "," else 10  # 1.200 may be 1200 where commas are decimal
+        rows = [(0, 0, 0)]
+        for _ in range(rng.randint(2, 8)):
+            later = rows[-1][0] + fine * rng.randint(1001, 9999)
+            rows.append((later, fine * rng.randint(1, 3999), rng.randint(-99, 99)))
+        thousandth = Fraction(1, 1000)
+        self.times = [row[0] * thousandth * time_unit for row in rows]
+        self.speeds = [row[1] * thousandth * speed_unit for row in rows]
+        self.grades = [row[2] * thousandth / GRADES.get(steep or "", 1) for row in rows]
+        self.is_sine = steep == "slope"
+        columns = [
+            (time, [self.number(row[0]) for row in rows]),
+            (speed, [self.number(row[1]) for row in rows]),
+        ]
+        if steep:
+            columns.append((steep, [self.number(row[2]) for row in rows]))
+        else:
+            self.grades = [Fraction(0)] * len(rows)
+        self.others = rng.sample(OTHERS, rng.randint(0, 2))
+        columns += [(name, [rng.choice(["1", "city"]) for _ in rows]) for name in self.others]
+        rng.shuffle(columns)
+        self.data = self.written(columns)
+
+    def heading(self, names: list[str], units: dict[str, Fraction]) -> tuple[str, Fraction]:
+        """A heading with its unit, and the size of that."""
+        name = self.rng.choice(names)
+        if name in IMPLIED:
+            return name, units[IMPLIED[name]]
+        unit = self.rng.choice(list(units))
+        size = units[unit]
+        unit = self.rng.choice([unit, unit, unit.upper(), unit.title()])
+        styles = [f"{name} [{unit}]", f"{name} ({unit})", f"{name}({unit})", f"{name}, {unit}"]
+        return self.rng.choice([*styles, f"{name}_{unit}"]), size
+
+    def number(self, thousandths: int) -> str:
+        """A number in the layout's way."""
+        text = f"{'-' * (thousandths < 0)}{abs(thousandths) // 1000}.{abs(thousandths) % 1000:03}"
+        text = text.rstrip("0").rstrip(".") if self.separator != "," else text
+        return text.replace(".", ",") if self.comma else text
+
+    def cell(self, text: str) -> str:
+        """A cell, in quotes where it has to be, or by chance."""
+        needs_quotes = self.separator in text
+        return f'"{text}"' if needs_quotes or self.rng.random() < 0.1 else text
+
+    def written(self, columns: list[tuple[str, list[str]]]) -> bytes:
+        """The file."""
+        rng = self.rng
+        end = self.separator * rng.choice([0, 0, 1, 3])
+        lines = [
+            self.separator.join(map(self.cell, row)) + end
+            for row in zip(*([name, *cells] for name, cells in columns), strict=True)
+        ]
+        titles = ["FTPCOL.TXT\tFederal Test Procedure", "A cycle, by time and speed", "# of 1975"]
+        titles += ["1874", "Title 2020, 5", "1,2", "3\t4", "5;6;7", "-1.5"]
+        is_number_first = columns[0][1][0] not in {"1", "city"}
+        for _ in range(rng.randint(0, 2) if is_number_first else 0):
+            lines.insert(rng.randint(1, len(lines)), rng.choice(["# a hill", "% a hill", "", "  "]))
+        lines = [*rng.sample(titles, rng.randint(0, 4)), *[""] * rng.randint(0, 2), *lines, ""]
+        text = rng.choice(["\n", "\r\n", "\r"]).join(lines)
+        return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [*range(1), *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, count(8, 100)))],
+)
+def test_layouts_of_published_cycles(seed: int) -> None:
+    """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
+    for number in range(30):
+        layout = Layout(seeded(4601 + 100 * seed + number))
+        trace = read_trace(layout.data, "cycle.txt")
+        times, speeds = layout.times, layout.speeds
+        steps = range(len(times) - 1)
+        lengths = [times[k + 1] - times[k] for k in steps]
+        means = [(speeds[k + 1] + speeds[k]) / 2 for k in steps]
+        sines = [float(g) / (1 if layout.is_sine else math.hypot(1, g)) for g in layout.grades]
+        np.testing.assert_allclose(trace.duration, [float(dt) for dt in lengths], rtol=1e-12)
+        np.testing.assert_allclose(trace.speed, [float(v) for v in means], rtol=1e-13)
+        np.testing.assert_allclose(trace.slope, sines[:-1], rtol=1e-13)
+        assert sorted(trace.table.head.skipped) == sorted(layout.others), layout.data
+        driven = drive(CASE, trace, GearChoice())
+        way = [float(v * dt) for v, dt in zip(means, lengths, strict=True)]
+        assert driven.distance == pytest.approx(float(sum(map(Fraction, way))), rel=1e-12)
+        work = [
+            1200 * float((speeds[k + 1] - speeds[k]) * means[k])
+            + (1200 * GRAVITY * (0.012 + sines[k]) + AIR * 0.65 / 2 * float(means[k]) ** 2) * way[k]
+            for k in steps
+        ]
+        size = math.fsum(map(abs, work))
+        assert driven.energy.wheels == pytest.approx(math.fsum(work), abs=1e-11 * size)
+        noted = [message.id for message in driven.messages if message.id == "N005"]
+        assert noted == ["N005"] * bool(layout.others)
+
+
+@pytest.mark.parametrize("units", ["s;km/h;", "[s];[km/h];[-]", '"(s)";(km/h);-'])
+def test_units_below_the_names(units: str) -> None:
+    text = f"WLTC\nTime;Speed;grade\n{units}\n0;0;0\n2;36;0\n"
+    trace = read_trace(text.encode(), "t.csv")
+    assert (trace.duration.tolist(), trace.speed.tolist()) == ([2.0], [pytest.approx(5.0)])
+    with pytest.raises(ReadError, match=r":2:1: error: time: its unit is missing"):
+        read_trace(text.replace(units, "a;b;c").encode(), "t.csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "Zeit;Tempo [km/h]\n0;0\n1;5\n",
+            r"1:1: error: read the heading 'Zeit', expected `time \[s\]`, `speed \[m/s\]`, .*; the "
+            r"line of the headings is `Zeit;Tempo \[km/h\]`, the first row `0;0`",
+        ),
+        ("City cycle\ntmie [s],speed [km/h]\n0,0\n", ":2:1: error: .*'tmie .*did you mean `time`"),
+        ("time [s],speed [km/h],gaer\n0,0,1\n1,5,1\n", "read the heading 'gaer'.*mean `gear`"),
+        (
+            "FTP-75\n1874\ntime [s],speed [furlong/s]\n0,0\n1,5\n",
+            r":3:1: .*speed: read the unit 'furlong/s'.*; the line of the headings is "
+            r"`time \[s\],speed \[furlong/s\]`, the first row `0,0`",
+        ),
+        (
+            "time,speed [km/h]\n0,0\n1,5\n",
+            "time: its unit is missing, such as `time.*`time,speed .km/h.`, the first row `0,0`",
+        ),
+        ("FTP\n1874\nZeit,Tempo\n0,0\n1,5\n", ":3:1: .*'Zeit'.*`Zeit,Tempo`, the first row `0,0`"),
+        ("time [s],speed [KM]\n0,0\n1,5\n", "speed: read the unit 'KM', expected a velocity"),
+        ("time [s],v [mph],speed [mph]\n0,0,0\n1,5,5\n", "two columns are called `speed`"),
+        ("time [s],speed [mph],slope,grade\n0,0,0,0\n1,5,0,0\n", "both `slope` and `grade`"),
+        ("0,0\n1,5\n2,7\n", "read the heading '0'"),
+        ("time [s]\n0\n1\n", "`speed .m/s.` is missing"),
+        ("time [s],speed [m/s]\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
+        ("time [s],speed [m/s]\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
+        ("time [s],speed [m/s]\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
+        ("time [s],speed [m/s]\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),
+    ],
+)
+def test_faults_of_published_cycles_quote_the_file(text: str, said: str) -> None:
+    with pytest.raises(ReadError, match=said):
+        read_trace(text.encode(), "t.csv")
+
+
+@pytest.mark.parametrize("seed", range(count(20, 500)))
+def test_wild_numbers_of_a_trace_end_in_numbers_or_at_their_line(seed: int) -> None:
+    """Numbers of any size: no warning of NumPy, no infinite energy."""
+    rng = seeded(4700 + seed)
+    for _ in range(20):
+        cells = [
+            ",".join(
+                repr(rng.choice([0.0, rng.random(), 10.0 ** rng.randint(-320, 308)])) for _ in "ab"
+            )
+            for _ in range(3)
+        ]
+        try:
+            trace = read_trace("\n".join(["time [s],speed [m/s]", *cells]).encode(), "t.csv")
+        except ReadError as error:
+            problems = error.problems
+        else:
+            driven = drive(CASE, trace, GearChoice())
+            problems = []
+            assert math.isfinite(driven.energy.engine)
+            assert math.isfinite(driven.distance)
+        assert all(problem.place and problem.place.line > 1 for problem in problems)
+
+
+def test_a_trace_that_has_no_gears_is_named(tmp_path: Path) -> None:
+    case, file = tmp_path / "car.yaml", tmp_path / "t.csv"
+    case.write_text(
+        "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4}}\n"
+        'gears: {"1": [], "2": []}\nvehicle: {mass: 1000, radius: 0.5}\n'
+    )
+    file.write_text("A title\ntime [s],speed [mph]\n0,0\n5,10\n")
+    ran = vstatics("cycle", str(case), str(file))
+    assert ran.err.startswith(f"{file}:2:1: error: the trace has no column `gear`, expected one")
+
+
+@pytest.mark.slow
+def test_a_million_rows_take_500_mb(tmp_path: Path) -> None:
+    rng = np.random.default_rng(4800)
+    case, file = tmp_path / "car.yaml", tmp_path / "t.csv"
+    case.write_text(
+        "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4, efficiency: .97}}\n"
+        'gears: {"1": []}\nvehicle: {mass: 1000, radius: 0.5}\n'
+    )
+    speeds = np.abs(np.cumsum(rng.normal(size=1_000_000)))
+    rows = "".join(f"{k / 10},{v:.3f}\n" for k, v in enumerate(speeds.tolist()))
+    file.write_text("time [s],speed [km/h]\n" + rows)
+    code = "import sys, vstatics.core.cli as c; sys.exit(c.main())"
+    subprocess.run(
+        [sys.executable, "-c", code, "cycle", case, file], check=True, capture_output=True
+    )
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 500e3

@@ -1,0 +1,148 @@
+"""What a vehicle can: closed forms, and an integrator of its own."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.commands import vstatics
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.vehicle.operation.traction import performance
+
+CLUTCHES = [ShiftElement(1, 2), ShiftElement(1, 3)]
+PAIRS = [Mechanism(2, 4, 0, 3.5, 0.97), Mechanism(3, 4, 0, 1.5, 0.98)]
+
+
+def box(vehicle: Vehicle, **more: object) -> Transmission:
+    gears = [Gear([1], name="low"), Gear([2], name="high")]
+    return Transmission(4, CLUTCHES, PAIRS, gears, vehicle=vehicle, **more)  # type: ignore[arg-type]
+
+
+def one_gear(vehicle: Vehicle, **more: object) -> Transmission:
+    return Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear()], vehicle=vehicle, **more)  # type: ignore[arg-type]
+
+
+def test_time_against_air_is_that_of_the_closed_form() -> None:
+    """A constant force F less rolling against air: t = m/sqrt(F c) artanh(v sqrt(c/F))."""
+    car = Vehicle(1000, 0.25, 0.01, 0.7, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])
+    force = 100 * 4 * 2 / 0.25 - 1000 * GRAVITY * 0.01
+    air, v = AIR * 0.7 / 2, 100 / 3.6
+    expected = 1000 / math.sqrt(force * air) * math.atanh(v * math.sqrt(air / force))
+    made = performance(one_gear(car))
+    assert made.time_to_100 == pytest.approx(expected, rel=1e-12)
+    fastest = 3.6 * math.sqrt(force / air)
+    limited = 3.6 * 2000 / 4 / 2 * 0.25
+    assert made.top_speed == pytest.approx(min(fastest, limited), rel=1e-12)
+    assert made.gears["1"].slope == pytest.approx(force / (1000 * GRAVITY), rel=1e-12)
+
+
+def test_top_speed_is_where_force_is_resistance() -> None:
+    """F falls from 4000 N to 0 over the engine, R = 500 N: at 7/8 of its speed."""
+    car = Vehicle(1000, 0.5, 500 / (1000 * GRAVITY), 0.0, 1.0, engine=[(0.0, 500.0), (400.0, 0.0)])
+    made = performance(one_gear(car))
+    assert made.top_speed == pytest.approx(3.6 * 7 / 8 * 100 * 0.5, rel=1e-9)
+
+
+def test_a_box_is_as_fast_as_its_forward_gears() -> None:
+    """A reversing unit with the faster half of its gears backward, of names that tell it."""
+    car = Vehicle(1000, 0.5, engine=[(0.0, 500.0), (400.0, 500.0)])
+    ratios = {"RL": -8.0, "RM": -4.0, "RH": -2.0, "FL": 10.0, "FH": 5.0}
+    case = Transmission(
+        1 + len(ratios),
+        [],
+        [Mechanism(1, n, 0, ratio) for n, ratio in enumerate(ratios.values(), 2)],
+        [Gear([], name=name, output=n) for n, name in enumerate(ratios, 2)],
+        vehicle=car,
+    )
+    made = performance(case)
+    assert made.top_speed == pytest.approx(3.6 * 400 / 5 * 0.5)
+    assert made.gears["RH"].top_speed == pytest.approx(3.6 * 400 / 2 * 0.5)
+
+
+def test_inertias_add_to_the_mass() -> None:
+    """J k^2 with k = 4 2/.25 of the engine: 0.5 1024 kg."""
+    car = Vehicle(1000, 0.25, 0.0, 0.0, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])
+    made = performance(one_gear(car, inertias={1: 0.5}))
+    assert made.time_to_100 == pytest.approx(100 / 3.6 * (1000 + 512) / 3200, rel=1e-12)
+
+
+def test_the_best_gear_accelerates_as_an_integrator_finds_it() -> None:
+    """Euler's rule by midpoints with the same engine, two gears, below and above its points."""
+    points = [(100.0, 100.0), (300.0, 160.0), (600.0, 120.0)]
+    car = Vehicle(1200, 0.3, 0.012, 0.65, 4.1, engine=points)
+    made = performance(box(car, inertias={1: 0.15}))
+
+    def acceleration(v: float) -> float:
+        best = -math.inf
+        for ratio, eta in ((3.5, 0.97), (1.5, 0.98)):
+            k = ratio * 4.1 / 0.3
+            if v * k <= 600:
+                torque = np.interp(max(v * k, 100.0), *np.array(points).T)
+                force = float(torque) * ratio * eta * 4.1 / 0.3
+                rest = 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * v**2
+                best = max(best, (force - rest) / (1200 + 0.15 * k**2))
+        return best
+
+    steps = 40_000
+    h = 100 / 3.6 / steps
+    time = sum(h / acceleration((n + 0.5) * h) for n in range(steps))
+    assert made.time_to_100 == pytest.approx(time, rel=1e-5)  # it steps over where a gear ends
+
+
+def test_100_km_per_hour_out_of_reach_takes_no_time() -> None:
+    car = Vehicle(1000, 0.25, engine=[(0.0, 100.0), (100.0, 100.0)])
+    made = performance(one_gear(car))
+    assert math.isnan(made.time_to_100)
+    assert made.top_speed == pytest.approx(3.6 * 25 * 0.25)
+
+
+@pytest.mark.parametrize("torque", [100.0, 120.0, 130.0, 1000.0])
+def test_no_slope_is_steeper_than_a_wall(torque: float) -> None:
+    """1000 kg take 9810 N up a wall and 98.1 N of rolling; the force is 80 times the torque."""
+    car = Vehicle(1000, 0.05, 0.01, engine=[(0.0, torque), (400.0, torque)])
+    slope = performance(one_gear(car)).gears["1"].slope
+    assert slope == pytest.approx(min((80 * torque - 98.1) / 9810, 1.0), rel=1e-12)
+
+
+def test_a_vehicle_that_cannot_be_is_told() -> None:
+    for vehicle, said in (
+        (Vehicle(0, 0.3), "vehicle.mass: read 0"),
+        (Vehicle(1000, 0.3, engine=[(300, 9), (200, 9)]), "in ascending order"),
+        (Vehicle(1000, 0.3, overrun=[(100, 9)]), "a torque of 0 or less"),
+    ):
+        with pytest.raises(CaseError, match=said):
+            one_gear(vehicle)
+
+
+def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
+    file = tmp_path / "car.yaml"
+    file.write_text(
+        "links: 2\nmechanisms: {pair: {first: 1, second: 2, ratio: 4}}\ngears: {low: []}\n"
+        "vehicle: {mass: 1 t, radius: 50 cm, engine: [[0, 125], [400 rad/s, 125 N*m]]}\n"
+    )
+    ran = vstatics("summary", str(file), "-f", "json")
+    assert ran.status == 0
+    told = json.loads(ran.out)
+    told = told[0] if isinstance(told, list) else told
+    assert told["vehicle"]["top_speed"] == pytest.approx(180)
+    assert told["vehicle"]["time_to_100"] == pytest.approx(100 / 3.6)
+    assert told["vehicle"]["gears"]["low"]["slope"] == pytest.approx(1000 / (1000 * GRAVITY))
+    back = tmp_path / "back.json"
+    assert vstatics("convert", str(file), str(back)).status == 0
+    assert json.loads(back.read_text())["vehicle"]["radius"] == 0.5
+
+
+def test_a_gear_that_drives_nothing_has_no_slope() -> None:
+    """Park: the output is held, the input goes free of it."""
+    car = Vehicle(mass=1000, radius=0.3, engine=[(100.0, 100.0), (500.0, 100.0)])
+    park = ShiftElement(4, 0)
+    gears = [Gear([1], name="low"), Gear([3], name="park")]
+    case = Transmission(4, [*CLUTCHES, park], PAIRS, gears, vehicle=car)
+    made = performance(case).gears
+    assert made["low"].slope > 0.1
+    assert math.isnan(made["park"].slope)

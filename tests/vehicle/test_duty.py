@@ -1,0 +1,64 @@
+"""Efficiency over a duty cycle."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.core.summary.capacities import LOW, case
+from vstatics import Gear, Load, Mechanism, Transmission, solve
+from vstatics.core.model.parts import OfLoad
+from vstatics.vehicle.duty import Duty, cycle
+
+
+def test_shares_of_energy_give_a_weighted_mean() -> None:
+    made = cycle(solve(case()), Duty("energy", {"low": 1, "direct": 3, "N": 0}))
+    assert [(one.gear, one.energy) for one in made.stages] == [("low", 0.25), ("direct", 0.75)]
+    assert made.efficiency == pytest.approx(0.25 * LOW + 0.75)
+
+
+def test_shares_may_have_a_sum_that_no_number_holds() -> None:
+    made = cycle(solve(case()), Duty("energy", {"low": 1e308, "direct": 1e308}))
+    assert [one.energy for one in made.stages] == [0.5, 0.5]
+    assert made.efficiency == pytest.approx((LOW + 1) / 2)
+
+
+def test_shares_of_time_are_weighted_by_the_input_power() -> None:
+    """200 N*m at 1000 and at 2000 rpm: of equal times direct has twice the energy."""
+    results = solve(case())
+    made = cycle(results, Duty("time", {"low": 10, "direct": 10}))
+    assert [one.energy for one in made.stages] == pytest.approx([1 / 3, 2 / 3])
+    assert made.efficiency == pytest.approx((LOW + 2) / 3)
+    made = cycle(results, Duty("time", {"creep": 2, "low": 1}))
+    assert made.efficiency == pytest.approx(LOW)
+
+
+@pytest.mark.parametrize("torque", [0.5, 0.0])
+def test_of_a_dragged_gear_nothing_leaves(torque: float) -> None:
+    """.5 N*m (or none) at 300 rad/s through 20:60 and 25:50, all .98; the output adds the rest.
+
+    Drag takes 2 N*m at 100 and 5 N*m at 50 rad/s, the second pair is driven by its output.
+    """
+    pairs = [Mechanism(1, 2, 0, -3, 0.98), Mechanism(2, 3, 0, -2, 0.98)]
+    drag = {2: OfLoad(2.0, torque or 1.0), 3: OfLoad(5.0, torque or 1.0)}
+    rpm = math.pi / 30
+    little, much = Load(300 / rpm, torque), Load(300 / rpm, 100)
+    gears = [Gear(name="little", load=little, drag=drag), Gear(name="much", load=much)]
+    results = solve(Transmission(3, [], pairs, gears))
+    assert results.dragged.tolist() == [True, False]
+    entering = 300 * torque + (2 * 100 - 0.98 * 300 * torque) / 0.98 + 5 * 50
+    expected = 0.98**2 * 30000 / (30000 + entering)
+    assert cycle(results, Duty("time", {"little": 1, "much": 1})).efficiency == pytest.approx(
+        expected
+    )
+    made = cycle(results, Duty("energy", {"little": 1, "much": 1}))
+    assert [one.efficiency for one in made.stages] == pytest.approx([0, 0.98**2])
+
+
+def test_a_dragged_gear_that_drives_a_further_output_has_what_leaves_there() -> None:
+    """A pump takes .25 of the 1 at the input, and what the output adds, which has drag of 2."""
+    gear = Gear(torques={3: -0.25}, drag={2: 2.0})
+    pairs = [Mechanism(1, 2, 0, 1.0), Mechanism(1, 3, 0, 1.0)]
+    made = cycle(solve(Transmission(3, [], pairs, [gear], output=2)), Duty("energy", {"1": 1}))
+    assert made.efficiency == pytest.approx(0.25 / 2.25)

@@ -1,0 +1,128 @@
+"""Decorators of public functions: types of arguments are refused, problems name arguments."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Sequence
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
+
+from vstatics.core.arguments.types import fits, hints
+from vstatics.core.arguments.words import expected, is_no_choice, type_and_value
+from vstatics.core.errors import CaseError, listed, nearest
+from vstatics.core.extras import needed
+
+Asked = ParamSpec("Asked")
+Given = TypeVar("Given")
+
+
+def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Asked, Given]]:
+    """A decorator of public functions, by which they refuse arguments of other types.
+
+    Parameters
+    ----------
+    **classes : str
+        The modules of names of types that the function's own module has not when it runs.
+
+    Examples
+    --------
+    >>> @refusing()
+    ... def twice(number: float, times: int = 1) -> float:
+    ...     return 2 * number * times
+    >>> twice(3)
+    6
+    >>> twice("3")
+    Traceback (most recent call last):
+    TypeError: twice of str '3': expected a number
+    >>> twice(3, times=0.5)
+    Traceback (most recent call last):
+    TypeError: twice: `times` is float 0.5, expected a whole number
+
+    A text that is none of those that may be chosen is a ValueError.
+    """
+
+    def decorated(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
+        names, takes_any = _arguments(function)
+        known: dict[str, Any] = {}
+
+        @wraps(function)
+        def refused(*args: Asked.args, **kwargs: Asked.kwargs) -> Given:
+            if not known:
+                known.update(hints(function, classes))
+            for name, given in (*zip(names, args, strict=False), *kwargs.items()):
+                if name not in names and not takes_any:
+                    hint = nearest(name, names) or f"; there are {listed(names, len(names))}"
+                    raise TypeError(f"{function.__name__}: there is no argument `{name}`{hint}")
+                if name in known and not fits(given, known[name]):
+                    what = type_and_value(given)
+                    read = f" of {what}:" if name == names[0] else f": `{name}` is {what},"
+                    wrong = ValueError if is_no_choice(given, known[name]) else TypeError
+                    raise wrong(f"{function.__name__}{read} {expected(given, known[name])}")
+            try:
+                return function(*args, **kwargs)
+            except ImportError as error:
+                raise needed(error, function.__name__, function.__module__) from None
+
+        return refused
+
+    return decorated
+
+
+def refuse_fields(what: str, fields: object, **classes: str) -> None:
+    """Refuse the fields of a dataclass that are of other types than it declares.
+
+    Raises
+    ------
+    TypeError
+    """
+    for name, hint in hints(type(fields), classes).items():
+        given = getattr(fields, name)
+        if not fits(given, hint):
+            raise TypeError(f"{what}: `{name}` is {type_and_value(given)}, {expected(given, hint)}")
+
+
+def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
+    """A decorator of functions that are a command, too: problems name arguments, not options.
+
+    Examples
+    --------
+    >>> @naming
+    ... def cut(shifts: str, by: str) -> None:
+    ...     raise CaseError("E426", "--shift: expected text, and --by; or --all")
+    >>> cut("", "")
+    Traceback (most recent call last):
+    vstatics.core.errors.CaseError: `shifts`: expected text, and `by`; or --all [E426]
+    """
+    names, _ = _arguments(function)
+
+    def named(option: re.Match[str]) -> str:
+        name = option[1].replace("-", "_")
+        found = [one for one in names if one in {name, f"{name}s"}]
+        return f"`{found[0]}`" if found else option[0]
+
+    @wraps(function)
+    def told(*args: Asked.args, **kwargs: Asked.kwargs) -> Given:
+        try:
+            return function(*args, **kwargs)
+        except CaseError as error:
+            raise type(error)(
+                one._replace(
+                    message=_OPTION.sub(named, one.message),
+                    place=one.place
+                    and one.place._replace(file=_OPTION.sub(named, one.place.file).strip("`")),
+                )
+                for one in error.problems
+            ) from None
+
+    return told
+
+
+_OPTION = re.compile(r"(?<!\S)--([a-z][a-z-]*[a-z]|[a-z])\b")
+
+
+def _arguments(function: Callable[..., Any]) -> tuple[Sequence[str], bool]:
+    """The names of a function's arguments, and whether it takes any besides."""
+    code = inspect.unwrap(function).__code__
+    names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+    return names, bool(code.co_flags & inspect.CO_VARKEYWORDS)

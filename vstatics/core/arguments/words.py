@@ -1,0 +1,97 @@
+"""What a function expects of an argument, in words, and what it was given."""
+
+from __future__ import annotations
+
+import os
+import typing
+from collections.abc import Mapping
+from types import NoneType, UnionType
+from typing import Any, Literal
+
+from vstatics.core.arguments.types import fits, is_of_rows
+from vstatics.core.errors import nearest, spoken
+
+MAKERS = {
+    "Transmission": "vstatics.load reads a file",
+    "Results": "solve(case) gives them",
+    "Scenario": "vstatics.load_scenario reads a file",
+    "Motion": "vstatics.simulate(scenario) gives one",
+    "TorsionScheme": "vstatics.torsion.gear_scheme(case, gear) gives one",
+    "Gear": "such as case.gears[0]",
+}
+"""How one comes by an object of these classes."""
+_WORDS = {
+    float: "a number",
+    int: "a whole number",
+    bool: "True or False",
+    str: "a text",
+    bytes: "bytes",
+    os.PathLike: "a path",
+    Any: "anything",
+    NoneType: "None",
+}
+
+
+def is_no_choice(given: object, hint: Any) -> bool:
+    """Whether it is a text, but none of those that may be chosen."""
+    return isinstance(given, str) and bool(_choices(hint))
+
+
+def _choices(hint: Any) -> list[str]:
+    """The words that may be given, if some are told."""
+    if typing.get_origin(hint) is Literal:
+        return [str(one) for one in typing.get_args(hint)]
+    return [word for one in typing.get_args(hint) for word in _choices(one)]
+
+
+def expected(given: object, hint: Any) -> str:
+    """What is expected, and how one comes by it."""
+    if isinstance(given, str) and (choices := _choices(hint)):
+        return f"expected {_words(hint)}{nearest(given, choices)}"
+    if isinstance(given, os.PathLike) and fits("", hint):
+        return f"expected {_words(hint)}; vstatics.load reads a file"
+    for one in (hint, *typing.get_args(hint)):
+        maker = MAKERS.get(getattr(one, "__name__", ""), "")
+        if maker:
+            has_one = isinstance(one, type) and isinstance(getattr(given, "case", None), one)
+            return f"expected {_words(hint)}; {'its `case` is one' if has_one else maker}"
+    return f"expected {_words(hint)}"
+
+
+def _words(hint: Any) -> str:
+    """A type as one says it."""
+    origin, parts = typing.get_origin(hint), typing.get_args(hint)
+    kind = origin or hint
+    if kind in (typing.Union, UnionType):
+        said = dict.fromkeys(_words(one) for one in parts if one is not NoneType)
+        if "a path" in said:
+            said.pop("a text", None)  # a path that is written
+        words = spoken(said, "or")
+    elif kind is Literal:
+        words = spoken([repr(one) for one in parts], "or")
+    elif kind in _WORDS:
+        words = _WORDS[kind]
+    elif kind.__module__ == "numpy":
+        words = "an array"
+    elif issubclass(kind, Mapping):
+        words = f"a mapping of {' to '.join(map(_words, parts))}" if parts else "a mapping"
+    elif is_of_rows(kind):
+        words = f"a sequence of {_words(parts[0])}" if parts else "a sequence"
+    elif getattr(kind, "_is_protocol", False):
+        words = f"a {kind.__name__.lower()}"
+    else:
+        name = kind.__name__
+        words = name if name == "Results" else f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
+    return words
+
+
+def type_and_value(given: object) -> str:
+    """What was given to a function, for a TypeError.
+
+    >>> type_and_value("box.yaml")
+    "str 'box.yaml'"
+    """
+    shown = repr(given)
+    if shown.startswith(f"<{type(given).__name__} "):
+        return shown
+    return f"{type(given).__name__} {shown if len(shown) <= 40 else shown[:37] + '...'}"

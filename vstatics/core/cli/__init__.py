@@ -1,0 +1,198 @@
+"""The command line: it alone prints, opens files and exits.
+
+Words of a command line go in; results go to stdout, messages to stderr, and an exit status.
+
+>>> from click.testing import CliRunner
+>>> said = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
+>>> said.exit_code, said.stderr.rstrip()
+(1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
+
+`COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
+options. A command of the core is a module here, those of annexes are in their `cli`. `templates`
+are the cases of `new`. `schemas` writes the JSON Schemas of all.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED, WRONG_USE, stopped_by
+from vstatics.core.cli.frame.lazy_group import LazyGroup
+from vstatics.core.errors import ReadError, printable
+from vstatics.core.extras import __version__, build
+from vstatics.core.jobs.files import unwritable
+from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
+
+click.UsageError.exit_code = WRONG_USE
+
+COMMANDS = {
+    "new": ("vstatics.core.cli.new", "Write a commented case to start from."),
+    "run": ("vstatics.core.cli.run", "Calculate every gear of each case."),
+    "sweep": ("vstatics.sweep.cli.command", "Calculate variants of a case, to a table."),
+    "flow": ("vstatics.core.cli.flow", "Show where the power goes, what is lost, what circulates."),
+    "summary": ("vstatics.core.cli.summary", "Ratios, steps, spread, transitions, largest values."),
+    "cycle": (
+        "vstatics.vehicle.cli.cycle",
+        "Drive a case with a vehicle through a cycle of speeds.",
+    ),
+    "explain": ("vstatics.core.cli.explain", "Write out the equations and the ratio of a gear."),
+    "simulate": ("vstatics.simulation.cli.command", "What a scenario does to a case over time."),
+    "damage": (
+        "vstatics.vehicle.cli.damage.group",
+        "What torques that vary do to devices: their life.",
+    ),
+    "torsion": ("vstatics.torsion.cli.group", "The transmission as a torsional system."),
+    "synth": (
+        "vstatics.synthesis.cli.group",
+        "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
+    ),
+    "plot": ("vstatics.pictures.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
+    "serve": ("vstatics.page.cli.serve", "Serve the page of a case, which follows and changes it."),
+    "report": ("vstatics.page.cli.report", "Write a case and its results as one page of HTML."),
+    "check": (
+        "vstatics.core.cli.check",
+        "Report problems of the input, and the conditions per gear.",
+    ),
+    "convert": ("vstatics.core.cli.convert", "Convert a case between deck, YAML and JSON."),
+    "compare": ("vstatics.core.cli.compare", "Compare two results: what changed."),
+}
+"""Module and summary of each command; a module is imported when its command is called."""
+
+
+WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
+"""Commands that have words in other languages, by --lang."""
+
+
+class Commands(LazyGroup):
+    """The commands, and the exit status of each."""
+
+    modules = COMMANDS
+
+    def make_context(self, *values: Any, **named: Any) -> click.Context:
+        """As click does; messages are safe to print, and that of the version may fail."""
+        try:
+            with _safely_told():
+                return super().make_context(*values, **named)
+        except ReadError as error:
+            files.show(error.problems)
+            raise click.exceptions.Exit(FAILED) from None
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Exit with the status of the command, also where it can't read or write or is stopped."""
+        try:
+            with stoppable() as stop, _safely_told():
+                status = self._status(ctx, stop)
+        except StoppedError as stopped:
+            files.say("stopped")
+            status = stopped_by(stopped.signal)
+        ctx.exit(status)
+
+    def _status(self, ctx: click.Context, stop: Stop) -> int:
+        """The exit status that the command returns; 1 if a file can't be read or written."""
+        try:
+            return super().invoke(ctx) or DONE
+        except click.exceptions.Exit as leaving:
+            return leaving.exit_code
+        except ReadError as error:
+            files.show(error.problems)
+        except (click.ClickException, click.Abort, OSError):
+            raise
+        except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
+            stop.check()  # an import that is stopped may end in an error of another kind
+            from vstatics.core.cli.frame.cases import unexpected
+
+            files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
+        return FAILED
+
+
+@contextlib.contextmanager
+def _safely_told() -> Iterator[None]:
+    """Let click tell wrong use in a message that is safe to print."""
+    try:
+        yield
+    except click.exceptions.NoArgsIsHelpError:
+        raise  # its message is the help, and shown as that
+    except click.UsageError as error:
+        message = printable(error.format_message(), lines=True)
+        if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
+            message += f" {', '.join(WITH_LANGUAGES[:-1])} and {WITH_LANGUAGES[-1]} have it."
+        raise click.UsageError(message + _slip(message), error.ctx) from None
+
+
+def _slip(message: str) -> str:
+    """How a number is written, behind what click says of one as it stands in print."""
+    read = re.search(r"'([^']*)' is not a valid float", message)
+    if read is None:
+        return ""
+    from vstatics.core.readers.named.arithmetic import slip  # needless at the start of commands
+
+    return slip(read[1])
+
+
+def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> None:
+    if value and not context.resilient_parsing:
+        files.write_output(f"vstatics, version {__version__}, build {build()}\n", None)
+        context.exit()
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version",
+    is_flag=True,
+    expose_value=False,
+    is_eager=True,
+    callback=_tell_version,
+    help="Show the version and the build, and exit.",
+)
+def main() -> None:
+    """Vehicle transmissions calculated from their kinematic scheme.
+
+    Speeds, planet and slip speeds, torques with and without losses, efficiency
+    and power flow in every gear, from a Visual-Statics deck or YAML.
+
+    \b
+    Examples:
+      vstatics new gearbox.yaml --template ravigneaux
+      vstatics run gearbox.dat                 tables of every gear
+      vstatics run gearbox.dat -f source       the published listing, word for word
+      vstatics run gearbox.yaml -f json        the same for programs
+      vstatics check gearbox.yaml              what is wrong or doubtful
+      vstatics convert gearbox.dat gearbox.yaml
+      vstatics compare result.json golden.json
+
+    \b
+    Completion in the shell (bash; zsh and fish likewise):
+      eval "$(_VSTATICS_COMPLETE=bash_source vstatics)"
+    """
+
+
+def entry() -> None:
+    """Run the program and leave at once.
+
+    Tearing the interpreter down takes longer than a calculation, and all files are
+    closed by then; `main` alone is for calls from Python.
+    """
+    code: int | str | None = DONE
+    try:
+        try:
+            main(prog_name="vstatics")
+        except SystemExit as leaving:
+            code = leaving.code
+        if not code and sys.stdout is not None:  # whoever called may have closed it
+            sys.stdout.flush()
+    except BrokenPipeError:  # the reader has seen enough
+        code = FAILED
+    except OSError as error:
+        files.show([unwritable(None, error)])
+        code = FAILED
+    with contextlib.suppress(OSError, AttributeError):
+        sys.stderr.flush()
+    os._exit(code if isinstance(code, int) else FAILED)

@@ -1,0 +1,379 @@
+"""`vstatics check`: problems of cases and scenarios, degrees of freedom, conditions per gear."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Annotated, NamedTuple
+
+import click
+
+from vstatics.core import extras, readers
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.cases import CaseOptions, calculate_one, unexpected
+from vstatics.core.cli.frame.documents import is_a, scenario_with_case
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.core.cli.frame.options import completing, refuse
+from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.frame.values import separated
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.errors import (
+    CaseError,
+    Problem,
+    ReadError,
+    Severity,
+    not_allowed,
+    plural,
+    spoken,
+)
+from vstatics.core.statics.diagnosis import freedom, given_conditions
+from vstatics.core.statics.freewheels import with_engaged
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.status import CONFLICT, TIED_UP
+from vstatics.core.tables.answer import Words, as_json, line, plain_data
+from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.core.tables.text import lines
+
+if TYPE_CHECKING:
+    from vstatics.simulation.scenario.parts import Scenario
+
+
+class ProblemRecord(NamedTuple):
+    """A problem as it stands in JSON."""
+
+    file: str
+    """As it was called, `<stdin>` for standard input."""
+    line: Annotated[int, Words(minimum=1)] | None
+    """From 1; None for the file as a whole."""
+    column: Annotated[int, Words(minimum=1)] | None
+    severity: Severity
+    message: str
+    id: str
+    """Of its cause: a letter for the severity, and three digits; see docs/messages.md."""
+
+
+def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
+    """The problems of a file.
+
+    >>> from vstatics.core.errors import Place
+    >>> list(problem_records("a.yaml", [Problem("E107", "read 0", place=Place("a.yaml", 3, 7))]))
+    [ProblemRecord(file='a.yaml', line=3, column=7, severity='error', message='read 0', id='E107')]
+    """
+    for problem in problems:
+        name, row, column = problem.place[:3] if problem.place else (file, 0, 0)
+        yield ProblemRecord(
+            name,
+            row or None,
+            column if row else None,
+            problem.severity,
+            problem.message,
+            problem.id,
+        )
+
+
+FORMATS = ("text", "json", "github", "sarif", "junit")
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {plural(noun, number)}"
+
+
+def conditions(file: str, results: Results) -> Grid:
+    """What the case is, and how many conditions each gear has for its speeds."""
+    case = results.case
+    free = freedom(case)
+    counts = [
+        _count(case.links, "link"),
+        _count(len(case.shift_elements), "shift element"),
+        _count(len(case.mechanisms), "mechanism"),
+        _count(len(case.gears), "gear"),
+    ]
+    if drawing := drawing_of(case):
+        planets = case.links - drawing.links
+        counts[0] = _count(drawing.links, "link")
+        counts[2] = f"{_count(len(drawing.elements), 'element')} as {counts[2]}"
+        counts[2] += f" and {_count(planets, 'planet')}" * bool(planets)
+    if case.springs:
+        counts.insert(3, _count(len(case.springs), "spring"))
+    names = [element.name for element in case.shift_elements]
+    rows = []
+    states = zip(
+        case.gears,
+        results.holds,
+        results.missing,
+        results.excess,
+        results.tied_up,
+        results.conflict,
+        strict=True,
+    )
+    for index, (gear, holds, missing, excess, tied_up, conflict) in enumerate(states):
+        held = [number for number in case.freewheels if holds[number - 1]]
+        engaged = " ".join(names[number - 1] for number in (*gear.engaged, *held)) or "nothing"
+        unloaded = results.gear_at(index).unloaded if missing else ()
+        verdict = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)
+        verdict += [f"{missing} missing"] * bool(missing and not unloaded)
+        verdict += [f"{excess} in excess"] * bool(excess)
+        verdict += [TIED_UP.english] * bool(tied_up)
+        verdict += [CONFLICT.english] * bool(conflict)
+        count = given_conditions(gear) + len(held)
+        bypassed = case.bypassed(with_engaged(gear, held))  # which give none
+        needed = free + len(bypassed)
+        state = f"{count} of {needed} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        rows.append((f"gear {gear.name}", state))
+    title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
+    return grid_of(title, ["", ""], rows)
+
+
+def _ids() -> list[str]:
+    from vstatics.core.writers.explained import known_ids
+
+    return [*known_ids(), "all"]
+
+
+@click.command()
+@arguments.optional_argument
+@arguments.files_from
+@click.option(
+    "--explain",
+    metavar="ID",
+    shell_complete=completing(_ids),
+    help="Cause, cure and an example of W201, of W201,E107, or of all; takes no case.",
+)
+@click.option(
+    "-f",
+    "--format",
+    "output_format",
+    type=click.Choice(FORMATS),
+    help="Format; else told by the suffix of -o, else text.",
+)
+@click.option("-o", "--output", type=click.Path(), help="Write to this file, whole or not at all.")
+@arguments.input_format
+@arguments.telling
+def check(
+    cases: tuple[str, ...],
+    files_from: str | None,
+    explain: str | None,
+    output_format: str | None,
+    output: str | None,
+    input_format: readers.Format | None,
+    telling: Telling,
+) -> int:
+    """Report all problems, warnings and notes of each CASE, and its conditions per gear.
+
+    A scenario is checked with its case.
+
+    Problems go to stderr as file:line:col: message, with the line and a caret;
+    the count of conditions goes to stdout, with -q only of a case that fails. There are
+    no tables. As JSON, for
+    editors and CI, the problems of all cases are one array on stdout; each has
+    file, line, column, severity (error, warning, note), message and id. Formats github
+    (annotations), sarif and junit go to stdout as well: they, not text, are for -o.
+
+    \b
+    Examples:
+      vstatics check gearbox.yaml
+      vstatics check gearbox.yaml -f json | jq -r '.[].message'
+      vstatics check cases/*.yaml -f github
+      git diff --name-only -z --diff-filter=d main | vstatics check --files-from -
+      vstatics check --explain W201
+
+    Exit status: 0 no errors; 1 a case is in error or a gear is tied up, with --strict
+    also if there is a warning; 2 wrong use.
+    """
+    wanted = OutputOptions(FORMATS, output_format, output, TextStyle())
+    has_case = bool(cases) or files_from is not None
+    names = arguments.named(cases, files_from) if explain is None else []
+    to = wanted.destination([*names, *filter(None, [files_from])])
+    refuse(
+        (has_case and explain is not None, "--explain takes no case"),
+        (
+            explain is not None and to.form not in ("text", "json"),
+            f"--explain gives text or json, not {to.form}",
+        ),
+    )
+    if to.is_folder:
+        raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
+    if explain is not None:
+        files.write_output(_explained(explain, to.form), output)
+        return DONE
+    as_text = to.form == "text"
+    options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=not as_text))
+    text, failed = _told(names, options) if as_text else _for_programs(names, options, to.form)
+    files.write_output(text, output)
+    return FAILED if failed else DONE
+
+
+def _explained(asked: str, form: str) -> str:
+    """What ids with commas between, or all of them, stand for."""
+    from vstatics.core.writers.explained import explained, known_ids, text
+
+    ids = dict.fromkeys(one if one == "all" else one.upper() for one in separated([asked]))
+    try:
+        told = [explained(one) for one in (known_ids() if "all" in ids else ids)]
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint="'--explain'") from None
+    if form == "json":
+        return _array(told)
+    return "\n".join(map(text, told))
+
+
+def _calculated(
+    cases: Sequence[str], options: CaseOptions
+) -> Iterator[tuple[str, list[Problem], bool, Grid | None]]:
+    """Of each file its name, its problems, whether it failed, and what it has."""
+    for file in cases:
+        if file != files.STDIN and _is_scenario(file):
+            yield check_scenario(file, options)
+            continue
+        outcome = calculate_one(file, options)
+        shown = None if outcome.results is None else conditions(outcome.file, outcome.results)
+        yield outcome.file, outcome.problems, outcome.failed, shown
+
+
+def _is_scenario(file: str) -> bool:
+    try:
+        data, name = files.read_input(file)
+    except ReadError:
+        return False
+    return is_a("scenario", data, name)
+
+
+def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[Problem]:
+    """What is told of a file, and that it fails by what is not."""
+    return [*telling.printed(problems), *telling.quiet_failure(problems, file)]
+
+
+class _Once:
+    """What was told already: a case that several scenarios name has its problems once."""
+
+    def __init__(self) -> None:
+        self._told: set[tuple[str, str, str, int, int]] = set()
+
+    def first(self, problems: Iterable[Problem]) -> list[Problem]:
+        """Those that are told for the first time, at their places, however these are spelled."""
+        found = []
+        for one in problems:
+            file, line, column = one.place[:3] if one.place else ("", 0, 0)
+            key = (one.id, one.message, os.path.realpath(file), line, column)
+            if not file or key not in self._told:
+                found.append(one)
+            self._told.add(key)
+        return found
+
+
+def _told(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
+    """The conditions of all cases, and whether one failed; problems are printed."""
+    found, failed, once = list[str](), False, _Once()
+    for file, problems, fails, grid in _calculated(cases, options):
+        failed |= fails
+        files.show(once.first(_printed(file, problems, options.telling)))
+        if grid is not None and (fails or not options.telling.quiet):
+            found += [f"{text}\n" for text in lines(grid, indent="  ")]
+    return "".join(found), failed
+
+
+def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:
+    """The problems of all cases in a format for programs, and whether one failed."""
+    by_file, failed = list[tuple[str, list[Problem]]](), False
+    for file, problems, fails, _ in _calculated(cases, options):
+        failed |= fails
+        told = _printed(file, problems, options.telling)
+        by_file.append((file, [one if one.place else one.in_file(file) for one in told]))
+    once = _Once()
+    firsts = [(file, once.first(problems)) for file, problems in by_file]
+    found = [one for _, problems in firsts for one in problems]
+    match form:
+        case "github":
+            from vstatics.core.writers.problems import github
+
+            return github(found), failed
+        case "sarif":
+            from vstatics.core.writers.problems import sarif
+
+            return as_json(sarif(found), None), failed
+        case "junit":
+            return _as_junit(by_file, options.telling), failed
+    return _array(
+        record for file, problems in firsts for record in problem_records(file, problems)
+    ), failed
+
+
+def _array(records: Iterable[tuple[object, ...]]) -> str:
+    """Records as an array, a line each."""
+    told = [line(plain_data(one)).rstrip("\n") for one in records]
+    return "[\n" + ",\n".join(told) + "\n]\n" if told else "[]\n"
+
+
+def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
+    """A test case for each file; by warnings it fails only with --strict."""
+    from vstatics.core.writers.junit import CaseOutcome, junit
+
+    outcomes = []
+    for file, problems in by_file:
+        fatal = [
+            one
+            for one in problems
+            if one.severity == "error" or (telling.strict and one.severity == "warning")
+        ]
+        failure = (fatal[0].id, fatal[0].message) if fatal else ("", "")
+        outcomes.append(CaseOutcome(file, *failure, "\n".join(map(str, fatal))))
+    return junit("vstatics check", outcomes)
+
+
+TRIED, LONG = 1.0, 60.0
+"""So long a scenario is tried, and what takes longer by that is told. [s]"""
+
+
+def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
+    """The name of a scenario, its problems and those of its case, whether it fails, what it has."""
+    from vstatics.simulation.scenario.checks import scenario_doubts  # cases need no simulation
+
+    try:
+        read = scenario_with_case(*files.read_input(file), options.input_format)
+        read = read.allowing(options.telling.allow)
+        found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
+        found = not_allowed(found, read.scenario.case.untold)
+        problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
+    except ReadError as error:
+        return file, error.problems, True, None
+    except Exception as error:  # noqa: BLE001 - the other files are to go on
+        return file, [unexpected(file, error)], True, None
+    failed = any(one.severity == "error" for one in problems)
+    shown = None if failed else _scenario_summary(file, read.scenario)
+    return file, problems, failed or options.telling.fails(problems), shown
+
+
+def _tried(scenario: Scenario) -> list[Problem]:
+    """Why it can't begin, or that it takes long; nothing where scipy is not installed."""
+    if extras.missing("simulation", "a simulation"):
+        return []
+    from vstatics.core.cli.frame.estimates import duration_text
+    from vstatics.simulation.bounds import Pace
+    from vstatics.simulation.run import simulate
+
+    pace = Pace(scenario.duration, TRIED)
+    try:
+        simulate(scenario._replace(targets={}), watch=pace)
+    except CaseError as error:
+        return error.problems
+    if pace.needed <= LONG:
+        return []
+    needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
+    message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
+    return [Problem("N001", message, ("duration",))]
+
+
+def _scenario_summary(file: str, scenario: Scenario) -> Grid:
+    """What a scenario has, in a line."""
+    counts = {
+        "control": len(scenario.controls or ()),
+        "torque": len(scenario.torques),
+        "converter": len(scenario.converters),
+        "shift": len(scenario.shifts or ()),
+    }
+    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
+    told = ", ".join(parts) or "nothing happens"
+    return Grid(f"{file}: {scenario.duration:g} s, {told}", (), ())

@@ -1,0 +1,166 @@
+"""`vstatics compare`: two results, what changed first."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.options import Command, completing, refuse
+from vstatics.core.cli.frame.values import value
+from vstatics.core.comparison import layout
+from vstatics.core.comparison.numbers import ATOL, RTOL
+from vstatics.core.comparison.pairs import (
+    content,
+    file_stem,
+    sweep_alone,
+    verdicts_of_directories,
+    verdicts_of_files,
+)
+from vstatics.core.comparison.tolerances import Tolerances, left_out, tolerance
+from vstatics.core.comparison.verdicts import Verdict, unreadable, verdict
+from vstatics.core.errors import ReadError, plural
+from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.core.tables.answer import plain_data
+from vstatics.core.tables.quantities import QUANTITIES
+from vstatics.core.writers.junit import CaseOutcome, junit
+
+FORMATS = ("text", "markdown", "json", "junit")
+
+
+def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Command]:
+    is_one = value(tolerance)
+    return click.option(
+        name, type=float, default=default, show_default=True, callback=is_one, help=says
+    )
+
+
+@click.command()
+@click.argument("actual", type=click.Path())
+@click.argument("expected", type=click.Path())
+@_tolerance("--atol", ATOL, "Absolute tolerance.")
+@_tolerance("--rtol", RTOL, "Tolerance relative to the expected number.")
+@click.option(
+    "--leave-out",
+    multiple=True,
+    metavar="TABLE",
+    callback=value(left_out),
+    shell_complete=completing(lambda: (one.name for one in QUANTITIES)),
+    help="Do not compare this table, by name or alias; may be given several times.",
+)
+@click.option("--all", "all_numbers", is_flag=True, help="Every number that differs.")
+@click.option("--summary", is_flag=True, help="The first line of each case alone.")
+@click.option("-f", "--format", "form", type=click.Choice(FORMATS), default="text", help="Format.")
+def compare(
+    actual: str,
+    expected: str,
+    atol: float,
+    rtol: float,
+    leave_out: frozenset[str],
+    all_numbers: bool,
+    summary: bool,
+    form: str,
+) -> int:
+    """Compare two results, - is standard input: what changed in the case, and what by that.
+
+    Results of run: listing, JSON, JSON lines, CSV, Parquet, in any mix; or two directories
+    of them, by the paths of the files without suffix. Cases are those of one file, with as many
+    folders as tell them apart, else of one name, gears those of one name, else of one number.
+    Or two sweeps: CSV, JSON lines, NPZ, Parquet, by the number of the variant.
+
+    The first line tells how much differs, then come changes of the case and the largest
+    ones of ratios, steps, efficiencies and other tables, as expected -> actual, 20 lines at
+    most. The deviation is (actual - expected)/|expected|: a ratio of -3 that becomes -4 deviates
+    by -33 %. A number from a listing matches anything within half of its last digit. Messages,
+    and name, description and source of a case are not compared.
+
+    Exit status: 0 no number differs; 1 one does, a result is added, gone or unreadable;
+    2 wrong use.
+
+    \b
+    Examples, in CI:
+      vstatics run gearbox.yaml -f json | vstatics compare - golden/gearbox.json
+      vstatics compare new/ golden/ -f junit > compare.xml
+      vstatics compare new.csv old.csv --leave-out losses
+    """
+    refuse(
+        (actual == expected == files.STDIN, "standard input (-) can be read once"),
+        (all_numbers and summary, "--all and --summary exclude each other"),
+        (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
+    )
+    how = Tolerances(atol, rtol, leave_out)
+    folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
+    if any(folders):
+        for path in (actual, expected):
+            refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
+        refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
+        made = verdict([*verdicts_of_directories(actual, expected, how)])
+    else:
+        try:
+            made = _of_files(actual, expected, how)
+        except ReadError as error:
+            if form == "text":
+                raise
+            made = verdict([unreadable(file_stem(actual), error.problems)])
+    for one in made.cases:
+        files.show(one.problems)
+    count = sum(len(one.found) or one.differs for one in made.cases)
+    if form == "json":
+        lines = [json.dumps(plain_data(made), ensure_ascii=False, indent=1)]
+    elif form == "junit":
+        lines = [_as_junit(made)]
+    else:
+        lines = _lines(made, form, all_numbers=all_numbers, summary=summary)
+        tally = all(folders) or (len(made.cases) > 1 and lines)
+        lines += [made.tally] * bool(tally)
+    return _told(lines, count, actual, expected)
+
+
+def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
+    """What is said of two files."""
+    read = [files.read_input(file, TABLE_BYTES) for file in (actual, expected)]
+    here, there = (content(*file) for file in read)
+    names = read[0][1], read[1][1]
+    refuse((message := sweep_alone(here, there, names), message))
+    return verdict(verdicts_of_files(here, there, names, how))
+
+
+def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
+    """What is told of all cases that are not the same."""
+    lay_out = layout.markdown if form == "markdown" else layout.text
+    lines: list[str] = []
+    for one in made.cases:
+        if one.state != "same":
+            own = lay_out(one, all_numbers=all_numbers)
+            lines += own[: 1 if summary else None]
+            lines += [""] * (form == "markdown")
+    return lines
+
+
+def _as_junit(made: Verdict) -> str:
+    """A test case for each; changes of a case without effect are told, and no failure."""
+    return junit(
+        "vstatics compare",
+        [
+            CaseOutcome(
+                one.name,
+                one.state * one.differs,
+                one.headline,
+                "\n".join(layout.text(one)) * (one.state != "same"),
+            )
+            for one in made.cases
+        ],
+    ).rstrip("\n")
+
+
+def _told(lines: list[str], count: int, actual: str, expected: str) -> int:
+    """Write lines; the exit status by what differs, which is counted on stderr."""
+    if lines:
+        files.write_output("\n".join(lines) + "\n", None)
+    if count:
+        files.say(f"{actual} and {expected} differ in {count} {plural('place', count)}")
+    return FAILED if count else DONE

@@ -1,0 +1,145 @@
+"""`vstatics explain`: a gear's matrix, its equations and their solution, its ratio as a formula."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import formats, texts
+from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.frame.formats import OutputOptions, TextStyle
+from vstatics.core.cli.frame.one_or_many import carry_out
+from vstatics.core.cli.frame.options import refuse
+from vstatics.core.cli.frame.texts import Job
+from vstatics.core.errors import CaseError, ReadError, listed
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.grid import Grid
+
+if TYPE_CHECKING:
+    from vstatics.core.explain.answer import ExplanationAnswer
+
+
+@click.command()
+@arguments.argument
+@arguments.some_gears
+@click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks.")
+@click.option("--solution", is_flag=True, help="The same exercise with its numbers.")
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    metavar="N",
+    help="With other teeth, which can be assembled, and ratios; others for each N.",
+)
+@formats.options(*formats.TABLES)
+@arguments.settings
+@arguments.language("the words, but not of names and messages")
+def explain(
+    cases: tuple[str, ...],
+    gears: tuple[str, ...],
+    worksheet: bool,
+    solution: bool,
+    seed: int | None,
+    wanted: OutputOptions,
+    settings: CaseOptions,
+) -> int:
+    """Explain the gears of each CASE: a deck, YAML or JSON; - is standard input.
+
+    For each gear: the structural-distribution matrix of what is engaged, the speed
+    and the torque equations in symbols and numbers with their solution, the signs of
+    the power flow and why, links that turn together, and the ratio as a formula.
+
+    \b
+    Examples:
+      vstatics explain gearbox.dat --gear 1
+      vstatics explain gearbox.yaml | less
+      vstatics explain gearbox.yaml -f json | jq -r '.gears[].formula.text'
+      vstatics explain gearbox.yaml --gear 2 --worksheet --seed 7 -o exercise.tex
+      vstatics explain gearbox.yaml --gear 2 --solution --seed 7 -o solution.tex
+
+    The formula needs SymPy: pip install "vstatics[formula]".
+
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    """
+    to = wanted.destination(cases, several=len(cases) > 1)
+    exercise = worksheet or solution
+    refuse(
+        (worksheet and solution, "--worksheet has blanks, --solution has numbers: expected one"),
+        (exercise and len(gears) > 1, "an exercise is of one gear: expected one --gear G"),
+        (
+            seed is not None and not exercise,
+            "--seed draws the numbers of an exercise: expected --worksheet or --solution",
+        ),
+        (
+            worksheet and to.form in ("json", "jsonl"),
+            f"--worksheet has no numbers, {to.form} is for --solution",
+        ),
+        (
+            exercise and to.form in ("csv", "xlsx"),
+            f"an exercise has sentences, {to.form} only tables: expected text, markdown or latex",
+        ),
+    )
+    if exercise:
+        own = partial(_exercise, gears=gears, seed=seed, solved=solution)
+        return carry_out(Job("explain", settings, to, own), cases)
+    show = partial(_shown, gears=gears, style=to.style)
+    return carry_out(Job("explain", settings, to, show), cases)
+
+
+def _exercise(
+    outcome: CalculatedCase,
+    results: Results,
+    gears: tuple[str, ...],
+    seed: int | None,
+    *,
+    solved: bool,
+) -> texts.CaseOutput:
+    """A gear as an exercise."""
+    from vstatics.core.explain.exercise import exercise
+    from vstatics.core.explain.worksheet import grids
+
+    index, *others = arguments.gear_indices(results.case, gears)
+    if others:
+        names = listed([one.name for one in results.case.gears], 12)
+        message = f"an exercise is of one gear, expected one of {names}"
+        raise click.BadParameter(message, param_hint="--gear")
+    try:
+        sheet = exercise(results, results.case.gears[index].name, seed=seed)
+    except CaseError as error:
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+    shown = partial(grids, sheet, solved=solved)
+    return texts.CaseOutput(sheet.titles(outcome.file), {}, shown, sheet.document)
+
+
+def _shown(
+    outcome: CalculatedCase, results: Results, gears: tuple[str, ...], style: TextStyle
+) -> texts.CaseOutput:
+    """The gears of a case, explained."""
+    from vstatics.core.explain import explain_gear
+
+    case = results.case
+    indices = arguments.gear_indices(case, gears)
+    try:
+        explanations = [explain_gear(results, case.gears[index].name) for index in indices]
+    except CaseError as error:
+        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+
+    def as_text(_: str | None) -> str:
+        from vstatics.core.explain import text
+
+        return text.write(explanations, style.digits)
+
+    def grids() -> Iterable[Grid]:
+        from vstatics.core.explain.grids import explanation_grids
+
+        return explanation_grids(explanations)
+
+    def answer() -> ExplanationAnswer:
+        from vstatics.core.explain.answer import ExplanationAnswer
+
+        return ExplanationAnswer(case.name, explanations)
+
+    return texts.CaseOutput([case.name or outcome.file], {"text": as_text}, grids, answer)

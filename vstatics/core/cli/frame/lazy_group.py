@@ -1,0 +1,47 @@
+"""A group of commands, each a module that is imported when its command is called."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import ClassVar
+
+import click
+
+from vstatics.core.errors import nearest, quoted
+
+Modules = Mapping[str, tuple[str, str]]
+"""Name of a command -> its module, which has a function of that name, and its summary."""
+
+
+class LazyGroup(click.Group):
+    """A group that imports a command when it is called."""
+
+    modules: ClassVar[Modules] = {}
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """All names, in the order of use."""
+        return list(self.modules)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """The command of that name."""
+        if cmd_name not in self.modules:
+            return None
+        module, _ = self.modules[cmd_name]
+        command: click.Command = getattr(import_module(module), cmd_name)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """As click does; a name that is none gets the nearest one as a hint."""
+        name = args[0]
+        if name in self.modules or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        hint = nearest(name, self.modules) or f"; commands are {', '.join(self.modules)}"
+        raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """List the commands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, summary) for name, (_, summary) in self.modules.items()])

@@ -1,0 +1,112 @@
+"""`vstatics new`: a commented case to start from: a template, or a case that is shipped."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from importlib import resources
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.options import completing
+from vstatics.core.cli.frame.values import value
+from vstatics.core.errors import ReadError, nearest, of_file
+from vstatics.core.examples import example_file, example_files
+from vstatics.core.jobs.files import STDOUT
+from vstatics.core.readers import format_of, format_of_name
+
+TEMPLATES = (
+    "planetary",
+    "double_planet",
+    "stepped",
+    "ravigneaux",
+    "planet_group",
+    "simpson_train",
+    "lepelletier",
+    "countershaft",
+    "drive_axle",
+    "input_split",
+    "worm",
+)
+"""Their names, the simplest first; none is that of a shipped case, `_` and `-` being one sign."""
+
+
+def template(name: str, suffix: str = ".yaml") -> str:
+    """The text of a template, or of an example of this name, as a deck if it is there as one.
+
+    >>> template("ravigneaux").splitlines()[0]
+    '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
+    """
+    if name not in TEMPLATES:
+        file = example_file(name)
+        other = os.path.splitext(file.path)[0] + suffix  # noqa: PTH122
+        return file._replace(path=other if os.path.exists(other) else file.path).data().decode()  # noqa: PTH110
+    return (resources.files("vstatics.core.cli") / "templates" / f"{name}.yaml").read_text(
+        encoding="utf-8"
+    )
+
+
+def _known(name: str) -> str:
+    """The name of a template or an example, or wrong use that tells the nearest.
+
+    >>> _known("drive-axle"), _known("power_split")
+    ('drive_axle', 'power-split')
+    """
+    known = [*TEMPLATES, *example_files()]
+    alike = {one.replace("_", "-"): one for one in known}
+    name = alike.get(name.replace("_", "-"), name)
+    if name not in known:
+        names, hint = ", ".join(TEMPLATES), nearest(name, known)
+        raise ValueError(
+            f"{name!r} is no template; expected one of {names}, or the name of a shipped case{hint}"
+        )
+    return name
+
+
+@click.command()
+@click.argument("target", type=click.Path(), metavar="[FILE]", default=STDOUT)
+@click.option(
+    "-t",
+    "--template",
+    "name",
+    metavar="NAME",
+    default=TEMPLATES[0],
+    show_default=True,
+    callback=value(_known),
+    shell_complete=completing(lambda: [*TEMPLATES, *example_files()]),
+    help=f"One of {', '.join(TEMPLATES)}; or a shipped case by its name, as zf-8hp70.",
+)
+def new(target: str, name: str) -> None:
+    """Write a commented case of typical elements to FILE, or to standard output.
+
+    \b
+    Examples:
+      vstatics new gearbox.yaml --template ravigneaux
+      vstatics new gearbox.yaml --template zf-8hp70
+      vstatics run gearbox.yaml
+
+    The MZKT 7922 is there as a deck, too: vstatics new mzkt.dat -t mzkt7922.
+
+    Folders of FILE that are missing are made.
+
+    A file that is there already is left as it is, and the exit status is 1. A scenario, as
+    scenarios/tarasik-box, speaks of its case by ../NAME.yaml, a folder above it, which a
+    second command writes:
+
+    \b
+      vstatics new ../tarasik-box.yaml -t tarasik-box
+    """
+    kind = format_of_name(target)
+    text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
+    if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):
+        yaml = f"{os.path.splitext(target)[0]}.yaml"  # noqa: PTH122
+        message = (
+            f"ends as a {kind} does, but a template is YAML: expected {yaml}, "
+            f"of which `{shlex.join(['vstatics', 'convert', yaml, target])}` makes that"
+        )
+        raise ReadError([of_file("E015", target, message)])
+    files.refuse_existing(target)
+    if folder := os.path.dirname(target):  # noqa: PTH120
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+    files.write_output(text, target)

@@ -1,0 +1,247 @@
+"""`vstatics run`: calculate cases and write the results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files, formats, texts
+from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.formats import Destination, OutputOptions, TextStyle
+from vstatics.core.cli.frame.one_or_many import carry_out
+from vstatics.core.cli.frame.options import refuse
+from vstatics.core.cli.frame.texts import Job
+from vstatics.core.errors import CaseError, printable
+from vstatics.core.jobs.files import STDOUT, is_stream
+from vstatics.core.jobs.workers import cores
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.grid import Grid
+from vstatics.core.texts import speaking
+
+PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
+"""Of a text in a file, without colours."""
+FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
+MANY = 100
+"""From so many cases on all cores share them."""
+
+
+@click.command()
+@arguments.optional_argument
+@formats.options(*FORMATS, says="Format of the results")
+@arguments.files_from
+@click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(min=1),
+    help=f"Processes that share several cases.  [default: 1; all cores from {MANY} cases on]",
+)
+@click.option(
+    "--resume",
+    is_flag=True,
+    help="Leave out cases whose result is in the directory already, or, of a run into .jsonl or "
+    ".parquet that was stopped, beside the file.",
+)
+@click.option(
+    "--pretty", is_flag=True, help="One coloured table of the gears, for people; plain with -o."
+)
+@click.option(
+    "--own-tables",
+    is_flag=True,
+    help="With -f source: the tables of this program after those of the source.",
+)
+@arguments.settings
+@arguments.language(
+    "the words, but not of names and messages; source: alias of -f source", "source"
+)
+def run(
+    cases: tuple[str, ...],
+    wanted: OutputOptions,
+    files_from: str | None,
+    jobs: int | None,
+    resume: bool,
+    pretty: bool,
+    settings: CaseOptions,
+) -> int:
+    """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX; - is standard input.
+
+    \b
+    Examples:
+      vstatics run gearbox.dat
+      vstatics run gearbox.yaml --pretty
+      vstatics run gearbox.yaml -f json | jq .ratio
+      vstatics run gearbox.dat -f source
+      cat gearbox.dat | vstatics run - --coast
+      vstatics run variants/*.dat -f json -o results/ --jobs 4
+      vstatics run 'drawer/**/*.dat' -o all.parquet
+      find . -name '*.dat' | vstatics run --files-from - -f jsonl -o all.jsonl
+
+    -f source is the published listing of Visual-Statics, word for word.
+    Patterns in quotes are expanded here; ** stands for any folders.
+    Into a directory each case gives a file: its stem and .lst, .json or .csv. A case
+    that fails does not stop the others. After Ctrl-C, --resume goes on.
+
+    \b
+    Exit status: 0 done; 1 a case is in error, a gear is tied up or in conflict;
+    2 wrong use; 130 or 143 stopped by Ctrl-C or SIGTERM.
+    Neutral, indeterminate, dragged and friction-locked gears are messages,
+    not errors.
+    """
+    names = arguments.named(cases, files_from)
+    several = len(names) > 1 or files_from is not None
+    others = [] if files_from is None else [files_from]
+    wanted = _without_alias(wanted)
+    if pretty:
+        if wanted.form is not None or jobs is not None or resume:
+            without = "-f, --jobs, --resume, --lang source"
+            raise click.UsageError(f"--pretty is for people: without {without}")
+        return _pretty(names, settings, wanted, [*names, *others], several=several)
+    to = wanted.destination([*names, *others], several=several)
+    of_source = to.form == "source"
+    refuse(
+        (of_source and settings.coast, "--coast has no field in the published listing"),
+        (of_source and settings.idle == "exact", "-f source has the signs of --idle published"),
+    )
+    if resume and not to.is_folder and (to.form not in formats.STREAMS or is_stream(to.output)):
+        message = (
+            "--resume needs a directory to go on with, -o DIRECTORY/, or a file .jsonl, .parquet"
+        )
+        raise click.UsageError(message)
+    job = Job(
+        "run",
+        settings,
+        to,
+        partial(show, to=to),
+        _frame() if to.form == "csv" else None,
+    )
+    jobs = jobs or (cores() if len(names) >= MANY else 1)
+    return carry_out(job, names, others=others, a_list=several, jobs=jobs, resume=resume)
+
+
+def _without_alias(wanted: OutputOptions) -> OutputOptions:
+    """Return the options with `--lang source` resolved, an alias of `-f source`.
+
+    Raises
+    ------
+    UsageError
+        If another format is asked for.
+    """
+    if wanted.style.lang != "source":
+        return wanted
+    if wanted.form not in (None, "listing", "source"):
+        raise click.UsageError(f"--lang source is an alias of -f source, not of -f {wanted.form}")
+    return wanted._replace(form="source", style=wanted.style._replace(lang="en"))
+
+
+def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.CaseOutput:
+    """All tables of the results of a case."""
+    style = to.style
+    if to.form == "source":
+        return _as_published(outcome, results, style)
+
+    def listing(_: str | None) -> str:
+        from vstatics.core.writers import listing
+
+        return listing.write(results, to.language, style.digits or listing.LISTING_DECIMALS)
+
+    def csv(file: str | None) -> str:
+        from vstatics.core.writers import result_csv
+
+        if file is None:
+            return result_csv.write(results, raw=style.raw)
+        return result_csv.rows(file, results, raw=style.raw)
+
+    def parquet(file: str | None) -> bytes:
+        from vstatics.core.writers import result_parquet
+
+        return result_parquet.rows(file or outcome.file, results)
+
+    def document() -> dict[str, Any]:
+        from vstatics.core.writers import result_json
+
+        return result_json.document(results)
+
+    def lay_out(document: dict[str, Any]) -> str:
+        from vstatics.core.writers import result_json
+
+        return result_json.text(document)
+
+    def grids() -> list[Grid]:
+        from vstatics.core.tables.grids import of_messages, of_results
+
+        messages = of_messages(results)
+        return [*of_results(results), *[messages] * bool(messages.rows)]
+
+    titles = [results.case.name or outcome.file]
+    own: dict[str, Callable[[str | None], str | bytes]]
+    own = {"listing": listing, "csv": csv, "parquet": parquet}
+    return texts.CaseOutput(titles, own, grids, document, lay_out)
+
+
+def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
+    """Return the published listing, of the case as its fields hold it.
+
+    Raises
+    ------
+    ReadError
+        If the listing has no field for a part of the case.
+    """
+    from vstatics.core.writers import source_listing
+    from vstatics.core.writers.listing import LISTING_DECIMALS
+
+    try:
+        published = source_listing.published_results(results)
+    except CaseError as error:
+        raise outcome.located(error) from None
+    digits = style.digits or LISTING_DECIMALS
+    text = source_listing.write(published, digits, own_tables=style.own_tables)
+    changed = source_listing.changed_efficiencies(results, published)
+    problems = outcome.located(CaseError(changed)).problems
+    return texts.CaseOutput([], {"source": lambda _: text}, problems=problems)
+
+
+def _frame() -> texts.Frame:
+    """Around the rows of several results in CSV."""
+    from vstatics.core.writers import result_csv
+
+    head, tail = result_csv.head(several=True), result_csv.tail(several=True)
+    return texts.Frame(head, "", tail, head + tail)
+
+
+def _pretty(
+    names: list[str],
+    settings: CaseOptions,
+    wanted: OutputOptions,
+    inputs: list[str],
+    *,
+    several: bool,
+) -> int:
+    """Show the gears of each case to a person; the exit status."""
+    from vstatics.core.cli.frame.console import SafeConsole, trimmed
+    from vstatics.core.summary.pretty import ASCII, DOTS, view
+
+    to = wanted._replace(formats=("text",)).destination(inputs)
+    language = to.language
+    if to.is_folder:
+        raise click.UsageError(f"all cases give one text: expected -o FILE, not {to.output}")
+    to_stdout = to.output in (None, STDOUT)
+    console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
+    marks = ASCII if to_stdout and console.options.ascii_only else DOTS
+    failed, made = False, list[str]()
+    for outcome in calculate(names, settings):
+        failed |= outcome.failed
+        if outcome.results is None:
+            continue
+        with console.capture() as captured, speaking(language):
+            console.print(view(outcome.results, marks, wanted.style.digits, console.width))
+        head = "\n" * bool(made) + f"==> {printable(outcome.file)} <==\n" if several else ""
+        made.append(head + trimmed(captured.get()))
+        if to_stdout:
+            files.write_coloured(made[-1])
+    if made and not to_stdout:
+        files.write_output("".join(made), to.output)
+    return FAILED if failed else DONE

@@ -1,0 +1,230 @@
+"""`vstatics summary`: the design table of a case, and what follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files, formats, texts
+from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate, show_problems
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.formats import Destination, OutputOptions
+from vstatics.core.cli.frame.one_or_many import carry_out
+from vstatics.core.cli.frame.options import refuse
+from vstatics.core.cli.frame.texts import Job
+from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.errors import ReadError
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.grid import Grid
+from vstatics.synthesis.cli.found_boxes import box_numbers, calculated_boxes, listing_in
+from vstatics.vehicle.cli import duty as duty_cycles
+from vstatics.vehicle.cli.duty import DutyOptions
+
+if TYPE_CHECKING:
+    from vstatics.core.summary import Summary
+    from vstatics.core.summary.answer import SummaryAnswer
+    from vstatics.vehicle.duty_file import DutyFile, DutyTable
+
+
+MOST_COMBINATIONS = 10_000
+"""That are tried where nobody says how many."""
+
+
+def _torque(text: str) -> float:
+    """A torque in N*m, bare or with its unit."""
+    from vstatics.core.readers.named.si_units import measured
+
+    try:
+        return measured(text, "si_torque")
+    except ValueError as error:
+        raise ValueError(f"read {text!r}, {error}") from None
+
+
+@click.command()
+@arguments.argument
+@formats.options(*formats.TABLES)
+@click.option(
+    "--combinations", is_flag=True, help="Also try all other combinations of shift elements."
+)
+@click.option(
+    "--at-most",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Try no more --combinations than these.  [default: 10000]",
+)
+@duty_cycles.options
+@click.option(
+    "--output-torque",
+    callback=value(_torque),
+    metavar="TORQUE",
+    help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
+)
+@click.option(
+    "--reserve",
+    type=click.FloatRange(min=0, min_open=True, max=1e6),
+    callback=value(above_0),
+    metavar="FACTOR",
+    help="Capacities that shift elements need: the largest torque by so much, 1.2.",
+)
+@click.option(
+    "--box",
+    "boxes",
+    multiple=True,
+    callback=value(box_numbers),
+    metavar="N,...",
+    help="Which boxes of a document of found ones; else those that tell most.",
+)
+@arguments.settings
+@arguments.language("the words, but not of names and messages")
+def summary(
+    cases: tuple[str, ...],
+    wanted: OutputOptions,
+    combinations: bool,
+    at_most: int | None,
+    duty: DutyOptions,
+    output_torque: float | None,
+    reserve: float | None,
+    boxes: tuple[int, ...],
+    settings: CaseOptions,
+) -> int:
+    """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
+
+    Steps and transitions go from a gear to the next one of the same direction. The largest
+    values are those over all gears. Sensitivities tell by how many per cent a ratio changes
+    when the internal ratio of a mechanism changes by one. Several cases stand side by
+    side, as A, B, C; in a directory (-o DIRECTORY/) each has its own summary. What `synth box
+    -f json` found may stand for cases: its Pareto list and families side by side.
+
+    \b
+    Examples:
+      vstatics summary gearbox.yaml
+      vstatics summary gearbox.yaml other.yaml
+      vstatics summary boxes.json --box 1,4
+      vstatics summary gearbox.yaml --combinations -o gearbox.md
+      vstatics summary gearbox.yaml --duty duty.yaml
+      vstatics summary gearbox.yaml -f json | jq .spread
+
+    Markdown and LaTeX have the tables of the text, XLSX and CSV all digits of these. JSON
+    has an entry for each case.
+
+    Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
+    """
+    refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
+    others = duty.files
+    to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
+    arguments.check_streams([*cases, *others])
+    summarized = partial(
+        _summarized,
+        at_most=at_most or (MOST_COMBINATIONS if combinations else None),
+        duty=duty.read(),
+        output_torque=output_torque or 0.0,
+        reserve=reserve,
+    )
+    listed = listing_in(cases[0]) if len(cases) == 1 else None
+    if listed:
+        calculated = calculated_boxes(listed[0], cases[0], boxes, settings)
+        return _of_boxes(list(calculated), summarized, to)
+    if boxes:
+        raise click.UsageError("--box: expected one document of found boxes for the case")
+    if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
+        show = partial(_shown, summarized=summarized)
+        return carry_out(Job("summary", settings, to, show), cases, others=others)
+    return _side_by_side(calculate(cases, settings), summarized, to)
+
+
+def _of_boxes(
+    outcomes: Sequence[CalculatedCase],
+    summarized: Callable[[CalculatedCase, Results], Summary],
+    to: Destination,
+) -> int:
+    """Write the summaries of found boxes; in JSON one after another."""
+    if to.is_folder:
+        message = f"found boxes give one table: expected -o FILE, not {to.output}"
+        raise click.UsageError(message)
+    if to.form not in ("json", "jsonl"):
+        return _side_by_side(outcomes, summarized, to)
+    parts = [
+        texts.among_several(one, _shown(one, one.results, summarized), to)
+        for one in outcomes
+        if one.results is not None
+    ]
+    files.write_data(b"".join(texts.joined(parts, to)), to.output)
+    return FAILED if any(one.failed for one in outcomes) else DONE
+
+
+def _side_by_side(
+    outcomes: Iterable[CalculatedCase],
+    summarized: Callable[[CalculatedCase, Results], Summary],
+    to: Destination,
+) -> int:
+    """Write the summaries of all cases that have one beside one another."""
+    from vstatics.core.summary.contrast import contrasted, letters
+
+    failed, found = False, []
+    for outcome in outcomes:
+        failed |= outcome.failed
+        if outcome.results is not None:
+            try:
+                summary = summarized(outcome, outcome.results)
+                more = duty_cycles.doubts(summary.cycle, outcome.file)
+                telling = outcome.telling._replace(notes=True)
+                show_problems(more, telling, outcome.file)
+                failed |= telling.fails(more)
+                found.append((outcome, summary))
+            except ReadError as error:
+                files.show(error.problems)
+                failed = True
+    if found:
+        titles = [
+            f"{letter}: {outcome.file}{f' ({name})' if name else ''}"
+            for letter, (outcome, summary) in zip(letters(len(found)), found, strict=True)
+            for name in [summary.results.case.name]
+        ]
+        shown = texts.CaseOutput(titles, {}, lambda: contrasted([summary for _, summary in found]))
+        files.write_pages(texts.alone(found[0][0].file, shown, to), to.output)
+    return FAILED if failed else DONE
+
+
+def _summarized(
+    outcome: CalculatedCase,
+    results: Results,
+    at_most: int | None,
+    duty: DutyFile | DutyTable | None,
+    output_torque: float,
+    reserve: float | None,
+) -> Summary:
+    """The summary of a case; too many combinations are a problem of its file."""
+    from vstatics.core.summary import summarize
+
+    with files.problems_of_file(outcome.file, "; see --at-most"):
+        summary = summarize(results, at_most=at_most, output_torque=output_torque, reserve=reserve)
+    return summary if duty is None else summary._replace(cycle=duty.of(results))
+
+
+def _shown(
+    outcome: CalculatedCase,
+    results: Results,
+    summarized: Callable[[CalculatedCase, Results], Summary],
+) -> texts.CaseOutput:
+    """The summary of a case by itself."""
+    summary = summarized(outcome, results)
+
+    def tables() -> Iterable[Grid]:
+        from vstatics.core.summary.grids import summary_grids
+
+        return summary_grids(summary)
+
+    def answer() -> SummaryAnswer:
+        from vstatics.core.summary.answer import summary_answer
+
+        return summary_answer(summary)
+
+    titles, problems = (
+        [results.case.name or outcome.file],
+        duty_cycles.doubts(summary.cycle, outcome.file),
+    )
+    return texts.CaseOutput(titles, {}, tables, answer, problems=problems)

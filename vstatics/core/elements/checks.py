@@ -1,0 +1,318 @@
+"""What elements must fulfil before they become mechanisms; problems with paths.
+
+The reader has seen to keys and kinds of values. Conditions on the geometry of teeth,
+which leave a case calculable, are in `teeth`.
+
+What the stiffness of an element and the masses of its planets must fulfil.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+
+from vstatics.core.elements import group_checks
+from vstatics.core.elements.element import DrawingFields, Element, PlanetMass
+from vstatics.core.elements.group import PlanetGroup, group_of
+from vstatics.core.elements.group_checks import LARGEST_WHEEL
+from vstatics.core.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
+from vstatics.core.elements.lower import at_meshes, part_of
+from vstatics.core.elements.mesh_losses import LEAST_RING, mesh_losses
+from vstatics.core.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.core.model.part_checks import of_back_efficiency, of_efficiency, sets_side_by_side
+from vstatics.core.model.torsional_checks import not_negative, of_elastic
+
+
+def problems(drawing: DrawingFields) -> Iterator[Problem]:
+    """Every error of the elements, in their order."""
+    yield from _mesh_efficiency(drawing.mesh_efficiency, ())
+    yield from _friction(drawing)
+    for number, element in enumerate(drawing.elements, 1):
+        path = ("elements", number)
+        found = [*_problems(element, path)]
+        yield from found
+        if not found and isinstance(element.shape, Planetary):
+            found = [*group_checks.whole(element, path)]
+            yield from found
+        if not found and _is_torsional(element):
+            yield from whole(element, drawing, path)
+
+
+def hints(drawing: DrawingFields) -> Iterator[Problem]:
+    """Wheels that are left out or alike, planets that are shared, what has no loss."""
+    for number, element in enumerate(drawing.elements, 1):
+        if element.kind in ("belt", "chain") and element.efficiency is None:
+            message = "there is no `efficiency`: belts and chains have no default, so no loss"
+            yield Problem("N304", message, ("elements", number))
+        if isinstance(element.shape, Planetary):
+            for wheel in element.shape.wheels:
+                if wheel in element.teeth and wheel not in element.members:
+                    message = f"the wheel is left out, as no link is given for it (`{wheel}: ...`)"
+                    yield Problem("W301", message, ("elements", number, "teeth", wheel))
+            group = group_of(element)
+            yield from _alike(group, ("elements", number))
+            if group.is_shared and not at_meshes(element, group, drawing):
+                message = (
+                    "several wheels share planets, and the losses of the reduced form are not "
+                    "exact then; `losses: meshes` calculates them at each mesh"
+                )
+                yield Problem("N301", message, ("elements", number))
+    yield from _side_by_side(drawing)
+
+
+def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
+    """Wheels that turn alike, by a ratio of 1 between them."""
+    for train in group.trains:
+        seen: dict[Fraction, str] = {}
+        for wheel in group.wheels_of(train):
+            first = seen.setdefault(group.relative(wheel, train), wheel.member)
+            if first != wheel.member:
+                message = (
+                    f"{first} and {wheel.member} turn alike whatever the carrier does (ratio 1): "
+                    "between them it takes torque by losses only"
+                )
+                yield Problem("N302", message, path)
+
+
+def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
+    """Sets that have a wheel and the carrier in common, as two halves of a Ravigneaux set do."""
+    sets = (
+        (number, one.name, one.link("carrier"), [wheel.link for wheel in group_of(one).wheels])
+        for number, one in enumerate(drawing.elements, 1)
+        if isinstance(one.shape, Planetary)
+    )
+    for number, other in sets_side_by_side(sets):
+        message = (
+            f"has a wheel and the carrier in common with {other}: if they share planets too, "
+            "draw them as one element, such as `ravigneaux` or `planet_group`; losses are not "
+            "exact otherwise"
+        )
+        yield Problem("N303", message, ("elements", number))
+
+
+def _problems(element: Element, path: Path) -> Iterator[Problem]:
+    if element.kind not in KINDS:
+        known = f"expected one of {', '.join(KINDS)}{nearest(element.kind, KINDS)}"
+        yield Problem("E224", f"read {element.kind!r}, {known}", (*path, "kind"))
+        return
+    kind = element.shape
+    yield from _apart(element, kind, path)
+    if element.kind == GROUP:
+        yield from group_checks.rims(element, path)
+    elif isinstance(kind, Planetary):
+        yield from _planetary(element, kind, path)
+    else:
+        yield from _simple(element, kind, path)
+    if element.efficiency is not None:
+        place = (*path, "efficiency")
+        worm = element.back_efficiency is not None
+        yield from of_efficiency(element.efficiency, (*place, "worm") if worm else place)
+    yield from of_back_efficiency(element.back_efficiency, (*path, "efficiency", "wheel"))
+    yield from _mesh_efficiency(element.mesh_efficiency, path)
+    if element.efficiency is not None and element.mesh_efficiency:
+        message = "`efficiency` is that of the whole element; give one of the two"
+        yield Problem("E302", message, (*path, "mesh_efficiency"))
+    if element.planets is not None and element.planets < 1:
+        message = f"read {element.planets}, expected the number of planets around the axis"
+        yield Problem("E303", message, (*path, "planets"))
+    if _is_torsional(element):
+        yield from of_torsion(element, path)
+
+
+def _friction(drawing: DrawingFields) -> Iterator[Problem]:
+    """Rings whose efficiency would follow from teeth that cannot be standard ones."""
+    for number, element in enumerate(drawing.elements, 1):
+        losses = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
+        if losses.friction is None or "internal" in losses.given or element.efficiency is not None:
+            continue
+        rings = [name for name in element.teeth if name.startswith("ring")]
+        rings += ["second"] * (element.kind == "internal_pair")
+        for ring in rings:
+            if (teeth := element.teeth.get(ring, LEAST_RING)) < LEAST_RING:
+                message = (
+                    f"read {teeth} teeth, expected {LEAST_RING} at least: the tips of a standard "
+                    "ring with fewer lie within its base circle, so friction gives no efficiency"
+                )
+                yield Problem("E334", message, ("elements", number, "teeth", ring))
+
+
+def _is_torsional(element: Element) -> bool:
+    """Whether it has anything for vibration."""
+    return bool(element.stiffness is not None or element.damping or element.planet_masses)
+
+
+def _mesh_efficiency(efficiencies: Mapping[str, float], path: Path) -> Iterator[Problem]:
+    for mesh, value in efficiencies.items():
+        if mesh == "friction":
+            if not 0 < value < 1:
+                message = f"read {value:g}, expected a coefficient of friction between 0 and 1"
+                yield Problem("E333", message, (*path, "mesh_efficiency", mesh))
+            continue
+        yield from of_efficiency(value, (*path, "mesh_efficiency", mesh))
+
+
+def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Problem]:
+    """A kind with a fixed layout: members, and the teeth that its ratios need."""
+    missing = [*_missing(element, kind, path)]
+    yield from missing
+    wheels = [member for member in kind.wheels if member in element.members]
+    if not missing and len(wheels) < 2:
+        names = ", ".join(kind.wheels)
+        yield Problem(
+            "E304", f"there are {len(wheels)} central wheels, expected two or more of {names}", path
+        )
+    used = {kind.wheels[wheel].rim for wheel in wheels}
+    several = {
+        rim for rims in kind.planets.values() if len(used.intersection(rims)) > 1 for rim in rims
+    }
+    needed = [*wheels, *(rim for rim in kind.toothed if rim in used & several)]
+    if element.ratios:
+        yield from _ratios(element, path)
+        return
+    yield from _teeth(element, needed, kind.toothed, path)
+    for ring, sun in product(wheels, wheels):
+        around, within = kind.wheels[ring], kind.wheels[sun]
+        inner, outer = element.teeth.get(sun, 0), element.teeth.get(ring, math.inf)
+        is_around = around.rim == within.rim and around.internal and not within.internal
+        if is_around and outer <= inner:
+            message = f"read {outer:g}, expected more teeth than the {inner:g} of {sun}"
+            yield Problem("E305", message, (*path, "teeth", ring))
+
+
+def _ratios(element: Element, path: Path) -> Iterator[Problem]:
+    """Ratios in place of teeth: of both suns, and what would need teeth is not there."""
+    place = (*path, "ratios")
+    beside = [key for key in ("teeth", "planet_masses", "stiffness") if getattr(element, key)]
+    if (
+        beside
+        or element.efficiency is None
+        or not {"small_sun", "large_sun", "ring"} <= {*element.members}
+    ):
+        message = "these stand in place of `teeth`, so masses of planets and a stiffness can't be"
+        expected = "expected `small_sun`, `large_sun`, `ring` and `efficiency`, that of each ratio"
+        yield Problem("E797", f"{message}; {expected}", place)
+    small, large = (element.ratios.get(sun, math.nan) for sun in ("small_sun", "large_sun"))
+    if not 1 < -large < small < LARGEST_WHEEL:
+        read = f"read {small:g} of the small sun and {large:g} of the large one"
+        yield Problem("E797", f"{read}, expected one above 1 and one below -1, the less far", place)
+
+
+def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
+    for member in kind.members:
+        if member not in element.members and member not in kind.optional:
+            yield Problem("E306", f"`{member}` is missing: the link that it belongs to", path)
+
+
+def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
+    """Members on one link; what they belong to would turn as one piece or not at all."""
+    if element.kind == GROUP:
+        return  # two wheels on one link may mesh with planets of different trains
+    seen: dict[int, str] = {}
+    for member in kind.members:
+        link = element.members.get(member)
+        if link is None:
+            continue
+        if link in seen:
+            message = f"{seen[link]} and {member} are the same link, expected different ones"
+            yield Problem("E307", message, (*path, member))
+        seen.setdefault(link, member)
+
+
+def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
+    yield from _missing(element, kind, path)
+    if element.kind == "shaft" and element.efficiency is None:
+        yield Problem("E308", "`efficiency` is missing: a shaft is here for its loss", path)
+    needed = [kind.toothed[0], kind.toothed[-1]] if kind.toothed else []
+    if not (kind.optional_teeth and not element.teeth):
+        yield from _teeth(element, needed, kind.toothed, path, kind.size)
+    first, second = (element.teeth.get(wheel) for wheel in ("first", "second"))
+    if element.kind == "internal_pair" and first and first == second:
+        message = "the ring has as many teeth as the wheel in it, expected other numbers"
+        yield Problem("E309", message, (*path, "teeth"))
+
+
+def _teeth(
+    element: Element, needed: Sequence[str], known: Sequence[str], path: Path, size: str = "teeth"
+) -> Iterator[Problem]:
+    missing = [name for name in needed if name not in element.teeth]
+    if missing:
+        names = " and ".join(f"`{name}`" for name in missing)
+        yield Problem(
+            "E310", f"{size} of {names} missing", (*path, size) if element.teeth else path
+        )
+    for name, count in element.teeth.items():
+        if name not in known:
+            message = f"unknown: expected {', '.join(known)}{nearest(name, known)}"
+            yield Problem("E311", message, (*path, size, name))
+        elif not 1 / LARGEST_WHEEL < count < LARGEST_WHEEL:
+            message = f"read {count:g}, expected a number above 0 and below {LARGEST_WHEEL:g}"
+            yield Problem("E312", message, (*path, size, name))
+
+
+def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
+    """Numbers of an element, and what there must be beside them."""
+    yield from of_elastic(element.stiffness, element.damping, path)
+    if not element.planet_masses:
+        return
+    place = (*path, "planet")
+    if element.planets is None:
+        yield Problem("E313", "`planets` is missing: how many of them stand around the axis", place)
+    if element.stiffness is not None:
+        yield Problem(
+            "E314",
+            "an elastic element can't have masses of planets: list the planet as a link with its "
+            "inertia, and each mesh as a mechanism",
+            place,
+        )
+    named = element.kind == GROUP or len(element.planet_names) > 1
+    for name, mass in element.planet_masses.items():
+        here = (*place, name) if named else place
+        if name in element.planet_names:
+            yield from _of_mass(mass, here)
+        else:
+            known = spoken(map(quoted, element.planet_names), "or")
+            expected = f"expected {known}" if known else f"a {element.kind} has none"
+            hint = nearest(name, element.planet_names)
+            yield Problem("E315", f"there is no planet `{name}`, {expected}{hint}", here)
+
+
+def _of_mass(mass: PlanetMass, path: Path) -> Iterator[Problem]:
+    yield from not_negative(mass.inertia, "an inertia", (*path, "inertia"))
+    yield from not_negative(mass.mass, "a mass", (*path, "mass"))
+    yield from not_negative(mass.radius, "a radius", (*path, "radius"))
+    if mass.mass and not mass.radius:
+        message = "`radius` is missing: how far the pin is from the axis of the set, as there is"
+        yield Problem("E316", f"{message} a mass", path)
+
+
+def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
+    """What only an element tells that is right in itself: its rows, and the speeds of its planets.
+
+    Parameters
+    ----------
+    drawing : DrawingFields
+        That it is part of.
+    """
+    if element.stiffness is not None:
+        rows = len(part_of(element, drawing, drawing.links).lowered)
+        if rows > 1:
+            message = (
+                f"the element has {rows} rows (mechanisms), expected a stiffness of what has one: "
+                "leave it out, and put springs beside the element"
+            )
+            yield Problem("E317", message, (*path, "stiffness"))
+    known = _known_planets(element)
+    for name, mass in element.planet_masses.items():
+        if mass.inertia and name not in known:
+            message = f"the speed of planet {name} is not known, expected its teeth"
+            yield Problem("E318", message, (*path, "planet"))
+
+
+def _known_planets(element: Element) -> set[str]:
+    """Planets that have a speed by their teeth."""
+    if isinstance(element.shape, Planetary):
+        group = group_of(element)
+        return {planet for planet in group.planets if group.is_known(planet)}
+    return {name for name in element.planet_names if name in element.teeth}

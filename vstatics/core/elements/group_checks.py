@@ -1,0 +1,120 @@
+"""What groups of planets must fulfil before they become mechanisms; problems with paths."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from fractions import Fraction
+
+from vstatics.core.elements.element import CentralWheel, Element
+from vstatics.core.elements.group import PlanetGroup, group_of
+from vstatics.core.elements.kinds import GROUP
+from vstatics.core.errors import Path, Problem, nearest
+from vstatics.core.model.parts import HOUSING
+
+LARGEST_WHEEL = 10**6
+"""Teeth, or a diameter: far above any wheel; ratios of such numbers stay calculable."""
+
+MOST_PLANET_KINDS = 20
+"""Kinds of planets on one carrier; real groups have two or three."""
+
+
+def rims(element: Element, path: Path) -> Iterator[Problem]:
+    """A group of planets: names of rims, each known and only once."""
+    seen: dict[str, str] = {}
+    for planet, own in element.rims.items():
+        place = (*path, "rims", planet)
+        if not own:
+            yield Problem("E319", "there is no rim, expected its name and teeth", place)
+        for rim, count in own.items():
+            yield from _count(count, (*place, rim))
+            if rim in seen:
+                yield Problem(
+                    "E320", f"rim `{rim}` is there already; expected a name of its own", place
+                )
+            seen[rim] = planet
+    if len(element.wheels) < 2:
+        yield Problem("E321", f"{len(element.wheels)} suns and rings, expected two or more", path)
+    yield from _wheels(element, seen, path)
+
+
+def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Problem]:
+    """Central wheels and meshes: sizes, names, and rims that there are."""
+    named: list[tuple[Path, str]]
+    named = [((*wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
+    for number, pair in enumerate(element.meshes, 1):
+        named += [(("meshes", number, side), pair[side - 1]) for side in (1, 2)]
+    for wheel in element.wheels:
+        yield from _count(wheel.teeth, (*path, *wheel_path(element, wheel), "teeth"))
+        if wheel.member in {"carrier", *element.rims}:
+            yield Problem("E322", f"wheel `{wheel.member}` has the name of another member", path)
+    for place, rim in named:
+        if rim not in rims:
+            known = nearest(rim, rims) or ": " + ", ".join(rims)
+            yield Problem(
+                "E323", f"read `{rim}`, expected the name of a rim{known}", (*path, *place)
+            )
+
+
+def _count(teeth: int, path: Path) -> Iterator[Problem]:
+    if teeth >= LARGEST_WHEEL:
+        yield Problem("E324", f"read {teeth}, expected fewer than {LARGEST_WHEEL} teeth", path)
+
+
+def wheel_path(element: Element, wheel: CentralWheel) -> Path:
+    """Where a sun or a ring stands in its element: in a list for each."""
+    alike = [other for other in element.wheels if other.internal == wheel.internal]
+    return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1)
+
+
+def whole(element: Element, path: Path) -> Iterator[Problem]:
+    """What only the group as a whole tells."""
+    group = group_of(element)
+    if len(group.planets) > MOST_PLANET_KINDS:
+        message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
+        yield Problem("E325", message, (*path, "rims"))
+        return
+    for one, other in group.meshes:
+        if group.planet_of[one] == group.planet_of[other]:
+            yield Problem(
+                "E326", f"rims `{one}` and `{other}` are on one planet", (*path, "meshes")
+            )
+            return
+    try:
+        trains = group.trains
+    except ValueError as error:
+        yield Problem("E327", f"{error}: their teeth don't agree", (*path, "meshes"))
+        return
+    counts = [len(group.wheels_of(train)) for train in trains]
+    for train, count in zip(trains, counts, strict=True):
+        if count < 2:
+            names = " and ".join(train)
+            message = f"{count} central wheel meshes with planet {names}, expected two or more"
+            yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
+    is_single = bool(element.ratios)  # it is that of each ratio
+    if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
+        message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
+        yield Problem("E329", message, (*path, "efficiency"))
+    if element.kind == GROUP:
+        yield from _group_wheels(element, group, path)
+
+
+def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
+    """Wheels of a group that belong to its carrier, have no room, or lock one another."""
+    for wheel in group.wheels:
+        place = (*path, *wheel_path(element, wheel))
+        if wheel.link == group.carrier != HOUSING:
+            yield Problem(
+                "E330", "is on the link of the carrier, expected another one", (*place, "link")
+            )
+        for other in group.wheels:
+            around = wheel.internal and not other.internal and wheel.rim == other.rim
+            if around and wheel.teeth <= other.teeth:
+                message = f"read {wheel.teeth}, expected more teeth than the {other.teeth} of"
+                yield Problem("E305", f"{message} {other.member}", (*place, "teeth"))
+    for train in group.trains:
+        speeds: dict[int, Fraction] = {}
+        for wheel in group.wheels_of(train):
+            speed = group.relative(wheel, train)
+            if speeds.setdefault(wheel.link, speed) != speed:
+                message = "has another wheel on these planets, of another speed: they would lock"
+                yield Problem("E332", message, (*path, *wheel_path(element, wheel), "link"))

@@ -1,0 +1,289 @@
+"""The keys of typical elements in YAML and JSON, made from the declaration of their kinds.
+
+An element has not the attributes that its keys say: `record_of` and `element_of` change
+one into the other.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, get_args
+
+from vstatics.core.elements.element import CentralWheel, Element, Losses, MeshEfficiency, PlanetMass
+from vstatics.core.elements.kinds import GROUP, KINDS, RAVIGNEAUX, Kind, Simple
+from vstatics.core.model.keys import EFFICIENCY
+from vstatics.core.model.parts import HOUSING, NO_DAMPING
+from vstatics.core.model.shape import (
+    COUNT,
+    LINK,
+    NUMBER,
+    TEXT,
+    ByKey,
+    ByKind,
+    ByName,
+    KeyShape,
+    Leaf,
+    ListOf,
+    Pair,
+    Shape,
+)
+from vstatics.core.model.torsional_keys import ELASTIC
+
+_WHEELS = (("suns", False), ("rings", True))
+_EFFICIENCY = {"exclusiveMinimum": 0, "maximum": 1}
+_NOT_NEGATIVE = {"minimum": 0}
+_MESHES = {
+    "external": "Two external wheels.",
+    "internal": "A wheel in a ring.",
+    "bevel": "Two bevel wheels.",
+}
+
+MESH_EFFICIENCY = ByKey(
+    "Efficiencies of meshes",
+    "Efficiency of a single mesh, both axes held.",
+    (
+        *(
+            KeyShape(mesh, NUMBER, text, limits={**_EFFICIENCY, "default": default})
+            for (mesh, text), default in zip(_MESHES.items(), MeshEfficiency(), strict=True)
+        ),
+        KeyShape(
+            "friction",
+            NUMBER,
+            "Coefficient of friction of the teeth: efficiencies that are not given follow from "
+            "the teeth, but of bevel wheels.",
+            limits={"exclusiveMinimum": 0, "exclusiveMaximum": 1},
+            examples=(0.06,),
+        ),
+    ),
+)
+
+_KIND = KeyShape("kind", TEXT, "What the element is.")
+_COMMON = (
+    KeyShape(
+        "efficiency", EFFICIENCY, "As one mechanism, its third member held.", limits=_EFFICIENCY
+    ),
+    KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of this element's meshes."),
+    *ELASTIC,
+)
+_PLANET_MASS = ByKey(
+    "Planet",
+    "Inertia and mass of one planet, for vibration.",
+    (
+        KeyShape(
+            "inertia",
+            Leaf("inertia"),
+            "About its own axis, in kg*m^2.",
+            default=0,
+            limits=_NOT_NEGATIVE,
+        ),
+        KeyShape("mass", Leaf("mass"), "In kg.", default=0, limits=_NOT_NEGATIVE),
+        KeyShape(
+            "radius",
+            Leaf("length"),
+            "Of its pin around the axis of the set, in m; needed with a mass.",
+            default=0,
+            limits=_NOT_NEGATIVE,
+        ),
+    ),
+    PlanetMass,
+)
+_RATIOS = KeyShape(
+    "ratios",
+    ByKey(
+        "Ratios of suns",
+        "Of each sun to the ring with the carrier held.",
+        (
+            KeyShape("small_sun", NUMBER, "Above 1.", required=True),
+            KeyShape("large_sun", NUMBER, "Below -1.", required=True),
+        ),
+    ),
+    "In place of teeth that are not known yet.",
+)
+_PLANETS = KeyShape("planets", COUNT, "Planets, or sets of meshed planets, around the axis.")
+
+
+def _record(name: str, kind: Kind) -> ByKey:
+    """The keys of a kind."""
+    if name == GROUP:
+        return _GROUP
+    members = tuple(
+        KeyShape(
+            member, LINK, f"Link of the member {member}.", required=member not in kind.optional
+        )
+        for member in kind.members
+    )
+    if not kind.toothed:
+        return ByKey(name, kind.description, (_KIND, *members, *_COMMON))
+    if isinstance(kind, Simple):
+        leaf = COUNT if kind.size == "teeth" else NUMBER
+        size = KeyShape(kind.size, _toothed(kind, leaf), "Of the wheels.", not kind.optional_teeth)
+        common = (_WORM, *ELASTIC) if name == "worm" else _COMMON
+        common = (_PLANETS, *common, _planet(("planet",))) if name == "bevel" else common
+        return ByKey(name, kind.description, (_KIND, *members, size, *common))
+    has_ratios = name == RAVIGNEAUX
+    size = KeyShape("teeth", _toothed(kind, COUNT), "Of wheels and planets.", not has_ratios)
+    ratios = (_RATIOS,) * has_ratios
+    last = _planet(tuple(kind.planets))
+    return ByKey(name, kind.description, (_KIND, *members, size, *ratios, _PLANETS, *_COMMON, last))
+
+
+def _planet(names: Sequence[str] = ()) -> KeyShape:
+    """The key of planets' masses: of the one that there is, else by their names."""
+    shape: Shape = ByName("planet", _PLANET_MASS)
+    if len(names) == 1:
+        shape = _PLANET_MASS
+    elif names:
+        keys = tuple(KeyShape(name, _PLANET_MASS, f"One {name} planet.") for name in names)
+        shape = ByKey("Planets", "Masses of planets, by their names.", keys)
+    return KeyShape("planet", shape, "Of one of the `planets`.")
+
+
+def _toothed(kind: Kind, leaf: Leaf) -> ByKey:
+    keys = tuple(KeyShape(name, leaf, f"Of {name}.") for name in kind.toothed)
+    return ByKey("Sizes of wheels", "Teeth, or diameters, by wheel.", keys)
+
+
+_WORM = KeyShape(
+    "efficiency",
+    ByKey(
+        "Efficiencies of a worm pair",
+        "Which of the two drives.",
+        (
+            KeyShape("worm", NUMBER, "The worm drives.", required=True, limits=_EFFICIENCY),
+            KeyShape(
+                "wheel",
+                NUMBER,
+                "The wheel drives; 0 if the pair is self-locking.",
+                required=True,
+                limits={"minimum": 0, "maximum": 1},
+            ),
+        ),
+    ),
+    "With the worm driving, and with the wheel.",
+    required=True,
+)
+_WHEEL = ByKey(
+    "Central wheel",
+    "A sun or a ring of a group of planets.",
+    (
+        KeyShape("link", LINK, "The link that it belongs to.", required=True),
+        KeyShape("teeth", COUNT, "Its teeth.", required=True),
+        KeyShape("rim", TEXT, "The rim that it meshes with.", required=True),
+    ),
+)
+_GROUP = ByKey(
+    GROUP,
+    KINDS[GROUP].description,
+    (
+        _KIND,
+        KeyShape("carrier", LINK, "Link that bears the planets.", required=True),
+        KeyShape(
+            "rims",
+            ByName("planet", ByName("rim", COUNT)),
+            "Planets, each with its rims and their teeth.",
+            required=True,
+            examples=({"A": {"A1": 18, "A2": 21}},),
+        ),
+        KeyShape("suns", ListOf(_WHEEL), "Central wheels inside the planets."),
+        KeyShape("rings", ListOf(_WHEEL), "Central wheels around the planets."),
+        KeyShape("meshes", ListOf(Pair("rim")), "Pairs of rims of planets that mesh."),
+        _PLANETS,
+        *_COMMON,
+        _planet(),
+    ),
+)
+
+ELEMENT = ByKind({name: _record(name, kind) for name, kind in KINDS.items()})
+LOSSES = Leaf("choice", get_args(Losses))
+
+
+DRAWN = (
+    KeyShape("losses", LOSSES, "Where losses are calculated; `meshes` where planets are shared."),
+    KeyShape("mesh_efficiency", MESH_EFFICIENCY, "Of all elements that give none themselves."),
+    KeyShape(
+        "elements", ByName("element", ELEMENT), "Typical elements in order, each under its name."
+    ),
+)
+
+
+def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
+    """The shape of a case that may, or must, list elements in place of links and mechanisms."""
+    needed = {key.name for key in case.keys if key.required} - {"links", "mechanisms"}
+    needed |= {"elements"} if required else set()
+    at = [key.name for key in case.keys].index("mechanisms")
+    keys = (*case.keys[:at], *DRAWN, *case.keys[at:])
+    return case._replace(keys=tuple(key._replace(required=key.name in needed) for key in keys))
+
+
+def record_of(element: Element) -> dict[str, Any]:
+    """An element by its keys; links are numbers."""
+    record: dict[str, Any] = {
+        "kind": element.kind,
+        **element.members,
+        getattr(element.shape, "size", "teeth"): element.teeth,
+        "ratios": element.ratios,
+        "planets": element.planets,
+        "efficiency": element.efficiency,
+        "mesh_efficiency": element.mesh_efficiency,
+        "rims": element.rims,
+        "meshes": element.meshes,
+        "stiffness": element.stiffness,
+        "damping": element.damping,
+        "planet": _masses(element),
+    }
+    for key, internal in _WHEELS:
+        record[key] = [wheel for wheel in element.wheels if wheel.internal == internal]
+    if element.back_efficiency is not None:
+        record["efficiency"] = {"worm": element.efficiency, "wheel": element.back_efficiency}
+    return record
+
+
+def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
+    """Masses of planets as they are written: that of the only one without its name."""
+    masses = element.planet_masses
+    if element.kind == GROUP or len(element.planet_names) > 1:
+        return dict(masses)
+    return next(iter(masses.values()), None)
+
+
+def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
+    """The element of a record; wheels of a group of planets are called by the case's own links."""
+    kind = record["kind"]
+    efficiency, back = record.get("efficiency"), None
+    if isinstance(efficiency, dict):
+        efficiency, back = efficiency["worm"], efficiency["wheel"]
+    masses = record.get("planet", {})
+    return Element(
+        name,
+        kind,
+        {member: record[member] for member in KINDS[kind].members if member in record},
+        record.get("teeth", record.get("diameters", {})),
+        record.get("planets"),
+        efficiency,
+        back,
+        record.get("mesh_efficiency", {}),
+        record.get("rims", {}),
+        tuple(_wheels(record, link_names)),
+        tuple(map(tuple, record.get("meshes", ()))),
+        record.get("stiffness"),
+        record.get("damping", NO_DAMPING),
+        {"planet": masses} if isinstance(masses, PlanetMass) else masses,
+        record.get("ratios", {}),
+    )
+
+
+def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
+    """Suns, then rings; each is called by its link, and more where that is not enough."""
+    found = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
+    links = Counter(wheel["link"] for wheel, _ in found)
+    taken = {"carrier", *record.get("rims", ())}
+    for wheel, internal in found:
+        link, rim = wheel["link"], wheel["rim"]
+        member = link_names[link - 1] if link > HOUSING else "housing"
+        if links[link] > 1 or member in taken:
+            member += f"/{rim}"
+        if member in taken:
+            member += " (ring)" if internal else " (sun)"
+        taken.add(member)
+        yield CentralWheel(member, link, wheel["teeth"], internal, rim)

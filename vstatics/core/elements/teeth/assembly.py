@@ -1,0 +1,135 @@
+"""Whether planets can be put in: all must find a tooth space at the same time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from vstatics.core.elements.element import CentralWheel, Element
+from vstatics.core.elements.group import PlanetGroup
+from vstatics.core.elements.teeth.conditions import common_step, seated
+from vstatics.core.elements.teeth.layout import AxisLayout, Doubt, Key, Teeth
+from vstatics.core.elements.teeth.subjects import OfPlanets, Subject
+from vstatics.core.numerics.arrays import Integers
+
+
+def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
+    """In how many places around the axis a train of planets would go in; 0 in any.
+
+    See `common_step` for the condition.
+
+    >>> wheels = [CentralWheel("sun", 1, 30, False, "p"), CentralWheel("ring2", 2, 95, True, "p2")]
+    >>> rims = {"p": Fraction(20), "p2": Fraction(25)}
+    >>> group = PlanetGroup(3, wheels, {"planet": rims})
+    >>> placements(group, group.trains[0])  # (30 * 25 + 95 * 20)/gcd(20, 25)
+    530
+    """
+
+    def teeth(key: Key) -> int:
+        return group.teeth(key).numerator if isinstance(key, str) else group.wheels[key].teeth
+
+    return int(common_step(np.array([*_rows(group, train, teeth)], dtype=object), len(train)))
+
+
+def _rows(
+    group: PlanetGroup, train: Mapping[str, Fraction], teeth: Callable[[Key], Any]
+) -> Iterator[list[Any]]:
+    """The meshes of a train as `common_step` has them."""
+    column = {planet: number for number, planet in enumerate(train)}
+    for place, wheel in enumerate(group.wheels):
+        planet = group.planet_of[wheel.rim]
+        if planet in column:
+            row: list[Any] = [0] * (len(column) + 1)
+            row[column[planet]] = teeth(wheel.rim)
+            row[-1] = -teeth(place) if wheel.internal else teeth(place)
+            yield row
+    for pair in group.meshes:
+        if group.planet_of[pair[0]] in column:
+            row = [0] * (len(column) + 1)
+            for rim in pair:
+                number = column[group.planet_of[rim]]
+                row[number] = row[number] + teeth(rim)
+            yield row
+
+
+def that_go_in(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
+    """Of some teeth those with which planets can be assembled; all are asked about together."""
+    count = subject.element.planets or 1
+    if count == 1 or not isinstance(subject, OfPlanets):
+        yield from choices
+        return
+    many = list(choices)
+    group = subject.given.group
+
+    def teeth(key: Key) -> Integers:
+        return np.array([one.get(key, 1) for one in many], dtype=np.int64)
+
+    go_in = np.ones(len(many), np.bool_)
+    for train in group.trains:
+        rows = [
+            [np.broadcast_to(cell, len(many)) for cell in row] for row in _rows(group, train, teeth)
+        ]
+        go_in &= seated(common_step(np.array(rows, dtype=np.int64), len(train)), count)
+    yield from (one for one, goes in zip(many, go_in.tolist(), strict=True) if goes)
+
+
+def assembled(layout: AxisLayout) -> Iterator[Doubt]:
+    """Equally spaced planets must all find a tooth space at the same time."""
+    count = layout.element.planets or 1
+    for train in layout.group.trains:
+        places = placements(layout.group, train)
+        if seated(places, count):
+            continue
+        sums = [_sum(layout, *pair) for pair in combinations(layout.group.wheels_of(train), 2)]
+        failed = [
+            f"{text} = {whole}/{part * count} is not whole; "
+            for text, whole, part in filter(None, sums)
+            if whole % (part * count)
+        ]
+        message = f"{count} equally spaced planets can't be assembled: "
+        if len(layout.group.trains) > 1:
+            message = message.replace("planets", f"planets {', '.join(train)}", 1)
+        message += failed[0] if failed else ""
+        where = f"they fit at multiples of 1/{places} turn" if places > 1 else "only one fits"
+        yield Doubt("W317", message + where, None)
+
+
+def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
+    """Side wheels are to planets between them what a sun and a ring are."""
+    count, whole = element.planets or 1, teeth["left"] + teeth["right"]
+    if whole % count:
+        yield Doubt(
+            "W318",
+            f"{count} equally spaced planets can't be assembled: "
+            f"(left + right)/planets = {whole}/{count} is not whole",
+            None,
+        )
+
+
+def _sum(layout: AxisLayout, one: CentralWheel, other: CentralWheel) -> tuple[str, int, int] | None:
+    """What two wheels ask to be whole: its text, dividend, divisor but for the planets."""
+    group = layout.group
+    planets = [group.planet_of[wheel.rim] for wheel in (one, other)]
+    way = group.path(planets[0], planets[1])
+    names, parts = [layout.label(one), layout.label(other)], [1, 1]
+    below, divisor = "planets", 1
+    if way and any(len(group.planets[group.planet_of[rim]]) > 1 for pair in way for rim in pair):
+        return None
+    if not way and one.rim != other.rim:
+        teeth = [int(group.teeth(wheel.rim)) for wheel in (one, other)]
+        rims = [layout.label(wheel.rim) for wheel in (one, other)]
+        parts, divisor = teeth[::-1], math.gcd(*teeth)
+        names = [f"{names[0]} * {rims[1]}", f"{names[1]} * {rims[0]}"]
+        below = f"(planets * gcd({rims[0]}, {rims[1]}))"
+    turned = len(way) % 2 == 1
+    values = [one.teeth * parts[0], other.teeth * parts[1]]
+    if (one.internal != other.internal) != turned:
+        return f"({names[0]} + {names[1]})/{below}", sum(values), divisor
+    if values[1] > values[0]:
+        names, values = names[::-1], values[::-1]
+    return f"({names[0]} - {names[1]})/{below}", values[0] - values[1], divisor

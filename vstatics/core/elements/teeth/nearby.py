@@ -1,0 +1,198 @@
+"""Numbers of teeth near those of an element.
+
+Wheels around one planet cannot change their teeth one by one: axes would not coincide
+any more. So a step of the search moves a rim together with the wheels that mesh with it
+(a tooth more on the planet: one less on the sun, one more on the ring), or moves the axis
+of a planet (all wheels around it). What is coaxial stays so, in the same modules.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.group import PlanetGroup
+from vstatics.core.elements.teeth.conditions import SHIFT
+from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
+
+TEETH_PER_RATIO = 100
+"""A percent of ratio is as far away as a tooth."""
+
+FARTHEST_RATIO = 0.3
+"""What a ratio may change by, as a logarithm, and still be near."""
+
+REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
+"""Steps in all, by the number of moves: at most some 400 places, a few milliseconds."""
+
+WIDER = 2
+"""So many times the reach is searched where the whole range is asked for."""
+
+FAR_MOVES = 14
+"""With more moves one step is all: the places grow with the square of the moves otherwise."""
+
+FEW_WHEELS = 5
+"""Up to so many numbers of teeth a suggestion names them all, beyond only those that change."""
+
+
+class Space(NamedTuple):
+    """Where to search.
+
+    Attributes
+    ----------
+    given : mapping of key to teeth
+        The teeth as they stand; the changes of these count.
+    start : mapping of key to teeth
+        The coaxial teeth nearest to them.
+    moves : sequence of mappings of key to a change of teeth
+    ratios : sequence of mappings of key to exponent
+        Each ratio is, but for its sign, a product of powers of teeth.
+    """
+
+    given: Teeth
+    start: Teeth
+    moves: Sequence[Teeth]
+    ratios: Sequence[Teeth]
+
+
+def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
+    """Teeth around those of a space, those with the fewest changes first.
+
+    Distance is the number of teeth changed, plus the percents by which ratios change.
+
+    Parameters
+    ----------
+    wide : bool
+        Whether to search farther than for a suggestion.
+
+    >>> pair = {"first": 20, "second": 40}
+    >>> space = Space(pair, pair, [{"first": 1}, {"second": 1}], [{"first": -1, "second": 1}])
+    >>> around = nearest(space)
+    >>> next(around), next(around)
+    ({'first': 20, 'second': 40}, {'first': 19, 'second': 38})
+    """
+    found: list[tuple[float, int, Teeth]] = []
+    logs = {key: math.log(count) for key, count in space.given.items()}
+    for number, steps in enumerate(_steps(len(space.moves), WIDER if wide else 1)):
+        teeth = dict(space.start)
+        for move, step in zip(space.moves, steps, strict=True):
+            if step:
+                for key, change in move.items():
+                    teeth[key] += step * change
+        if min(teeth.values()) > 0:
+            distance = _distance(space, logs, teeth)
+            if distance < math.inf:
+                found.append((distance, number, teeth))
+    found.sort(key=lambda one: one[:2])
+    return (teeth for _, _, teeth in found)
+
+
+def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
+    """Infinite where a ratio changes too much."""
+    changed = [key for key, count in space.given.items() if teeth[key] != count]
+    total = float(sum(abs(teeth[key] - space.given[key]) for key in changed))
+    apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
+    for powers in space.ratios:
+        change = abs(sum(power * apart.get(key, 0.0) for key, power in powers.items()))
+        total += TEETH_PER_RATIO * change if change <= FARTHEST_RATIO else math.inf
+    return total
+
+
+@lru_cache
+def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
+    """Steps along each move, all that add up to no more than the reach, or a multiple of it."""
+    reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
+    found: list[tuple[tuple[int, ...], int]] = [((), reach)]
+    for _ in range(moves):
+        found = [
+            ((*steps, step), left - abs(step))
+            for steps, left in found
+            for step in range(-left, left + 1)
+        ]
+    return [steps for steps, _ in found]
+
+
+def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
+    """Where to search for teeth of a group of planets.
+
+    >>> from fractions import Fraction
+    >>> wheels = [CentralWheel("sun", 1, 48, False, "p"), CentralWheel("ring", 2, 97, True, "p")]
+    >>> space = space_of(PlanetGroup(3, wheels, {"p": {"p": Fraction(49, 2)}}), [])
+    >>> space.start
+    {'p': 24, 0: 48, 1: 96}
+    >>> space.moves
+    [{0: 1, 1: 1}, {'p': 1, 0: -1, 1: 1}]
+    """
+    start: dict[Key, int] = {}
+    moves: list[Teeth] = []
+    for rims in group.planets.values():
+        spans: dict[str, int] = {}
+        for rim, teeth in rims.items():
+            around = _around(group, rim)
+            if teeth is None:
+                for place, wheel in around:
+                    start[place] = wheel.teeth
+                    moves.append({place: 1})
+                continue
+            start[rim] = count = math.floor(teeth)
+            if around:
+                first = around[0][1]
+                spans[rim] = first.teeth + (-count if first.internal else count)
+            for place, wheel in around:
+                start[place] = spans[rim] + (count if wheel.internal else -count)
+        steps = _axis_steps(spans)
+        axis: dict[Key, int] = {
+            place: step for rim, step in steps.items() for place, _ in _around(group, rim)
+        }
+        moves += [axis] if axis else []
+        for rim in (rim for rim, teeth in rims.items() if teeth is not None):
+            turned: dict[Key, int] = {rim: 1}
+            for place, wheel in _around(group, rim):
+                turned[place] = 1 if wheel.internal else -1
+            moves.append(turned)
+    given: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
+    given |= {rim: int(group.teeth(rim)) for rim in given_rims if rim in group.planet_of}
+    ratios = [ratio_powers(group, one, last) for one, last in ratio_pairs(group)]
+    return Space(given, start, moves, ratios)
+
+
+def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
+    """How an axis may move: twice as far from the center, in the modules of its rims.
+
+    Rims of one module move together, those that need a shifted profile as well; rims of
+    different modules keep the proportion of these where its steps are small.
+    """
+    if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
+        return dict.fromkeys(spans, 1)
+    unit = math.gcd(*spans.values())
+    return {
+        rim: span // unit for rim, span in spans.items() if max(spans.values()) <= FEW_WHEELS * unit
+    }
+
+
+def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
+    """The wheels that mesh with a rim, with their positions."""
+    return [(place, wheel) for place, wheel in enumerate(group.wheels) if wheel.rim == rim]
+
+
+def ratio_powers(group: PlanetGroup, one: CentralWheel, last: CentralWheel) -> dict[Key, int]:
+    """The ratio of two wheels of a train, but for its sign, as powers of teeth."""
+    wheels = list(group.wheels)
+    powers: dict[Key, int] = {wheels.index(one): -1, wheels.index(last): 1}
+    way = _way(group, one.rim, last.rim)
+    for driver, driven in zip(way[::2], way[1::2], strict=True):
+        powers[driver] = powers.get(driver, 0) + 1
+        powers[driven] = powers.get(driven, 0) - 1
+    return {key: power for key, power in powers.items() if power}
+
+
+def _way(group: PlanetGroup, first: str, last: str) -> list[str]:
+    """Rims from one to another, planet by planet: where each planet is left, where entered."""
+    here, way = group.planet_of[first], [first]
+    for pair in group.path(here, group.planet_of[last]):
+        near, far = pair if group.planet_of[pair[0]] == here else pair[::-1]
+        way += [near, far]
+        here = group.planet_of[far]
+    return [*way, last]

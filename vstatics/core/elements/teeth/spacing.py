@@ -1,0 +1,215 @@
+"""The places of planets: on one axis with their wheels, clear of these and of one another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+
+from vstatics.core.elements.element import CentralWheel
+from vstatics.core.elements.teeth.assembly import assembled, placements
+from vstatics.core.elements.teeth.conditions import (
+    SHIFT,
+    TIPS,
+    closes,
+    crossing_distance,
+    neighbours_room,
+    passing_room,
+    seated,
+)
+from vstatics.core.elements.teeth.layout import AxisLayout, Doubt
+from vstatics.core.elements.teeth.subjects import OfPlanets, Subject
+from vstatics.core.numerics.tolerances import TIP_CLEARANCE
+
+PASSING = {
+    "double_planet": (("inner", "ring"), ("outer", "sun")),
+    "ravigneaux": (("long", "small_sun"),),
+}
+"""Rims and wheels that stand side by side without meshing."""
+
+
+def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
+    """Everything about the places of planets, each part of it in turn."""
+    hopeless = [
+        Doubt(
+            "W311",
+            f"no planet `{planet}` fits between the wheels around it",
+            layout.key(wheels[-1]),
+        )
+        for planet, rims in layout.group.planets.items()
+        for rim, teeth in rims.items()
+        if teeth is not None and teeth < 1 and (wheels := layout.around(rim))
+    ]
+    yield from hopeless
+    if not hopeless:
+        yield from _coaxial(layout)
+        yield from _modules(layout)
+        yield from _triangles(layout)
+        yield from _clear_wheels(layout)
+        count = layout.element.planets or 1
+        if count > 1:
+            yield from assembled(layout)
+            yield from _touching(layout, count)
+
+
+def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
+    """Wheels that mesh with one rim stand at one distance from it."""
+    for rim in layout.group.planet_of:
+        wheels, teeth = layout.around(rim), layout.teeth(rim)
+        if not wheels or teeth is None:
+            continue
+        first, *others = wheels
+        if teeth.denominator > 1:
+            sun, ring = map(layout.label, sorted(wheels, key=lambda wheel: wheel.internal))
+            message = (
+                f"no standard {layout.label(rim)} fits between: ({ring} - {sun})/2 = "
+                f"{float(teeth):g} is not whole; speeds of planets take it as it is"
+            )
+            yield Doubt("N311", message, layout.key(wheels[-1]))
+        for other in others:
+            change = int((layout.span(other) or 0) - (layout.span(first) or 0))
+            if change and teeth.denominator == 1:
+                yield _off_axis(layout, first, other, change)
+
+
+def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, change: int) -> Doubt:
+    wanted = layout.label(first)
+    if first.internal != other.internal:
+        wanted += f" {'-' if first.internal else '+'} 2 {layout.label(first.rim)}"
+    message = f"{layout.label(other)} {other.teeth} is not {wanted} = {other.teeth - change}"
+    if abs(change) <= SHIFT:
+        message += ": runs with shifted profiles only"
+        return Doubt("N312", message, layout.key(other))
+    return Doubt("W312", f"{message}: their axes don't coincide", layout.key(other))
+
+
+def _modules(layout: AxisLayout) -> Iterator[Doubt]:
+    """Different rims of a planet may differ in module, and often have to."""
+    for rims in layout.group.planets.values():
+        first, *others = [rim for rim in rims if layout.around(rim)] or [""]
+        for rim in others:
+            here, there = layout.axis(rim), layout.axis(first)
+            if here and there and here[0] != there[0] and min(here[0], there[0]) > 0:
+                ratio = there[0] / here[0]
+                shifted = abs(here[0] - there[0]) <= SHIFT
+                message = (
+                    f"coaxial with {'shifted profiles, or with ' if shifted else ''}"
+                    f"different modules: that of {layout.label(rim)} is "
+                    f"{float(ratio):.5g} times that of {layout.label(first)} ({ratio})"
+                )
+                yield Doubt("N313", message, rim, has_cure=False)
+
+
+def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
+    """Planets that mesh with one another stand at the corners of a triangle with the axis."""
+    for one, other in layout.group.meshes:
+        sides = _sides(layout, one, other)
+        if sides is None or closes(*map(float, sides)):
+            continue
+        first, second, apart = (float(side) / 2 for side in sides)
+        names = f"{layout.label(one)} and {layout.label(other)}"
+        message = (
+            f"{names} can't mesh: on axes at the radii {first:g} and {second:g} modules their "
+            f"distance {apart:g} would have to lie between {abs(first - second):g} and "
+            f"{first + second:g}"
+        )
+        rims = layout.group.planets
+        if all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other)):
+            yield Doubt("W313", message, one)
+        else:
+            yield Doubt("N314", f"{message}, if all rims have one module", one, has_cure=False)
+
+
+def _sides(layout: AxisLayout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
+    """Twice the radii of two axes of planets, and twice their distance, in modules."""
+    first, second = layout.axis(one), layout.axis(other)
+    teeth = (layout.teeth(one), layout.teeth(other))
+    if first is None or second is None or teeth[0] is None or teeth[1] is None:
+        return None
+    return first[0], second[0], teeth[0] + teeth[1]
+
+
+def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
+    """Meshed planets keep clear of the wheel that they pass.
+
+    A Ravigneaux ring stands beside the short planets, over the large sun, and long planets
+    may end before the small sun: that is only worth a note.
+    """
+    for rim, member in PASSING.get(layout.element.kind, ()):
+        axis = layout.axis(rim) if rim in layout.group.planet_of else None
+        teeth = layout.teeth(rim) if axis else None
+        passed = next((wheel for wheel in layout.group.wheels if wheel.member == member), None)
+        if axis is None or teeth is None or passed is None:
+            continue
+        room = passing_room(
+            float(axis[0]), float(teeth), float(passed.teeth), internal=passed.internal
+        )
+        if room > 0:
+            continue
+        names = f"{rim} {teeth} and {member} {passed.teeth}"
+        if layout.element.kind == "ravigneaux":
+            message = f"tips of {names} would touch where they stood side by side"
+            yield Doubt("N315", message, layout.key(passed), has_cure=False)
+        else:
+            yield Doubt("W314", f"tips of {names} touch, which are not to mesh", rim)
+
+
+def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
+    """Tips of neighbouring planets must not meet."""
+    sine = math.sin(math.pi / count)
+    for rims in layout.group.planets.values():
+        gaps = [  # between the tips of neighbours, in modules
+            (neighbours_room(float(axis[0]), float(teeth), sine), rim, axis)
+            for rim, teeth in rims.items()
+            if teeth is not None and (axis := layout.axis(rim))
+        ]
+        least = min(gaps, default=None)
+        if least and least[0] < TIP_CLEARANCE:
+            _, rim, (span, wheel) = least
+            yield Doubt(
+                "W315",
+                f"tips of neighbouring planets touch: ({layout.label(wheel)} "
+                f"{'-' if wheel.internal else '+'} {layout.label(wheel.rim)}) "
+                f"sin(180°/{count}) = {float(span) * sine:.4g}, "
+                f"expected more than {layout.label(rim)} + 2 = "
+                f"{float(layout.group.teeth(rim)) + 2:g}",
+                None,
+            )
+    for one, other in layout.group.meshes:
+        yield from _crossing(layout, one, other, count)
+
+
+def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:
+    """A planet against the meshing planet of the next place."""
+    sides = _sides(layout, one, other)
+    if sides is None or not closes(*map(float, sides)):
+        return
+    first, second, apart = (float(side) / 2 for side in sides)
+    distance = crossing_distance(first, second, apart, 2 * math.pi / count)
+    if distance - apart - TIPS < TIP_CLEARANCE:
+        yield Doubt(
+            "W316",
+            f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
+            f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}",
+            None,
+        )
+
+
+def counts(subject: Subject) -> str:
+    """Numbers of planets near that of an element which would go in."""
+    count = subject.element.planets or 1
+    if not isinstance(subject, OfPlanets):
+        return ""
+    fit = those_that_go_in(subject.given, range(max(2, count - 3), count + 3))
+    fit = sorted(sorted(fit, key=lambda number: abs(number - count))[:2])
+    return f"; {' or '.join(map(str, fit))} planets fit" if fit else ""
+
+
+def those_that_go_in(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
+    """Of some numbers of planets those that can be assembled and keep clear of one another."""
+    trains = [placements(layout.group, train) for train in layout.group.trains]
+    return [
+        number
+        for number in numbers
+        if all(seated(places, number) for places in trains) and not any(_touching(layout, number))
+    ]

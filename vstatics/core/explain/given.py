@@ -1,0 +1,231 @@
+"""What the numbers of a gear follow from: all that solving reads of its case, as tables.
+
+An exercise can be solved from these alone, so what solving reads stands here. What it does not
+read is listed in `UNREAD`; a key that is in neither shows itself among the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.explain import typeset
+from vstatics.core.explain.given_parts import (
+    UNREAD,
+    cell_of,
+    data_text,
+    elements,
+    fills_a_gap,
+    in_words,
+    link_text,
+    losses,
+    mechanisms,
+    shift_elements,
+    springs,
+)
+from vstatics.core.explain.machines import MACHINES
+from vstatics.core.explain.text import engaged, rule
+from vstatics.core.model.parts import HOUSING, Law
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.traced import plain
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.state import GearState
+from vstatics.core.tables.grid import NOTHING, Grid, Value, grid_of, whole, word
+from vstatics.core.texts import heading, tr
+from vstatics.core.writers.named import mapping
+
+_SHOWN = frozenset(
+    (
+        *("shift_elements", "elements", "mechanisms", "springs", "input", "output", "outputs"),
+        *("load", "coast", "idle", "losses", "mesh_efficiency"),
+        *("engaged", "speeds", "torques", "drag", "open_drag", "speed_ratios", "input_turns"),
+        "balance",
+    )
+)
+"""Keys of a case or a gear whose numbers stand in tables of their own; losses as they act."""
+
+
+def given(results: Results, place: int) -> Iterator[Grid]:
+    """What is given of a gear: its parts, how they are joined, what acts; and how signs count.
+
+    Parameters
+    ----------
+    place : int
+        Of the gear, from 0.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> [one.key for one in given(solve(case), 0) if one.rows]
+    ['mechanisms', 'losses', 'shift_elements', 'ports', 'acting']
+    """
+    case, state = results.case, results.gear_at(place)
+    gear = case.gears[place]
+    names = [one.name for one in case.shift_elements]
+    holding = [names[number - 1] for number in state.holding]
+    said = engaged([names[number - 1] for number in gear.engaged], holding)
+    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
+    data = mapping(case)
+    made = (
+        elements(case, data.get("elements", {})),
+        mechanisms(case, gear),
+        losses(case),
+        shift_elements(case, gear, state.engaged),
+        springs(case),
+        _ports(case, gear),
+        _acting(case, gear),
+        _rest({**data, **data["gears"][gear.name]}),
+        _idle(state),
+    )
+    yield from (one for one in made if one.rows)
+    yield from (Grid(one, (), (), prose=typeset.prose(one)) for one in _conventions(gear, state))
+
+
+def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
+    """How speeds and torques of a gear are counted, in words."""
+    case, drawing = state.case, drawing_of(state.case)
+    if case.input_torque(state.gear):
+        yield tr(
+            "Speeds are relative to the speed of the input, torques to its torque, powers to its "
+            "power."
+        )
+    else:
+        yield tr("Speeds are relative to the speed of the input; torques are in N*m.")
+    yield tr(
+        "A torque on a device is that which its link gives to it, positive in the direction of the "
+        "torque of the input; that of a shift element or mechanism is on its first link; Mx is "
+        "what the output gives to the load."
+    )
+    if state.calculable:
+        yield from _rules_of_losses(state)
+    if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
+        yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
+    if any(map(fills_a_gap, drawing.elements if drawing else ())):
+        yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
+    if case.freewheels:
+        yield tr("A freewheel keeps its first link from turning backward against the second.")
+    if gear.balance:
+        yield tr(MACHINES)
+        yield tr(
+            "The torque that balances machines and battery is found with losses; it stands in the "
+            "torques without losses, too."
+        )
+    yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
+    if case.coasts(state.gear) and state.calculable:
+        yield tr("Coasting: power enters at the output.")
+
+
+def _rules_of_losses(state: GearState) -> Iterator[str]:
+    """How mechanisms with losses, variators, converters and drag act."""
+    case = state.case
+    if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
+        drags = bool(state.drag.links or state.drag.elements)
+        yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
+    if any(one.back_efficiency is not None for one in case.mechanisms):
+        yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
+    bypassed = case.bypassed(state.gear)
+    kinds = {one.kind for n, one in enumerate(case.mechanisms) if n not in bypassed}
+    if "variator" in kinds:
+        yield tr(
+            "A variator of the speed ratio w_second/w_first has the inverse of it as u; with the "
+            "speed ratio 0 its second link stands, and the first has no torque."
+        )
+    if "converter" in kinds:
+        yield tr(
+            "A converter has the torques M and -K M on its links, with losses and without; K is "
+            "straight between its points over the speed ratio w_second/w_first, constant outside. "
+            "It loses M (w_first - K w_second)."
+        )
+    if bypassed:
+        names = ", ".join(case.mechanisms[n].name for n in sorted(bypassed))
+        yield tr("Bypassed by a lock-up clutch, without torque: {names}.", names=names)
+    efficiencies = (n for one in case.mechanisms for n in (one.efficiency, one.back_efficiency))
+    if any(isinstance(one, Law) for one in efficiencies):
+        yield tr(
+            "An efficiency over speed is over that of the first link against the third, one over "
+            "torque over the torque on the first link with losses; both without sign, straight "
+            "between the points, constant outside."
+        )
+    if case.has_drag:
+        yield tr(
+            "Drag brakes its link, or the links of an open shift element against each other; it "
+            "acts in the torques with losses only."
+        )
+    gear = case.gears[case.gear_number(state.gear.name) - 1]  # that of the state has no laws
+    by_part = case.gear_drag(gear), case.gear_open_drag(gear)
+    if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
+        yield tr(
+            "Drag over speed is over that of its link, of an open shift element over its slip, "
+            "without sign: w in a formula, in rad/s; straight between points, constant outside."
+        )
+
+
+def _ports(case: Transmission, gear: Gear) -> Grid:
+    rows = [
+        (case.link_name(case.gear_input(gear)), word("input")),
+        (case.link_name(case.gear_output(gear)), word("output")),
+        *((case.link_name(link), word("further output")) for link in case.further_outputs(gear)),
+    ]
+    return grid_of("Ports", ["link", "port"], rows, key="ports")
+
+
+def _acting(case: Transmission, gear: Gear) -> Grid:
+    """Speeds and torques that are given, drag, and what is told of the load."""
+    entry = case.gear_input(gear)
+    rows: list[tuple[int, str, Value]] = [
+        (entry, "speed", cell_of(1.0)),
+        (entry, "torque", cell_of(case.input_torque(gear))),
+    ]
+    for link, speed in gear.speeds.items():
+        told = case.speed_text(speed) if not isinstance(speed, float) else cell_of(speed)
+        rows.append((link, "speed", told))
+    rows += [(link, "torque", cell_of(torque)) for link, torque in gear.torques.items()]
+    rows += [(link, "drag", cell_of(drag)) for link, drag in case.gear_drag(gear).items()]
+    load = case.gear_load(gear)
+    if load.speed is not None:
+        rows.append((entry, "speed, rpm", cell_of(load.speed)))
+    if load.torque is not None:
+        rows.append((entry, "torque, N*m", cell_of(load.torque)))
+    if case.freewheels and (turns := case.input_turns(gear)):
+        rows.append((entry, "sense of rotation", word(turns)))
+    if gear.balance:
+        rows += [
+            (link, "efficiency", cell_of(efficiency))
+            for link, efficiency in gear.balance.efficiencies
+        ]
+        rows.append((HOUSING, "charging power, kW", cell_of(gear.balance.battery)))
+    named = (
+        (link_text(case, link) if link else NOTHING, heading(what), value)
+        for link, what, value in rows
+    )
+    return grid_of("Given", ["link", "quantity", "value"], named, key="acting")
+
+
+def _rest(data: Mapping[str, Any]) -> Grid:
+    """Any other key of the case or the gear."""
+    rows = [
+        (in_words(key), data_text(value))
+        for key, value in data.items()
+        if key not in UNREAD | _SHOWN
+    ]
+    return grid_of("Given besides", ["quantity", "value"], rows, key="rest")
+
+
+def _idle(state: GearState) -> Grid:
+    """Signs that no power without losses decides: by a convention, or by the losses."""
+    found = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
+    rows = [(one.name, whole(plain(sign))) for one, sign, is_told in found if is_told]
+    title = "Signs of idle mechanisms"
+    if any(state.search.turned):
+        title = "Signs that power without losses does not tell"
+    return grid_of(title, ["mechanism", "sign"], rows, key="idle")
+
+
+def told_signs(state: GearState) -> list[bool]:
+    """Of which mechanisms the sign is told, as the rule for it does not give it."""
+    return [
+        idle or turned is True
+        for idle, turned in zip(state.search.idle, state.search.turned, strict=True)
+    ]

@@ -1,0 +1,74 @@
+"""The balance of the machines of a gear with their battery, written out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vstatics.core.statics.points.balance import battery_power, sought_link
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.answer import Known
+
+
+class MachineShare(NamedTuple):
+    """What a machine has of its link, and gives the battery."""
+
+    link: str
+    power_kW: Known  # noqa: N815 - as `port_powers_kW`
+    """What the link gives its machine, with losses."""
+    efficiency: Known
+    battery_kW: Known  # noqa: N815
+    """What the battery gets of it, above 0, or gives for it."""
+
+
+MACHINES = (
+    "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
+    "the battery gets P eta, or gives P/eta where P is below 0"
+)
+
+
+class MachineBalance(NamedTuple):
+    """Machines and their battery, and the torque that balances them."""
+
+    link: str
+    """Whose torque is found."""
+    torque: Known
+    """On this link; torques without losses take it, too. [-], [N*m] where the input has none"""
+    shares: Sequence[MachineShare]
+    battery_kW: Known  # noqa: N815
+    """What the battery is to get."""
+
+
+def machine_balance(results: Results, number: int) -> MachineBalance | None:
+    """The balance of a gear, by its index; None where it has none, or no torque does it.
+
+    Examples
+    --------
+    What the generator on link 3 gives at .9 the motor on link 4 takes at .8.
+
+    >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
+    >>> from vstatics.core.model.parts import BatteryBalance
+    >>> gear = Gear(speeds={3: 2.0}, balance=BatteryBalance(((3, 0.9), (4, 0.8)), 0.0))
+    >>> sets = [Mechanism(3, 2, 1, -2.0), Mechanism(4, 2, 0, 3.0)]
+    >>> case = Transmission(4, [], sets, [gear], load=Load(1000.0, 100.0), input=1, output=2)
+    >>> found = machine_balance(solve(case), 0)
+    >>> round(sum(one.battery_kW for one in found.shares), 9), found.link
+    (0.0, '4')
+    """
+    case = results.case
+    gear = case.gears[number]
+    if gear.balance is None:
+        return None
+    powers = -results.port_powers_kW[number]
+    shares = []
+    for link, efficiency in gear.balance.efficiencies:
+        power = float(powers[link - 1])
+        given = float(battery_power(power, efficiency))
+        shares.append(MachineShare(case.link_name(link), power, efficiency, given))
+    if any(math.isnan(one.power_kW) for one in shares):
+        return None
+    assert results.points is not None  # noqa: S101 - a case with a balance has them
+    link = sought_link(gear, results.points.gears[number])
+    torque = float(results.holding_torques[number, link - 1])
+    return MachineBalance(case.link_name(link), torque, shares, gear.balance.battery)

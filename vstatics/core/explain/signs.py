@@ -1,0 +1,154 @@
+"""The sign of each mechanism's power flow in a gear, and why it is that one."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from itertools import product
+from typing import NamedTuple
+
+from vstatics.core.numerics.traced import is_nan, plain
+from vstatics.core.statics.efficiency import lossy_ratios
+from vstatics.core.statics.losses import torques_for_signs
+from vstatics.core.statics.roles import IDLE, ONE_PIECE, mechanism_roles
+from vstatics.core.statics.speeds import is_tie
+from vstatics.core.statics.state import GearState
+from vstatics.core.tables.answer import Known
+from vstatics.core.texts import tr
+
+
+class PowerSign(NamedTuple):
+    """A mechanism with losses: ``ratio x efficiency**sign`` stands in place of its ratio."""
+
+    mechanism: str
+    torque: float
+    """On the first link, without losses, but with drag. [-]"""
+    motion: float
+    """Speed of the first link against the third. [-]"""
+    power: float
+    """Their product: what enters by the first link, seen from the third; below 0 where it enters
+    when coasting, as the unit of power is then. [-]"""
+    sign: float
+    """+1, -1 or 0; NaN where it is open."""
+    ratio: float
+    """[-]"""
+    efficiency: float
+    """That of this direction of power. [-]"""
+    lossy_ratio: float
+    """[-]"""
+    why: str
+
+    @property
+    def told(self) -> str:
+        """Why, in the language that is spoken."""
+        return "".join(tr(part) for part in re.split(r"([,;] )", self.why))
+
+
+def signs_of(state: GearState) -> list[PowerSign]:
+    """The signs of a gear, by mechanism: equation (5) of docs/method.md."""
+    case = state.case
+    speeds = [0.0, *map(plain, state.speeds)]
+    torques = map(plain, state.ideal.torques_with_drag.on_first_link[case.among_devices])
+    signs = []
+    for place, (mechanism, torque) in enumerate(zip(case.mechanisms, torques, strict=True)):
+        first, third = speeds[mechanism.first], speeds[mechanism.third]
+        motion = 0.0 if is_tie(abs(first - third), abs(first), abs(third)) else first - third
+        sign, efficiency = state.signs[place], state.ideal.variant.efficiencies[place]
+        power = torque * motion
+        signs.append(
+            PowerSign(
+                mechanism=mechanism.name,
+                torque=torque,
+                motion=motion,
+                power=power,
+                sign=plain(sign),
+                ratio=mechanism.ratio,
+                efficiency=plain(efficiency.back if sign < 0 else efficiency.forward),
+                lossy_ratio=plain(state.lossy_ratios[place]),
+                why=_why(state, place, motion, power),
+            )
+        )
+    return signs
+
+
+MOST_TRIED = 3
+"""Of more mechanisms there are too many sets of signs to look at."""
+
+
+class TriedSigns(NamedTuple):
+    """Signs that do not agree with the power that flows by them."""
+
+    signs: Mapping[str, float]
+    """By mechanism."""
+    lossy_ratios: Mapping[str, float]
+    """By mechanism: u eta^x. [-]"""
+    output_torque: Known
+    """What the output would give to the load. [-]"""
+    against: str
+    """The mechanism by which power flows the other way; empty where it enters at the output."""
+
+
+def tried_signs(state: GearState) -> list[TriedSigns]:
+    """All signs of a gear that is locked by friction, each with what speaks against them.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, 0.995, 0.98)], [Gear([1])])
+    >>> tried = tried_signs(solve(case).gear_at(0))
+    >>> [(*one.signs.values(), round(one.output_torque, 4), one.against) for one in tried]
+    [(-1.0, -0.0153, ''), (1.0, 0.0249, 'D1')]
+    """
+    ideal, names = state.ideal, [one.name for one in state.case.mechanisms]
+    efficiencies = ideal.variant.efficiencies
+    moving = zip(efficiencies, ideal.speeds.relative_speeds, strict=True)
+    free = [place for place, (own, speed) in enumerate(moving) if own.lossy and speed]
+    if not state.search.locked or len(free) > MOST_TRIED:
+        return []
+    tried = []
+    for own in product((-1.0, 1.0), repeat=len(free)):
+        signs = list(state.signs)
+        for place, x in zip(free, own, strict=True):
+            signs[place] = x
+        lossy = torques_for_signs(ideal, tuple(signs))
+        ratios = lossy_ratios(ideal.variant.ratios, efficiencies, signs)
+        against = (names[place] for place in free if signs[place] * lossy.directions[place] < 0)
+        tried.append(
+            TriedSigns(
+                {names[place]: plain(signs[place]) for place in free},
+                {names[place]: plain(ratios[place]) for place in free},
+                plain(lossy.torques.on_first_link[-1]),
+                next(against, ""),
+            )
+        )
+    return [one for one in tried if not math.isnan(one.output_torque)]
+
+
+def _why(state: GearState, place: int, motion: float, power: float) -> str:
+    """The reason for a sign, in words."""
+    case, sign = state.case, state.signs[place]
+    mechanism = case.mechanisms[place]
+    if mechanism.efficiency == 1 and mechanism.back_efficiency in (None, 1):
+        return "no losses"
+    if is_nan(sign):
+        return "not determined"
+    if state.search.idle[place]:
+        why = {IDLE: "idle: no torque", ONE_PIECE: ONE_PIECE}.get(
+            mechanism_roles(state)[place],
+            "it stands" if motion == 0 else "no torque without losses",
+        )
+        if sign == 0:
+            return why
+        # of the convention: +1 without torque, else the sign of the ratio; see docs/method.md
+        chosen = (1.0, math.copysign(1, mechanism.ratio))[: 2 if motion == 0 else 1]
+        by_convention = case.idle == "published" and sign in chosen
+        by = "convention `published`" if by_convention else "flow with losses"
+        return f"{why}; x by the {by}"
+    ideal = power * state.ideal.direction
+    way = "coasting, power" if state.ideal.direction < 0 else "power"
+    if math.isnan(ideal):
+        return f"{way} {'enters' if sign > 0 else 'leaves'} by the first link"
+    why = f"{way} {'enters' if ideal > 0 else 'leaves'} by the first link"
+    turned = state.search.turned[place] or ideal * sign < 0
+    return f"{why}, but losses turn it round" if turned else why

@@ -1,0 +1,14 @@
+"""Where the power goes in a gear: what is lost, what is shared, what circulates.
+
+Results go in; `power` makes the flow of each gear, `power_flow` says what it has, `text` and
+`answer` write it.
+
+>>> from vstatics import Gear, Mechanism, Transmission, solve
+>>> from vstatics.core.flow.power import flows
+>>> from vstatics.core.flow.text import text
+>>> [gear] = flows(solve(Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])))
+>>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
+(0.02, 'in 1.000 - out .980 - lost .020 = .000')
+
+`circulation` finds loops of any graph, `cycles` the edges that are on some.
+"""

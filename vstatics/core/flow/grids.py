@@ -1,0 +1,211 @@
+"""The power of a gear as a table, and what stands below it: for every format for people."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from itertools import zip_longest
+
+from vstatics.core.flow.circulation import Loop, Node, NodeKind
+from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact, text, word
+from vstatics.core.tables.numbers import fixed
+from vstatics.core.texts import tr
+
+SECTIONS: Mapping[NodeKind, str] = {
+    "link": "links",
+    "mechanism": "mechanisms",
+    "spring": "springs",
+    "element": "shift elements",
+    "drag": "drag of links",
+}
+NO_LOSSES = (None, None)
+_Line = tuple[int, Row]
+"""How far a row is set in, and the row."""
+CONVENTION = "~"
+"""Marks power that is divided by convention, within what turns as one piece."""
+
+
+def power_grid(flow: GearFlow) -> Grid:
+    """The power through each link, mechanism, spring and shift element; with a load in kW, too.
+
+    Below a mechanism stand the power of its members, and that of its teeth; the members, too,
+    below a spring of more than two. Whatever has
+    no power is left out. There are no rows where the ideal flow does not exist. A gear with
+    powers that are divided by convention has a last column that marks them.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.core.flow.power import flows
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
+    >>> power_grid(flow).texts[4]
+    ['pair', '1.000', '1.000', '.02000', '100.0']
+    """
+    load = not math.isnan(flow.kilowatts)
+    columns = [text("power through"), Column("ideal"), Column("with losses")]
+    columns += [Column("kW")] * load + [Column("loss")] + [Column("loss, kW")] * load
+    columns += [Column("share, %"), *[text("by convention")] * bool(flow.by_convention)]
+    lines: list[_Line] = []
+    moving = [node for node, carries in _nodes(flow).items() if carries]
+    for kind, heading in SECTIONS.items():
+        nodes = [node for node in moving if node.kind == kind]
+        if nodes:
+            lines.append((1, [word(heading), *[""] * (len(columns) - 1)]))
+        for node in nodes:
+            lines.append((2, _of_node(flow, node)))
+            if kind in ("mechanism", "spring"):
+                below = [*_of_members(flow, node), *_of_teeth(flow, node)]
+                if kind == "spring" and len(below) < 3:  # a shaft: what enters leaves
+                    below = []
+                lines += below
+    rows, levels = [row for _, row in lines], [level for level, _ in lines]
+    return Grid(tr("Gear {gear}", gear=flow.gear), columns, rows, levels)
+
+
+def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
+    """What is without power, the balance, what circulates: a line each, loops set in.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point, where they are not three.
+    balanced : bool
+        Whether the sum of the powers is told, which other parts of a page say.
+    """
+    if flow.ideal is None:
+        return
+    shown_as = partial(fixed, decimals=3 if digits is None else digits)
+    nodes = _nodes(flow).items()
+    still = [str(node) for node, carries in nodes if not carries and node.kind in SECTIONS]
+    if still:
+        yield tr("no power: {names}", names=", ".join(still))
+    if flow.by_convention:
+        names = ", ".join(map(str, flow.by_convention))
+        yield f"{CONVENTION} {tr('by convention, as it turns as one piece: {names}', names=names)}"
+    if flow.note:
+        yield tr("with losses: {note}", note=tr(flow.note))
+    shown = flow.lossy or flow.ideal
+    if balanced:
+        entering, leaving, lost = map(shown_as, (shown.entering, shown.leaving, shown.lost))
+        balance = tr(
+            "in {entering} - out {leaving} - lost {lost} = {balance}",
+            entering=entering,
+            leaving=leaving,
+            lost=lost,
+            balance=shown_as(shown.balance),
+        )
+        without = tr("; 1 is that of 1 N*m at the input, of no torque")
+        yield balance + without * (not flow.ports.input_torque)
+    unknown = [str(node) for node in shown.unknown]
+    if unknown:
+        yield f"{tr('not determined')}: {', '.join(unknown)}"
+        yield tr("circulating: not determined")
+        return
+    if flow.ideal.loops or shown.loops:
+        yield _circulating(flow.ideal, shown, shown_as)
+    else:
+        yield tr("circulating: none")
+    for loop in shown.loops:
+        said = f" ({loop.told(tr)})" if loop.shared else ""
+        yield f"  {shown_as(loop.power)}{said}: {around(loop)}"
+    for loop in shown.locked_in:
+        within = tr("within one piece, does not count")
+        yield f"{within}: {shown_as(loop.power)}: {around(loop)}"
+
+
+def around(loop: Loop) -> str:
+    """A loop in words: its nodes, and the first again."""
+    return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
+
+
+def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float], str]) -> str:
+    share = shown.circulating_share
+    circulating = tr("circulating: {power}", power=shown_as(shown.circulating))
+    if not math.isnan(share):
+        circulating += f", {100 * share:.1f}% {tr('of the power in')}"
+    if shown is not ideal:
+        circulating += tr("; ideal {power}", power=shown_as(ideal.circulating))
+    return "; ".join(filter(None, (circulating, doubt(shown, shown_as))))
+
+
+def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
+    """How much of the circulating power may not be; nothing if all is real."""
+    if not side.doubtful > 0:
+        return ""
+    return tr("{power} of it may not be in the metal", power=shown_as(side.doubtful))
+
+
+def _nodes(flow: GearFlow) -> dict[Node, bool]:
+    """All nodes of both flows, and whether power goes through each, or may."""
+    carrying: dict[Node, bool] = {}
+    for side in (flow.ideal, flow.lossy):
+        for node, power in side.throughput.items() if side is not None else ():
+            carrying[node] = carrying.get(node, False) or power != 0
+    return carrying
+
+
+def _of_node(flow: GearFlow, node: Node) -> Row:
+    ideal, lossy = (
+        math.nan if side is None else side.throughput.get(node, 0.0)
+        for side in (flow.ideal, flow.lossy)
+    )
+    mark = CONVENTION if node in flow.by_convention else ""
+    losses = (flow.lossy.losses.get(node), flow.lossy.shares.get(node)) if flow.lossy else NO_LOSSES
+    return _row(flow, str(node), (ideal, lossy), losses, mark=mark)
+
+
+def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
+    """Power of each member of a mechanism or a spring, but those that are the housing."""
+    assert flow.ideal is not None  # noqa: S101 - for mypy
+    lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
+    for (member, link), power in _by_member(flow.ideal, node).items():
+        if link != "housing":
+            powers = power, lossy.get((member, link), math.nan)
+            said = f"{member}: {link}"
+            yield 3, _row(flow, link if node.kind == "spring" else word(said), powers)
+
+
+def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
+    """Tooth power of a mechanism, and of its meshes with their losses."""
+    assert flow.ideal is not None  # noqa: S101 - for mypy
+    ideal = [one for one in flow.ideal.teeth if one.device == node]
+    lossy = [one for one in flow.lossy.teeth if one.device == node] if flow.lossy else []
+    for one, with_losses in zip_longest(ideal, lossy):
+        power = math.nan if with_losses is None else with_losses.power
+        if not one.mesh:
+            yield 3, _row(flow, word("teeth"), (one.power, power))
+        elif flow.lossy is None:
+            yield 4, _row(flow, one.mesh, (one.power, power))
+        else:
+            share = with_losses.loss / flow.lossy.lost if flow.lossy.lost else math.nan
+            yield 4, _row(flow, one.mesh, (one.power, power), (with_losses.loss, share))
+
+
+def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
+    return {(one.member, one.link): one.power for one in side.members if one.device == node}
+
+
+def _row(
+    flow: GearFlow,
+    name: Cell | str,
+    powers: tuple[float, float],
+    losses: tuple[float | None, float | None] = NO_LOSSES,
+    *,
+    mark: str = "",
+) -> Row:
+    """A row: powers without and with losses, loss and share; what does not exist is empty."""
+    (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
+    load = not math.isnan(unit)
+    return [
+        name,
+        exact(ideal),
+        exact(lossy),
+        *[exact(lossy * unit)] * load,
+        "" if loss is None else exact(loss, 4),
+        *["" if loss is None else exact(loss * unit)] * load,
+        "" if share is None or math.isnan(share) else exact(100 * share, 1),
+        *[mark] * bool(flow.by_convention),
+    ]

@@ -1,0 +1,111 @@
+"""The power of gears as text for people."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from operator import attrgetter
+
+from vstatics.core.flow.grids import power_grid, remarks
+from vstatics.core.flow.power_flow import GearFlow
+from vstatics.core.tables.grid import Cell, Column, Grid
+from vstatics.core.tables.numbers import fixed
+from vstatics.core.tables.ports import ports_grid
+from vstatics.core.tables.quantities import UNITS
+from vstatics.core.tables.text import lines
+from vstatics.core.texts import tr
+
+FLOW_TEXT_WIDTH = 79
+NAME, NUMBER, SHARE = 27, 8, 6
+"""Widths of the columns; a longer name has a line of its own."""
+HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
+"""Short ones."""
+DECIMALS = {"kW": UNITS["kW"].decimals, "loss": 4, "loss, kW": UNITS["kW"].decimals}
+"""Of columns that do not have 3."""
+
+
+def text(flow: GearFlow, digits: int | None = None) -> str:
+    """The power of a gear as a table of 79 columns.
+
+    Parameters
+    ----------
+    digits : int, optional
+        After the point of every number; more than four make the columns wider.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.core.flow.power import flows
+    >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
+    >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))
+    >>> print(text(flow), end="")
+    gear 1                         ideal    lossy     loss  share
+    links
+      1                            1.000    1.000
+      2                            1.000     .980
+    mechanisms
+      pair                         1.000    1.000    .0200 100.0%
+        first: 1                   1.000    1.000
+        second: 2                 -1.000    -.980
+        teeth                      1.000    1.000
+    ports
+      port          speed  torque   power  way
+      1             1.000   1.000   1.000  in
+      2             -.250  -3.920    .980  out
+      lost: meshes                 .02000
+    in 1.000 - out .980 - lost .020 = .000
+    circulating: none
+    """
+    return "".join(f"{line.rstrip()}\n" for line in _lines(flow, digits))
+
+
+def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
+    if flow.ideal is None:
+        why = tr("{Why}, so there is no power to show", Why=tr(flow.note))
+        yield f"{tr('gear {gear}', gear=flow.gear)}: {why}"
+        return
+    spoken = power_grid(flow).changed(attrgetter("spoken"))
+    grid = _narrow(spoken, tr("gear {gear}", gear=flow.gear), digits)
+    wider = max(digits or 0, 4) - 4
+    widths = [NAME, *[NUMBER + wider] * (len(grid.columns) - 2), SHARE + wider]
+    yield from lines(grid, widths=widths, gap=" ")
+    ports = ports_grid([flow.ports], named=False)._replace(title="ports")
+    yield from lines(ports.with_digits(digits), indent="  ")
+    for remark in remarks(flow, digits):
+        yield from _wrapped(remark, 4 if remark.startswith(" ") else 2)
+
+
+def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
+    """The table with short headings, numbers that suit its width, and marks behind names."""
+    names = [column.heading for column in grid.columns[1:] if column.is_number]
+    columns = [
+        Column(heading, is_number=False),
+        *(Column(HEADINGS.get(name, name)) for name in names),
+    ]
+    rows = [
+        [
+            " ".join(cell.text for cell in (row[0], *row[1 + len(names) :])).rstrip(),
+            *(_field(*pair, digits) for pair in zip(names, row[1:], strict=False)),
+        ]
+        for row in grid.cells
+    ]
+    return grid._replace(title="", columns=columns, rows=rows)
+
+
+def _field(name: str, cell: Cell, digits: int | None) -> str:
+    """A number again, so that one that is not determined fills its field."""
+    if cell.value is None:
+        return ""
+    if name == "share, %":
+        return f"{cell.value:.{1 if digits is None else digits}f}%"
+    return fixed(cell.value, NUMBER, DECIMALS.get(name, 3) if digits is None else digits)
+
+
+def _wrapped(line: str, indent: int) -> list[str]:
+    return textwrap.wrap(
+        line,
+        FLOW_TEXT_WIDTH,
+        subsequent_indent=" " * indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )

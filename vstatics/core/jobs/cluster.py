@@ -1,0 +1,207 @@
+"""A Dask cluster does the work: machines that run `dask worker`, with this package installed."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import time
+import warnings
+from collections.abc import Iterable, Iterator
+from importlib import import_module
+from typing import Any, NamedTuple, Self
+
+from vstatics.core.errors import CaseError, ReadError, of_file
+from vstatics.core.extras import __version__, build
+from vstatics.core.jobs.alone import Describe, Item, Result, Work, Workers, failure
+
+SCHEDULER_SECONDS = 10
+"""Seconds to wait for a scheduler, and then for a first worker."""
+RETRIES = 3
+LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
+"""How Dask tells that the scheduler went away, or all workers that had the state."""
+
+
+class Cluster(Workers):
+    """The workers of a scheduler; see `vstatics.core.jobs.alone.Workers`."""
+
+    remote = True
+
+    def __init__(self, state: object, describe: Describe, address: str) -> None:
+        """Nothing is connected before the context is entered."""
+        super().__init__(state, describe)
+        self.address = address
+        self._client: Any = None
+        self._sent: Any = None
+
+    def __enter__(self) -> Self:
+        """Connect, compare builds and send the state once to every worker.
+
+        Raises
+        ------
+        ReadError
+            If there is no scheduler, or no worker that can do it.
+        """
+        distributed = import_module("distributed")  # costs start-up time, and may be missing
+        _silence()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # other versions of Python on the workers, say
+            try:
+                self._client = distributed.Client(
+                    self.address, timeout=SCHEDULER_SECONDS, set_as_default=False
+                )
+                self._client.wait_for_workers(1, timeout=SCHEDULER_SECONDS)
+            except (OSError, TimeoutError, ValueError) as error:
+                self._close()
+                raise self._problem(_reason(error)) from None
+        try:
+            self._check_builds()
+            self._sent = self._client.scatter(_Held(self.state), broadcast=True, hash=False)
+        except BaseException:
+            self._close()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Disconnect; what is under way is dropped."""
+        self._close()
+
+    def _close(self) -> None:
+        client, self._client = self._client, None
+        if client is not None:
+            client.close(timeout=SCHEDULER_SECONDS)
+
+    def _problem(self, message: str) -> ReadError:
+        return ReadError([of_file("E028", self.address, message)])
+
+    def _check_builds(self) -> None:
+        """Refuse workers without this package, or with another build of it."""
+        for worker, version in self._client.run(_version, on_error="return").items():
+            if isinstance(version, Exception):
+                message = f"can't do it: {version}; install vstatics {__version__} there"
+            elif version != _version():
+                message = f"has vstatics {version}, expected {_version()}"
+            else:
+                continue
+            raise self._problem(f"worker {worker} {message}")
+
+    def _loss(self, error: Exception) -> ReadError:
+        """Who went away: Dask may tell both losses alike, then the scheduler is asked."""
+        client = self._client
+        told = getattr(error, "reason", None) == "scheduler-connection-lost"
+        if told or client.status != "running" or not client.sync(_answers, client):
+            return self._problem("the connection to the scheduler is lost")
+        return self._problem("all workers are lost, or all that were there in the beginning")
+
+    def each(
+        self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
+    ) -> Iterator[tuple[Item, Result]]:
+        """See `vstatics.core.jobs.alone.Workers`; pieces of a worker that dies go to the others."""
+        entries = enumerate(items)
+        under_way: dict[str, tuple[int, Item]] = {}
+        done: dict[int, tuple[Item, Result]] = {}
+        turn = 0
+        finished = import_module("distributed").as_completed(
+            loop=self._client.loop, raise_errors=False
+        )
+
+        def fill() -> None:
+            most = 2 * max(2, sum(self._client.nthreads().values()))
+            while len(under_way) + len(done) < most:
+                entry = next(entries, None)
+                if entry is None:
+                    return
+                future = self._client.submit(
+                    _call, function, self._sent, entry[1], pure=False, retries=RETRIES
+                )
+                under_way[future.key] = entry
+                finished.add(future)
+
+        try:
+            fill()
+            for future in finished:
+                number, item = under_way.pop(future.key)
+                done[number] = item, self._result(future, item)
+                while done and (not ordered or turn in done):
+                    yield done.pop(turn if ordered else next(iter(done)))
+                    turn += 1
+                fill()
+        except OSError as error:
+            raise self._loss(error) from None
+
+    def _result(self, future: Any, item: object) -> Any:
+        """The result of a future, of this build: a worker may have joined since they were asked.
+
+        Raises
+        ------
+        CaseError
+            That names the item, or the worker.
+        """
+        answer = self._answer(future, item)
+        if isinstance(answer, _Answer) and answer.version == _version():
+            return answer.result
+        self._check_builds()
+        raise self._problem("a worker had another build of vstatics, and is gone")
+
+    def _answer(self, future: Any, item: object) -> Any:
+        try:
+            return future.result()
+        except CaseError:
+            raise
+        except Exception as error:
+            if type(error).__name__ in LOST or self._client.status != "running":
+                raise self._loss(error) from None
+            self._check_builds()
+            if type(error).__name__ == "KilledWorker":
+                message = "the workers that were at it died, one after the other"
+                raise CaseError("E029", f"{self.describe(item)}: {message}") from None
+            raise failure(self.describe, item, error) from error
+
+
+def _silence() -> None:
+    """What Dask logs is told in better words here, if it is to be told."""
+    for name in logging.root.manager.loggerDict:
+        if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL)
+
+
+async def _answers(client: Any) -> bool:
+    """Whether the scheduler answers; that it is gone the client may not know yet."""
+    asked = asyncio.ensure_future(client.scheduler.ncores(workers=None))
+    end = time.monotonic() + SCHEDULER_SECONDS
+    while client.status == "running" and not asked.done() and time.monotonic() < end:
+        await asyncio.wait([asked], timeout=0.1)
+    asked.cancel()
+    answers = await asyncio.gather(asked, return_exceptions=True)
+    return client.status == "running" and not isinstance(answers[0], BaseException)
+
+
+class _Held:
+    """Keeps Dask from looking into the state."""
+
+    def __init__(self, state: object) -> None:
+        self.state = state
+
+
+class _Answer(NamedTuple):
+    """A result, and the build that calculated it."""
+
+    version: str
+    result: Any
+
+
+def _version() -> str:
+    """The version and build of this package here, or on a worker."""
+    return f"{__version__} (build {build()})"
+
+
+def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
+    return _Answer(_version(), function(held.state, item))
+
+
+def _reason(error: Exception) -> str:
+    """Why there is no cluster, in one line."""
+    if isinstance(error, ValueError):
+        return f"is no address of a scheduler, expected tcp://HOST:PORT ({error})"
+    if "worker" in str(error).lower():
+        return f"the scheduler has no workers (waited {SCHEDULER_SECONDS} s for one)"
+    return f"no Dask scheduler answers there (waited {SCHEDULER_SECONDS} s)"

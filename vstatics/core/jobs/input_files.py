@@ -1,0 +1,151 @@
+"""Files and streams that are read: each has a bound, which holds before anything is read."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from typing import BinaryIO, Protocol, TypeVar, cast
+
+from vstatics.core.errors import Problem, of_file
+
+DOCUMENT_BYTES = 10_000_000
+"""Bound of a document: a case, a scenario, a list of files. Large ones have some 100 kB."""
+TABLE_BYTES = 256_000_000
+"""Bound of a file of numbers: results, variants, records."""
+
+KINDS = {
+    stat.S_IFLNK: "a link",
+    stat.S_IFDIR: "a folder",
+    stat.S_IFREG: "a file",
+    stat.S_IFIFO: "a named pipe (FIFO)",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+"""Names of kinds of files in messages."""
+AT_ONCE = getattr(os, "O_NONBLOCK", 0)
+"""Flag that opens a FIFO without waiting for the process at its other end."""
+_STREAM_PIECE = 2**20
+"""Size of the parts in which a stream is read. [bytes]"""
+Data = TypeVar("Data", str, bytes)
+Data_co = TypeVar("Data_co", str, bytes, covariant=True)
+
+
+class Readable(Protocol[Data_co]):
+    """Stream that gives at most as much as it is asked for, and nothing at its end."""
+
+    def read(self, size: int, /) -> Data_co:
+        """Return the next part."""
+
+
+class TooLargeError(OSError):
+    """Error for an input that is larger than its bound, or that has no end."""
+
+    def __init__(self, most: int, file: str | None = None) -> None:
+        """Name the bound, and the file if it has a name."""
+        message = f"larger than {most / 1e6:g} MB, expected at most that"
+        super().__init__(errno.EFBIG, message, file)
+
+
+class NotRegularError(OSError):
+    """Error for a pipe or a device where a file names it, as it may never end, or never begin."""
+
+    def __init__(self, mode: int, file: str) -> None:
+        """Say what the file is."""
+        kind = KINDS.get(stat.S_IFMT(mode), "not a file")
+        super().__init__(errno.EINVAL, f"{kind}, expected a regular file", file)
+
+
+def read_file(
+    file: str | os.PathLike[str], most: int = DOCUMENT_BYTES, *, regular: bool = False
+) -> bytes:
+    """Return the content of a file.
+
+    Parameters
+    ----------
+    file : path-like
+    most : int
+        Bound of its size. [bytes]
+    regular : bool
+        Whether it must be a regular file. A user who names a pipe waits for it; one that another
+        file names, or that appears in a folder, is refused.
+
+    Raises
+    ------
+    OSError
+        If it cannot be opened or read; `TooLargeError` and `NotRegularError` are such.
+    """
+    with opened(file, regular=regular) as stream:
+        about = os.fstat(stream.fileno())
+        is_regular = stat.S_ISREG(about.st_mode)
+        if is_regular and about.st_size > most:
+            raise TooLargeError(most, os.fspath(file))
+        first = about.st_size + 1 if is_regular else _STREAM_PIECE
+        return read_stream(stream, most, os.fspath(file), first)
+
+
+def unreadable(file: str, error: OSError) -> Problem:
+    """Return the problem that an input cannot be read.
+
+    >>> str(unreadable("large.yaml", TooLargeError(2_000_000)))
+    "large.yaml: error: can't be read: larger than 2 MB, expected at most that [E046]"
+    """
+    ids = {TooLargeError: "E046", NotRegularError: "E047"}
+    reason = error.strerror or str(error)
+    return of_file(ids.get(type(error), "E006"), file, f"can't be read: {reason}")
+
+
+def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
+    """Open a file without a buffer; parameters and errors as of `read_file`."""
+    name = os.fspath(file)
+    how = _at_once if regular else None
+    stream = cast("BinaryIO", open(name, "rb", buffering=0, opener=how))  # noqa: SIM115 - closed by the caller
+    mode = os.fstat(stream.fileno()).st_mode
+    if regular and not stat.S_ISREG(mode):
+        stream.close()
+        raise NotRegularError(mode, name)
+    return stream
+
+
+def _at_once(name: str, flags: int) -> int:
+    """Open a file without waiting for another process to write to it."""
+    return os.open(name, flags | AT_ONCE)
+
+
+def read_stream(
+    stream: Readable[Data], most: int, file: str | None = None, first: int = _STREAM_PIECE
+) -> Data:
+    r"""Return all that a stream gives, text or bytes.
+
+    Parameters
+    ----------
+    stream : Readable
+    most : int
+        Bound of its length. [bytes or characters]
+    file : str, optional
+        Its name, for the message.
+    first : int
+        Size of the first part that is read. [bytes]
+
+    Raises
+    ------
+    TooLargeError
+
+    Examples
+    --------
+    >>> import io
+    >>> read_stream(io.BytesIO(b"gears: "), 10)
+    b'gears: '
+    >>> read_stream(io.StringIO("gears: "), 3)
+    Traceback (most recent call last):
+    vstatics.core.jobs.input_files.TooLargeError: [Errno 27] larger than 3e-06 MB, ...
+    """
+    parts: list[Data] = []
+    length, size = 0, first
+    while part := stream.read(min(size, most + 1 - length)):
+        parts.append(part)
+        length, size = length + len(part), _STREAM_PIECE
+        if length > most:
+            raise TooLargeError(most, file)
+    return part.join(parts)  # the last part is empty

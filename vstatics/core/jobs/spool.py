@@ -1,0 +1,116 @@
+"""Rows of numbers in a temporary file, for tables that memory should not hold."""
+
+from __future__ import annotations
+
+import os
+import weakref
+from tempfile import mkstemp
+from typing import Any
+
+import numpy as np
+
+from vstatics.core.errors import ReadError, of_file
+from vstatics.core.jobs.state_files import StateFolder
+from vstatics.core.numerics.arrays import Floats
+
+PREFIX = "vstatics-table-"
+
+
+class Spool:
+    """Rows of doubles in a temporary file; one writes, then all may read.
+
+    The object that was made here owns the file: it goes with `close`, when the object
+    does, or with the process. A copy that was pickled knows the path only: it reads while
+    the owner lives, on the same machine, and deletes nothing.
+
+    Parameters
+    ----------
+    columns : int
+        Numbers of a row.
+
+    Raises
+    ------
+    ReadError
+        If the file cannot be made.
+
+    Examples
+    --------
+    >>> import contextlib
+    >>> with contextlib.closing(Spool(2)) as spool:
+    ...     spool.write(np.array([[1.0, 2.0], [3.0, 4.0]]))
+    ...     spool.take(1, 2)
+    array([[3., 4.]])
+    """
+
+    def __init__(self, columns: int) -> None:
+        self.columns = columns
+        self.rows = 0
+        try:
+            handle, self.path = mkstemp(prefix=PREFIX)
+        except OSError as error:
+            raise _unwritable("the folder for temporary files", error) from None
+        os.close(handle)
+        folder, self._name = os.path.split(self.path)
+        self._folder = StateFolder(folder, has_results=True)
+        self._remove = weakref.finalize(self, _remove, self._folder, self._name, os.getpid())
+
+    def write(self, rows: Floats) -> None:
+        """Append rows of shape (n, columns).
+
+        Raises
+        ------
+        ReadError
+            If they cannot be written; the file is removed.
+        """
+        try:
+            with self._folder.appending(self._name) as write:
+                write(np.ascontiguousarray(rows, dtype=np.float64).data.cast("B"))
+        except OSError as error:
+            self.close()
+            raise _unwritable(self.path, error) from None
+        self.rows += len(rows)
+
+    def take(self, start: int, stop: int) -> Floats:
+        """The rows from `start` up to `stop`, (stop - start, columns).
+
+        Raises
+        ------
+        ReadError
+            If the file is gone.
+        """
+        count, before = (stop - start) * self.columns, start * self.columns * 8
+        try:
+            with self._folder.reading(self._name) as opened:
+                opened.seek(before)
+                data = opened.read(count * 8)
+        except OSError as error:
+            raise _gone(self.path, error.strerror or str(error)) from None
+        if len(data) < count * 8:
+            raise _gone(self.path, "it is cut off")
+        return np.frombuffer(data).reshape(stop - start, self.columns)
+
+    def close(self) -> None:
+        """Remove the file, if it is one's own."""
+        if self._remove is not None:
+            self._remove()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """All but the right to remove the file."""
+        return {**vars(self), "_remove": None}
+
+
+def _remove(folder: StateFolder, name: str, owner: int) -> None:
+    """Remove a file, but not in a process that was forked off the owner."""
+    if os.getpid() == owner:
+        folder.remove(name)
+
+
+def _unwritable(path: str, error: OSError) -> ReadError:
+    reason, advice = error.strerror or error, "make room there, or set TMPDIR to another folder"
+    message = f"the temporary copy of the table can't be written: {reason}; {advice}"
+    return ReadError([of_file("E037", path, message)])
+
+
+def _gone(path: str, reason: str) -> ReadError:
+    message = f"the temporary copy of the table can't be read: {reason}; start the sweep again"
+    return ReadError([of_file("E038", path, message)])

@@ -1,0 +1,318 @@
+"""What a transmission as a whole must fulfil, and what is doubtful about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from vstatics.core.errors import Path, Problem, spoken, why_not_allowed
+from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
+from vstatics.core.model.part_checks import (
+    called,
+    doubtful,
+    no_unit,
+    of_element,
+    of_gear,
+    of_link,
+    of_link_drag,
+    of_load,
+    of_mechanism,
+    of_missing_ratios,
+    sets_side_by_side,
+)
+from vstatics.core.model.parts import (
+    Law,
+    Mechanism,
+    OfLoad,
+    ShiftElement,
+    element_names,
+    mechanism_name,
+    mechanism_names,
+)
+from vstatics.core.model.springs import spring_names
+
+MOST_FREEWHEELS = 8
+"""All sets of them are tried in every gear."""
+LARGE_DRAG = 0.05
+"""Drag by the input torque; a larger one was meant in N*m. [-]"""
+THICKEST_SHAFT = 1.0
+"""Diameter; a thicker one was written in mm without the unit. [m]"""
+
+
+def problems(case: TransmissionFields) -> Iterator[Problem]:
+    """Every error of a case, in the order of its parts."""
+    yield from _sizes(case)
+    yield from _drawn(case)
+    yield from _names(case)
+    yield from _ports(case)
+    for number, element in enumerate(case.shift_elements, 1):
+        yield from of_element(case, element, ("shift_elements", number))
+    yield from _freewheels(case)
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
+    yield from _in_motion(case)
+    yield from _cylinders(case)
+    yield from of_load(case.load, ())
+    yield from of_link_drag(case, case.drag, ())
+    for number, gear in enumerate(case.gears, 1):
+        path = ("gears", number)
+        yield from of_gear(case, gear, path)
+        if gear.load:
+            yield from of_load(gear.load, path)
+    yield from of_missing_ratios(case, open_too=False)
+    yield from _laws(case)
+    for number, identity in enumerate(case.allow, 1):
+        if why := why_not_allowed(identity):
+            yield Problem("E299", why, ("allow", number))
+    if case.idle not in ("exact", "published"):
+        yield Problem("E201", f"read {case.idle!r}, expected `exact` or `published`", ("idle",))
+
+
+def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
+    """What torsion and vehicles need."""
+    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    elastic = any(part.stiffness is not None or part.damping for part in parts)
+    if _moves(case) or case.converters or elastic:
+        from vstatics.core.model.torsional_checks import of_torsion  # costs start-up time
+
+        yield from of_torsion(case)
+    if case.dump is not None or case.fatigue:
+        from vstatics.core.model.torsional_checks import of_dump, of_fatigue  # likewise
+
+        yield from of_dump(case)
+        yield from of_fatigue(case)
+    if case.vehicle is not None:
+        from vstatics.vehicle.case.vehicle_checks import of_vehicle  # likewise
+
+        yield from of_vehicle(case.vehicle)
+
+
+def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
+    number = case.cylinders
+    if number is not None and not (number == int(number) and 1 <= number <= MOST_CYLINDERS):
+        message = f"read {number:g} cylinders, expected a whole number from 1 to {MOST_CYLINDERS}"
+        yield Problem("E740", message, ("cylinders",))
+
+
+def _laws(case: TransmissionFields) -> Iterator[Problem]:
+    """Balances of machines, which depend on their torques."""
+    if case.depends:
+        from vstatics.core.model.laws import of_balances  # costs start-up time
+
+        yield from of_balances(case)
+
+
+def _moves(case: TransmissionFields) -> bool:
+    """Whether it is a case by its springs or inertias alone."""
+    return bool(case.springs or case.inertias or case.masses)
+
+
+def doubts(case: TransmissionFields) -> Iterator[Problem]:
+    """The warnings alone, of a case that has no error."""
+    for number, mechanism in _not_drawn(case):
+        yield from doubtful(mechanism, ("mechanisms", number))
+    if case.vehicle is not None:
+        from vstatics.vehicle.case.vehicle_checks import doubts_of_vehicle  # costs start-up time
+
+        yield from doubts_of_vehicle(case, case.vehicle)
+    yield from _bare_drags(case)
+    for name, one in case.fatigue.items():
+        if one.diameter and one.diameter > THICKEST_SHAFT:
+            yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
+
+
+def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
+    """Drags without a unit that seem to be in N*m: next to drags with a unit, or large."""
+    elements = {number: element.drag for number, element in enumerate(case.shift_elements, 1)}
+    paths = {number: ("shift_elements", number, "drag") for number in elements}
+    torque = case.load.torque if case.load else None
+    yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
+    yield from _bare(case, paths, elements, torque)
+    for number, gear in enumerate(case.gears, 1):
+        torque = case.gear_load(gear).torque if case.load or gear.load else None
+        for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
+            of_gear = {part: ("gears", number, key, part) for part in drags}
+            yield from _bare(case, of_gear, drags, torque)
+
+
+def _bare(
+    case: TransmissionFields,
+    paths: Mapping[int, Path],
+    drags: Mapping[int, float],
+    torque: float | None,
+) -> Iterator[Problem]:
+    """Warnings about the bare numbers of one table of drags, whose input torque may be known."""
+    bare = {part: drag for part, drag in drags.items() if not isinstance(drag, Law | OfLoad)}
+    has_units = len(bare) < len(drags)
+    for part, drag in bare.items():
+        if drag > LARGE_DRAG or (drag and has_units):
+            path = paths[part]
+            is_link = "drag" in path[:-1]
+            name = case.link_name(part) if is_link else case.shift_elements[part - 1].name
+            size = "" if torque is None else f", {drag * abs(torque):g} N*m"
+            yield Problem(
+                "W440",
+                f"the drag of {name} has no unit, so it is {drag:g} of the input torque{size}; "
+                f"if it is in newton metres, write `{drag:g} N*m`",
+                path,
+            )
+
+
+def hints(case: TransmissionFields) -> Iterator[Problem]:
+    """Notes on what a case leaves to be guessed."""
+    yield from _sharing(case)
+    yield from _turning(case)
+    if case.springs and case.vehicle is not None:
+        from vstatics.vehicle.case.vehicle_checks import without_vehicle  # costs start-up time
+
+        yield from without_vehicle(case)
+
+
+def _turning(case: TransmissionFields) -> Iterator[Problem]:
+    """Gears with an input of their own, and freewheels that ask which way it turns."""
+    for number, gear in enumerate(case.gears if case.freewheels else (), 1):
+        if gear.input not in (None, case.input) and not case.input_turns(gear):
+            message = (
+                f"the input, link {case.link_name(case.gear_input(gear))}, is taken to turn "
+                "forward, on which freewheels depend; say `input_turns: forward` or `backward`"
+            )
+            yield Problem("N201", message, ("gears", number))
+
+
+def _sharing(case: TransmissionFields) -> Iterator[Problem]:
+    """Mechanisms that look as if planets were shared, whose losses are then doubtful.
+
+    Such mechanisms have the third link and one wheel in common, and losses.
+    """
+    sets = (
+        (number, one.name or mechanism_name(number), one.third, one.links[:2])
+        for number, one in _not_drawn(case)
+        if one.efficiency != 1
+    )
+    for number, other in sets_side_by_side(sets):
+        message = (
+            f"shares a wheel and the carrier with {other}: if they share planets too, the "
+            "losses of this form are not exact; give the set as an element, or each mesh as a "
+            "mechanism (example: `vstatics check --explain N202`)"
+        )
+        yield Problem("N202", message, ("mechanisms", number))
+
+
+def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
+    """Mechanisms, the last ones, that were not made from elements, which are checked as such."""
+    return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
+
+
+def _sizes(case: TransmissionFields) -> Iterator[Problem]:
+    """Sizes that devices can fill; so no case asks for more memory than its text holds."""
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
+    joined += sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
+    moves = _moves(case)
+    if case.links < (1 if moves else 2):
+        expected = "at least 1 link" if moves else "at least 2 links (input and output)"
+        yield Problem("E202", f"read {case.links}, expected {expected}", ("links",))
+    elif case.links > max(joined, 2):
+        yield Problem(
+            "E203",
+            f"read {case.links} links, but {_counted(case)} can join {joined} at most",
+            ("links",),
+        )
+    if case.link_names and len(case.link_names) != case.links:
+        message = f"{case.links} links, but {len(case.link_names)} names of links"
+        yield Problem("E204", message, ("link_names",))
+    if not case.gears and case.shift_elements and not moves:
+        message = "`gears` is missing or empty: expected what each gear engages, such as"
+        yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
+
+
+def _first_gear(case: TransmissionFields) -> str:
+    """A gear as a case has it, which engages as many of its shift elements as speeds need."""
+    named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
+    names = [name for element, name in named if not element.is_freewheel]
+    count = max(case.links - len(case.mechanisms) - 1, 1)
+    words = (name if name.isidentifier() else f'"{name}"' for name in names[:count])
+    return f'"1": [{", ".join(words)}]'
+
+
+def _counted(case: TransmissionFields) -> str:
+    """What can join links, in words."""
+    parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
+    parts += [f"{len(case.springs)} springs"] * bool(case.springs)
+    return spoken(parts + [f"{len(case.heavy)} inertias"] * bool(case.heavy))
+
+
+def _names(case: TransmissionFields) -> Iterator[Problem]:
+    """Names are one line of text, and each is the only one of its kind."""
+    gears = [gear.name or str(number) for number, gear in enumerate(case.gears, 1)]
+    yield from _distinct(case.link_names, "link_names", "link")
+    yield from _distinct(element_names(case.shift_elements), "shift_elements", "shift element")
+    yield from _distinct(mechanism_names(case.mechanisms), "mechanisms", "mechanism")
+    yield from _distinct(gears, "gears", "gear")
+    yield from _distinct(spring_names(case.springs), "springs", "spring")
+    for number, name in enumerate(case.link_names, 1):
+        if name in ("0", "housing"):
+            message = f"`{name}` is the housing, expected another name for link {number}"
+            yield Problem("E206", message, ("link_names", number))
+    if case.name and not _is_name(case.name):
+        yield Problem("E207", f"read {case.name!r}, expected one line of text", ("name",))
+
+
+def _drawn(case: TransmissionFields) -> Iterator[Problem]:
+    """As many mechanisms as the drawing has: they follow from it."""
+    if case.drawing is None:
+        return
+    count = sum(len(device.mechanisms) for device in case.drawing.devices)
+    if len(case.mechanisms) != count:
+        message = f"read {len(case.mechanisms)}, but the drawing has {count}; change the drawing"
+        yield Problem("E208", message, ("mechanisms",))
+
+
+def _outputs(case: TransmissionFields) -> Iterator[Problem]:
+    """Several outputs: different links, `output` first, the input not among them."""
+    for number, link in enumerate(case.outputs, 1):
+        path = ("outputs", number)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        if link in case.outputs[: number - 1]:
+            yield Problem("E209", f"link {called(case, link)} is an output twice", path)
+        if link == case.input and number > 1:
+            yield Problem("E210", f"link {called(case, link)} is the input, expected another", path)
+    if case.outputs and case.output not in (0, case.outputs[0]):
+        first, given = (called(case, link) for link in (case.outputs[0], case.output))
+        message = f"the first output is {first}, but `output` is {given}; leave one of them out"
+        yield Problem("E211", message, ("outputs",))
+
+
+def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
+    if len(set(names)) == len(names) and all(map(_is_name, names)):
+        return
+    seen: dict[str, int] = {}
+    for number, name in enumerate(names, 1):
+        if not _is_name(name):
+            message = f"{name!r} is no name: expected one line of text, no blanks at its ends"
+            yield Problem("E212", message, (part, number))
+        elif name in seen:
+            message = f"{kind} {number} has the name `{name}` of {kind} {seen[name]}"
+            yield Problem("E213", message, (part, number))
+        seen.setdefault(name, number)
+
+
+def _is_name(name: str) -> bool:
+    return bool(name) and name == name.strip() and name.isprintable()
+
+
+def _ports(case: TransmissionFields) -> Iterator[Problem]:
+    yield from of_link(case.input, ("input",), case.own_links, lowest=1)
+    if case.output or not case.outputs:  # else it is the first of those
+        yield from of_link(case.main_output, ("output",), case.own_links, lowest=1)
+    yield from _outputs(case)
+    if case.input == case.main_output and not (_moves(case) and case.links == 1):
+        yield Problem(
+            "E214", f"input and output are both link {called(case, case.input)}", ("output",)
+        )
+
+
+def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
+    """No more of them than can be tried."""
+    numbers = case.freewheels
+    if len(numbers) > MOST_FREEWHEELS:
+        message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
+        yield Problem("E215", message, ("shift_elements", numbers[MOST_FREEWHEELS]))

@@ -1,0 +1,519 @@
+"""The keys of a case in YAML and JSON, declared once; see `model.shape`.
+
+Keys are the attributes of the model's classes, in the order in which they are read: what
+others refer to comes first.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vstatics.core.model.fields import MOST_CYLINDERS
+from vstatics.core.model.parts import (
+    DIRECTIONS,
+    ELEMENT_KINDS,
+    GEAR_KINDS,
+    MECHANISM_KINDS,
+    CoefficientTable,
+    Friction,
+    Gear,
+    ShiftElement,
+    load_fault,
+    load_of,
+    mechanism_fault,
+    mechanism_of,
+)
+from vstatics.core.model.shape import (
+    COUNT,
+    FLAG,
+    LINK,
+    NUMBER,
+    SPEED,
+    TEXT,
+    TORQUE,
+    Balances,
+    ByKey,
+    ByKind,
+    ByLaw,
+    ByName,
+    ByPoints,
+    Either,
+    Ends,
+    KeyShape,
+    Leaf,
+    LeafKind,
+    Links,
+    ListOf,
+    Numbers,
+    RowOf,
+)
+from vstatics.core.model.torsional_keys import ABOVE_0, CONVERTER, DUMP, ELASTIC, SPRING
+from vstatics.vehicle.case.fatigue_keys import FATIGUE
+from vstatics.vehicle.case.vehicle_keys import VEHICLE
+
+COEFFICIENTS = ByKey(
+    "Coefficients",
+    "Coefficients of friction by slip and temperature, straight between, constant outside.",
+    (
+        KeyShape(
+            "columns",
+            ListOf(NUMBER, "temperatures", unique=False),
+            "Temperatures in degrees Celsius in ascending order.",
+            required=True,
+            examples=([20, 120],),
+        ),
+        KeyShape(
+            "rows",
+            ListOf(ListOf(NUMBER, "numbers", unique=False), "rows", unique=False),
+            "Slip in rad/s in ascending order, then the coefficient at each temperature.",
+            required=True,
+            examples=([[0, 0.13, 0.11], [20, 0.11, 0.10]],),
+        ),
+    ),
+    CoefficientTable,
+)
+
+FRICTION = ByKey(
+    "Friction",
+    "The friction pack of a shift element, whose controls are then pressures; what warms it.",
+    (
+        KeyShape(
+            "radius",
+            Leaf("length"),
+            "Mean radius of friction, in m.",
+            required=True,
+            unless="heat_capacity",
+            limits=ABOVE_0,
+            examples=(0.1,),
+        ),
+        KeyShape(
+            "area",
+            Leaf("area"),
+            "Area on which the pressure acts, in m^2.",
+            required=True,
+            unless="heat_capacity",
+            limits=ABOVE_0,
+            examples=("60 cm^2",),
+        ),
+        KeyShape(
+            "surfaces",
+            COUNT,
+            "Pairs of friction surfaces.",
+            required=True,
+            unless="heat_capacity",
+            examples=(8,),
+        ),
+        KeyShape(
+            "coefficient",
+            ByPoints(RowOf((Leaf("si_speed"), NUMBER), "slip, coefficient"), COEFFICIENTS),
+            "Coefficient of friction: a number, or points [slip in rad/s, coefficient] in "
+            "ascending order, straight between; or by temperature, too.",
+            required=True,
+            unless="heat_capacity",
+            examples=(0.12, [[0, 0.12], [10, 0.1]]),
+        ),
+        KeyShape(
+            "heat_capacity",
+            Leaf("heat_capacity"),
+            "What its friction warms, in J/K; a scenario then knows its temperature.",
+            limits=ABOVE_0,
+            examples=(900,),
+        ),
+        KeyShape("cooling", Leaf("cooling"), "In W/K.", default=0, limits={"minimum": 0}),
+        KeyShape(
+            "ambient",
+            NUMBER,
+            "Temperature at which it begins, and to which it is cooled, in degrees Celsius.",
+            default=0,
+        ),
+    ),
+    Friction,
+)
+
+DRAG = ByLaw(
+    Leaf("drag"),
+    ByKey(
+        "Points",
+        "Points in a file, in columns `speed [unit],torque [unit]`.",
+        (
+            KeyShape(
+                "file",
+                TEXT,
+                "Name of a CSV file, beside that of the case.",
+                required=True,
+                examples=("drag.csv",),
+            ),
+        ),
+    ),
+    RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"),
+)
+"""Relative to the input torque; or in N*m by the speed in rad/s: a formula of w, or points."""
+
+
+def _law(over: Any, points: Any) -> Any:
+    from vstatics.core.model.laws import PointLaw  # costs start-up time
+
+    return PointLaw(points, over)
+
+
+def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
+    """Points of an efficiency over speed or torque."""
+    return ByKey(
+        f"Efficiency over {over}",
+        "Points, interpolated linearly between, constant outside.",
+        (
+            KeyShape("over", Leaf("choice", ("speed", "torque")), of, required=True),
+            KeyShape(
+                "points",
+                ListOf(RowOf((Leaf(measure), NUMBER), f"{over}, efficiency")),
+                "Points in ascending order.",
+                required=True,
+                examples=([[0, 0.9], [150, 0.975]],),
+            ),
+        ),
+        _law,
+    )
+
+
+EFFICIENCY = ByLaw(
+    NUMBER,
+    ByKind(
+        {
+            "speed": _efficiency_over(
+                "speed",
+                "si_speed",
+                "Magnitude of the speed of the first link relative to the third, in rad/s.",
+            ),
+            "torque": _efficiency_over(
+                "torque", "si_torque", "Magnitude of the torque on the first link, in N*m."
+            ),
+        },
+        "over",
+    ),
+)
+
+ELEMENT = ByKey(
+    "Shift element",
+    "A clutch, brake, dog clutch or freewheel.",
+    (
+        KeyShape(
+            "kind",
+            Leaf("choice", ELEMENT_KINDS),
+            "What it is; with two links a clutch, with the housing a brake when not given. A "
+            "freewheel keeps its first link from turning backward against the second, and is "
+            "never engaged.",
+        ),
+        KeyShape(
+            "links",
+            Ends(least=1),
+            "First and second link; one link alone is held against the housing.",
+            required=True,
+            examples=(["carrier", "housing"],),
+        ),
+        KeyShape(
+            "drag",
+            DRAG,
+            "Torque with which it drags when open, relative to the input torque; or a formula of "
+            "w = |slip| in rad/s, or points [rad/s, N*m].",
+            default=0,
+            limits={"minimum": 0},
+            examples=(0.002,),
+        ),
+        KeyShape(
+            "capacity",
+            TORQUE,
+            "Torque that it can carry, relative to the input torque of the case, or with a unit; "
+            "for the margins of `vstatics summary`.",
+            limits=ABOVE_0,
+            examples=("600 N*m",),
+        ),
+        KeyShape(
+            "static",
+            NUMBER,
+            "In a scenario it sticks up to this part of the torque with which it slips.",
+            default=1,
+            limits={"minimum": 1},
+            examples=(1.2,),
+        ),
+        KeyShape(
+            "friction",
+            FRICTION,
+            "Its friction pack: in a scenario its controls are then pressures.",
+        ),
+        *ELASTIC,
+    ),
+    lambda links, **others: ShiftElement(*links, **others),
+)
+
+MECHANISM = ByKey(
+    "Mechanism",
+    "A three-link device of constant structure: planetary set, gear pair, shaft, support.",
+    (
+        KeyShape("first", LINK, "First link; the sun of a planetary set.", required=True),
+        KeyShape("second", LINK, "Second link; the ring of a planetary set.", required=True),
+        KeyShape(
+            "third",
+            LINK,
+            "Third link; the carrier of a planetary set. The housing: of one that is held for "
+            "good; without a third link it is a pair of wheels.",
+        ),
+        KeyShape(
+            "ratio",
+            NUMBER,
+            "Internal ratio (w_first - w_third)/(w_second - w_third); not of a kind that has a "
+            "speed ratio.",
+            required=True,
+            unless="kind",
+            limits={"not": {"const": 0}},
+            examples=(-2.461, "-96/39"),
+        ),
+        KeyShape(
+            "kind",
+            Leaf("choice", MECHANISM_KINDS),
+            "A variator, or a hydrodynamic converter, between two links.",
+        ),
+        KeyShape(
+            "speed_ratio",
+            NUMBER,
+            "Of a variator or converter: w_second/w_first, where a gear gives none.",
+            examples=(0.4,),
+        ),
+        KeyShape(
+            "points",
+            ListOf(
+                RowOf((NUMBER, NUMBER), "speed ratio, torque ratio", (Leaf("pump_factor"),)),
+            ),
+            "Of a converter: [speed ratio, torque ratio M_second/M_first] in ascending order, "
+            "straight between; with a third number, lambda in N*m*s^2, it is one of `converters` "
+            "for vibration and motion.",
+            examples=([[0, 2.4], [0.8, 1]],),
+        ),
+        KeyShape(
+            "efficiency",
+            EFFICIENCY,
+            "Efficiency with the third link held, above 0 and up to 1; or over speed or torque.",
+            default=1,
+            limits={"exclusiveMinimum": 0, "maximum": 1},
+            examples=(0.97,),
+        ),
+        KeyShape(
+            "back_efficiency",
+            EFFICIENCY,
+            "Efficiency where power flows from the second link to the first, if it is another "
+            "one; 0 is self-locking.",
+            limits={"minimum": 0, "maximum": 1},
+            examples=(0.7,),
+        ),
+        KeyShape(
+            "planet_ratio",
+            NUMBER,
+            "Ratio first link to planet, third link held; known by itself for a plain set.",
+            limits={"not": {"const": 0}},
+        ),
+        *ELASTIC,
+    ),
+    mechanism_of,
+    mechanism_fault,
+)
+
+LOAD = ByKey(
+    "Load",
+    "Two of speed, torque and power at the input link, for a second set of tables in rpm, N*m "
+    "and kW.",
+    (
+        KeyShape("speed", Leaf("speed"), "Speed of the input.", examples=("2100 rpm",)),
+        KeyShape("torque", Leaf("torque"), "Torque of the input.", examples=("1200 N*m",)),
+        KeyShape(
+            "power",
+            Leaf("power"),
+            "Power at the input, beside one of the two, which gives the other.",
+            examples=("120 kW",),
+        ),
+    ),
+    load_of,
+    load_fault,
+)
+
+COAST = KeyShape(
+    "coast",
+    FLAG,
+    "Power enters at the output (engine braking): the torque of the load is turned against the "
+    "speed of the input, or along it if false; when not given the sign of its power says it.",
+)
+ENGAGED = ListOf(Leaf("element"), "shift elements")
+"""What a gear engages."""
+
+GEAR = ByKey(
+    "Gear",
+    "A shift state: what is engaged, and what is given besides.",
+    (
+        KeyShape(
+            "engaged",
+            ENGAGED,
+            "Names of the engaged shift elements.",
+            examples=(["T1", "F2"],),
+        ),
+        KeyShape(
+            "speeds",
+            Numbers("link", SPEED),
+            "Further given link speeds, relative to the input speed, with a unit, or by the speed "
+            "of another link.",
+            examples=({"generator": 1.2}, {"FR": "1.05*FL"}),
+        ),
+        KeyShape(
+            "torques",
+            Numbers("link", TORQUE),
+            "Further external torques, relative to the input torque, or with a unit.",
+        ),
+        KeyShape(
+            "drag",
+            Numbers("link", DRAG, {"minimum": 0}),
+            "Drag of bearings and oil on links, against their rotation, relative to the input "
+            "torque; or a formula of w = |speed| in rad/s, or points [rad/s, N*m].",
+        ),
+        KeyShape(
+            "open_drag",
+            Numbers("shift element", DRAG, {"minimum": 0}),
+            "Drag of shift elements in this gear when they are open, in place of their own.",
+        ),
+        KeyShape(
+            "speed_ratios",
+            Numbers("mechanism", NUMBER),
+            "Speed ratios of variators and converters in this gear.",
+            examples=({"hydro": -0.2},),
+        ),
+        KeyShape("input", LINK, "This gear's own input link."),
+        KeyShape(
+            "input_turns",
+            Leaf("choice", DIRECTIONS),
+            "The way in which the input turns, if no load says it: freewheels depend on it.",
+        ),
+        KeyShape("output", LINK, "This gear's own output link."),
+        KeyShape("load", LOAD, "This gear's own load."),
+        COAST,
+        KeyShape(
+            "balance",
+            Balances(Numbers("link", NUMBER, {"exclusiveMinimum": 0, "maximum": 1}), "battery"),
+            "Efficiencies of machines on links, and the power that charges the `battery`; the "
+            "torque of the one link without speed and torque follows.",
+            examples=({"MG1": 0.92, "MG2": 0.9, "battery": "-2 kW"},),
+        ),
+        KeyShape(
+            "kind",
+            Leaf("choice", GEAR_KINDS),
+            "`point` is an operating point: it has no step, and no part in the spread.",
+            default="gear",
+        ),
+    ),
+    Gear,
+)
+
+CASE = ByKey(
+    "Transmission",
+    "A vehicle transmission by its kinematic scheme.",
+    (
+        KeyShape("name", TEXT, "Name of the transmission, on one line."),
+        KeyShape("description", TEXT, "What the transmission is, as long as you like."),
+        KeyShape("source", TEXT, "Where its data come from."),
+        KeyShape(
+            "links",
+            Links(),
+            "Main links without the housing: their number, or their names in order.",
+            required=True,
+            examples=(6, ["sun", "ring", "carrier"]),
+        ),
+        KeyShape("input", LINK, "Input link.", default=1),
+        KeyShape("output", LINK, "Output link; the last one when not given."),
+        KeyShape(
+            "outputs",
+            ListOf(LINK, "links"),
+            "All output links where there are several: the first is `output`, the others have a "
+            "given speed or torque in every gear.",
+            examples=(["FL", "FR", "RL", "RR"],),
+        ),
+        KeyShape(
+            "idle",
+            Leaf("choice", ("exact", "published")),
+            "Sign of idle mechanisms: 0 (exact), or as in the published tables.",
+            default="exact",
+        ),
+        KeyShape("load", LOAD, "Load of all gears that give none themselves."),
+        KeyShape(
+            "drag",
+            Numbers("link", DRAG, {"minimum": 0}),
+            "Drag of bearings and oil on links, in all gears that give none of that link.",
+        ),
+        COAST,
+        KeyShape(
+            "shift_elements",
+            ByName("shift element", Either(Ends(), "links", ELEMENT, written=True)),
+            "Clutches, brakes and freewheels in order: name and [first link, second link], or a "
+            "mapping with `links`.",
+        ),
+        KeyShape(
+            "mechanisms",
+            ByName("mechanism", MECHANISM),
+            "Mechanisms in order, each under its name.",
+            required=True,
+        ),
+        KeyShape(
+            "inertias",
+            Numbers("link", Leaf("inertia"), {"minimum": 0}),
+            "Moments of inertia of links, in kg*m^2; those that are left out have none.",
+            examples=({"engine": 0.15},),
+        ),
+        KeyShape(
+            "masses",
+            Numbers("link", Leaf("mass"), {"minimum": 0}),
+            "Masses of links that move straight, in kg: their ways are in m, springs between them "
+            "in N/m.",
+            examples=({"body": "1140 kg"},),
+        ),
+        KeyShape(
+            "springs",
+            ByName("spring", SPRING),
+            "Elastic devices in order, each under its name; with them or with inertias a case may "
+            "go without mechanisms, links and gears.",
+        ),
+        KeyShape(
+            "converters",
+            ByName("converter", CONVERTER),
+            "Torque converters by their names, for vibration, and for scenarios without their own.",
+        ),
+        KeyShape(
+            "gears",
+            ByName("gear", Either(ENGAGED, "engaged", GEAR)),
+            "Gears in order, each under its name: what is engaged, or a mapping. A case without "
+            "shift elements may go without: it has one gear.",
+            examples=({"low": ["C1", "B1"]},),
+        ),
+        KeyShape(
+            "cylinders",
+            COUNT,
+            "Cylinders of the four-stroke engine at the input, for pictures of vibration: half as "
+            "many fire in a revolution.",
+            limits={"minimum": 1, "maximum": MOST_CYLINDERS},
+            examples=(4,),
+        ),
+        KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
+        KeyShape(
+            "fatigue",
+            ByName("device", FATIGUE),
+            "Fatigue strengths, each under the name of a spring or another device.",
+        ),
+        KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
+        KeyShape(
+            "allow",
+            ListOf(Leaf("text"), "messages"),
+            "Warnings and notes that are not told, by their ids.",
+            examples=(["W201"],),
+        ),
+    ),
+)
+
+
+def with_masses(case: ByKey) -> ByKey:
+    """The shape of a case that has springs or inertias: it may go without the rest."""
+    free = {"mechanisms", "links"}
+    keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
+    return case._replace(keys=tuple(keys))

@@ -1,0 +1,550 @@
+"""What parts must fulfil: links, shift elements, mechanisms, gears, loads; problems with paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from vstatics.core.arguments import type_and_value
+from vstatics.core.errors import Path, Problem
+from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.parts import (
+    DIRECTIONS,
+    ELEMENT_KINDS,
+    GEAR_KINDS,
+    HOUSING,
+    KW_OF_RPM_NM,
+    MECHANISM_KINDS,
+    CoefficientTable,
+    Friction,
+    Gear,
+    Law,
+    Load,
+    Mechanism,
+    OfLoad,
+    ShiftElement,
+    SpeedOf,
+)
+
+SAME_POWER = 1e-9
+"""So much the power of a load may be off from its torque: what rounding leaves. [-]"""
+
+
+def called(case: TransmissionFields, link: int) -> str:
+    """The name of a link, or its number."""
+    if link == HOUSING:
+        return "0 (the housing)"
+    return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
+
+
+def is_number(number: object, last: int, first: int = HOUSING) -> bool:
+    """Whether something is the number of a link or an element; a name, say, is none."""
+    return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
+
+
+def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
+    """A number that is right; else what was expected in its place."""
+    if not right:
+        yield Problem("E216", f"read {number:g}, expected {what}", path)
+
+
+def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
+    """A number that a link has."""
+    if not is_number(link, links, lowest):
+        expected = f"a link number from 1 to {links}"
+        if lowest == HOUSING:
+            expected += " (0 is the housing)"
+        housing = " (the housing)" if link == HOUSING else ""
+        yield Problem("E217", f"read {link!r}{housing}, expected {expected}", path)
+
+
+def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> Iterator[Problem]:
+    """The links, the kind, the drag and the capacity of a shift element."""
+    first, second, links = element.first, element.second, case.own_links
+    if not (is_number(first, links) and is_number(second, links)):
+        yield from of_link(first, (*path, "first"), links)
+        yield from of_link(second, (*path, "second"), links)
+    if first == second:
+        message = f"joins link {called(case, first)} to itself, expected two different links"
+        yield Problem("E218", message, (*path, "second"))
+    elif element.kind:
+        yield from _kind(element, (*path, "kind"))
+    yield from of_drag(element.drag, element, (*path, "drag"))
+    if (capacity := element.capacity) is not None:
+        given = capacity.given if isinstance(capacity, OfLoad) else capacity
+        place = (*path, "capacity")
+        yield from expect(capacity, "a torque above 0", place, right=0 < given < math.inf)
+    static = element.static
+    yield from expect(static, "1 or more", (*path, "static"), right=1 <= static < math.inf)
+    if element.friction is not None:
+        yield from of_friction(element.friction, (*path, "friction"))
+
+
+def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
+    """Sizes above 0, whole surfaces, slips in ascending order, coefficients above 0.
+
+    Examples
+    --------
+    >>> [one] = of_friction(Friction(0.1, 0.006, 8, ((3, 0.12), (1, 0.1))), ())
+    >>> print(one.message)
+    read 1, expected a slip of 3 rad/s or more: slips are in ascending order
+    """
+    if friction.heat_capacity is not None:
+        yield from _of_heat(friction, path)
+        if not any(friction[:4]):
+            return
+    for name, one in (("radius", "a radius"), ("area", "an area")):
+        size = getattr(friction, name)
+        yield from expect(size, f"{one} above 0", (*path, name), right=0 < size < math.inf)
+    surfaces, what = friction.surfaces, "a whole number of surfaces from 1"
+    right = surfaces >= 1 and surfaces == int(surfaces)
+    yield from expect(surfaces, what, (*path, "surfaces"), right=right)
+    here = (*path, "coefficient")
+    table = friction.table
+    rows: Sequence[tuple[float, ...]] = table.rows if table else friction.points
+    if table:
+        yield from _of_temperatures(table, friction.heat_capacity, here)
+        here = (*here, "rows")
+    if not rows:
+        yield Problem("E219", "there is no point, expected one at least", here)
+    least = 0.0
+    for number, row in enumerate(rows, 1):
+        slip, *coefficients = row or (least,)
+        if not 0 <= slip < math.inf:
+            yield Problem(
+                "E220", f"read {slip:g}, expected a slip of 0 or more", (*here, number, 1)
+            )
+        elif slip < least:
+            message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
+            yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
+        for column, coefficient in enumerate(coefficients, 2):
+            place = (*here, number, column)
+            right = 0 < coefficient < math.inf
+            yield from expect(coefficient, "a coefficient above 0", place, right=right)
+        least = max(least, slip)
+
+
+def _of_temperatures(
+    table: CoefficientTable, heat_capacity: float | None, path: Path
+) -> Iterator[Problem]:
+    """Temperatures in ascending order, a coefficient for each, and what is known to warm up."""
+    if heat_capacity is None:
+        message = "the coefficient depends on temperature, expected a `heat_capacity` beside it"
+        yield Problem("E261", message, path)
+    here = (*path, "columns")
+    if not table.columns:
+        yield Problem("E219", "there is no temperature, expected one at least", here)
+    for number, one in enumerate(table.columns, 1):
+        right = math.isfinite(one)
+        yield from expect(one, "a finite number", (*here, number), right=right)
+    for number, (one, other) in enumerate(pairwise(table.columns), 2):
+        if not other > one:
+            message = f"read {other:g} behind {one:g}, expected temperatures in ascending order"
+            yield Problem("E262", message, (*here, number))
+    for number, row in enumerate(table.rows, 1):
+        if len(row) != len(table.columns) + 1:
+            message = f"read {len(row)} numbers, expected {len(table.columns) + 1}"
+            more = "the slip, and a coefficient for each temperature"
+            yield Problem("E263", f"{message}: {more}", (*path, "rows", number))
+
+
+def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
+    """What warms is above 0, what cools 0 or more."""
+    capacity, cooling = friction.heat_capacity or 0.0, friction.cooling
+    right = 0 < capacity < math.inf
+    yield from expect(capacity, "a heat capacity above 0", (*path, "heat_capacity"), right=right)
+    right = 0 <= cooling < math.inf
+    yield from expect(cooling, "a cooling of 0 or more", (*path, "cooling"), right=right)
+    right = math.isfinite(friction.ambient)
+    yield from expect(friction.ambient, "a temperature", (*path, "ambient"), right=right)
+
+
+def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
+    """The drag torque of a link or of an element."""
+    size = torque.given if isinstance(torque, OfLoad) else torque
+    if isinstance(torque, Law) and not torque.text:
+        from vstatics.core.model.laws import of_points  # costs start-up time
+
+        yield from of_points(torque, path, low=0, high=math.inf, what="a torque of 0 or more")
+    elif not 0 <= size < math.inf:
+        unit = " N*m" if isinstance(torque, OfLoad) else ""
+        message = f"read {size:g}{unit}, expected a torque of 0 or more: drag opposes any motion"
+        yield Problem("E222", message, path)
+    elif size and element is not None and element.kind == "dog_clutch":
+        message = "a dog clutch does not drag when it is open, expected it without drag"
+        yield Problem("E223", message, path)
+
+
+def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
+    """A kind that is one, and that the links of the element suit."""
+    to_housing = HOUSING in (element.first, element.second)
+    if element.kind not in ELEMENT_KINDS:
+        kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
+        yield Problem("E224", f"read {element.kind!r}, expected one of {kinds}", path)
+    elif element.kind == "brake" and not to_housing:
+        message = "a brake holds a link against the housing, expected `clutch` for two links"
+        yield Problem("E225", message, path)
+    elif element.kind == "clutch" and to_housing:
+        message = "a clutch joins two links, expected `brake` for a link and the housing"
+        yield Problem("E226", message, path)
+
+
+def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
+    """The links and the numbers of a mechanism."""
+    members = [link for link in mechanism.links if link != HOUSING]
+    if not all(is_number(link, links) for link in members):
+        for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
+            yield from of_link(link, (*path, member), links)
+    if not members:
+        yield Problem("E227", "all three links are the housing, expected at least one link", path)
+    if len(set(members)) < len(members):
+        yield Problem("E228", f"links {mechanism.links}: expected different links", path)
+    ratio = mechanism.ratio
+    if mechanism.kind:
+        yield from _of_kind(mechanism, path)
+    elif not math.isfinite(ratio):
+        yield Problem("E229", f"read {ratio}, expected a finite number", (*path, "ratio"))
+    elif ratio == 0:
+        yield Problem("E230", "read 0, expected a ratio other than 0", (*path, "ratio"))
+    yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
+    yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
+    if (planet := mechanism.planet_ratio) is not None:
+        yield from not_0(planet, "a finite ratio", (*path, "planet_ratio"))
+
+
+def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    """A variator or converter joins two links, at a finite speed ratio if it has its own."""
+    if mechanism.kind not in MECHANISM_KINDS:
+        kinds = ", ".join(f"`{kind}`" for kind in MECHANISM_KINDS)
+        yield Problem("E224", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
+        return
+    for member in ("first", "second"):
+        if getattr(mechanism, member) == HOUSING:
+            message = f"a {mechanism.kind} joins two links, expected a link, not the housing"
+            yield Problem("E272", message, (*path, member))
+    if mechanism.third != HOUSING or mechanism.is_set:
+        message = f"a {mechanism.kind} joins two links; leave the third out"
+        yield Problem("E273", message, (*path, "third"))
+    if math.isinf(mechanism.ratio):
+        message = f"read {mechanism.ratio}, expected a finite number"
+        yield Problem("E229", message, (*path, "speed_ratio"))
+    if mechanism.kind == "converter":
+        yield from of_characteristic(mechanism.points, (*path, "points"))
+
+
+def of_characteristic(
+    points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
+) -> Iterator[Problem]:
+    """Speed ratios that ascend, torque ratios of 0 or more; so many numbers, or more, in each."""
+    if not points:
+        yield Problem("E219", "there is no point, expected one at least", path)
+    before = -math.inf
+    for number, (speed_ratio, torque_ratio, *rest) in enumerate(points, 1):
+        if not before < speed_ratio < math.inf:
+            message = f"read {speed_ratio:g}, expected a speed ratio above {before:g}"
+            yield Problem("E274", f"{message}: points are in ascending order", (*path, number, 1))
+        what, right = "a torque ratio of 0 or more", 0 <= torque_ratio < math.inf
+        yield from expect(torque_ratio, what, (*path, number, 2), right=right)
+        for factor in rest:
+            what = "a lambda of 0 or more up to i = 1"
+            right = math.isfinite(factor) and (factor >= 0 or speed_ratio >= 1)
+            yield from expect(factor, what, (*path, number, 3), right=right)
+        if 2 + len(rest) != max(len(points[0]), numbers):
+            message = f"read {2 + len(rest)} numbers, expected lambda in all points or in none"
+            yield Problem("E522", message, (*path, number))
+        before = speed_ratio
+
+
+def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """Those that a gear gives to variators and converters."""
+    own = case.mechanisms[case.own_mechanisms]
+    last = len(own) + len(case.converters)
+    for number, ratio in gear.speed_ratios.items():
+        inner = (*path, "speed_ratios", number)
+        if not is_number(number, last, 1):
+            expected = f"the number of a mechanism, from 1 to {last}"
+            yield Problem("E275", f"read {number!r}, expected {expected}", inner)
+        elif number <= len(own) and not own[number - 1].kind:
+            name = own[number - 1].name or number
+            message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
+            yield Problem("E276", message, inner)
+        elif not math.isfinite(ratio):
+            yield Problem("E229", f"read {ratio}, expected a finite number", inner)
+        elif ratio != 1 and _is_bypassed(case, gear, number):
+            name = own[number - 1].name or number
+            message = (
+                f"read {ratio:g}, but what is engaged joins the links of converter {name}, so that "
+                "it turns as one: expected 1, or none; release its lock-up clutch, or leave the "
+                "speed ratio out"
+            )
+            yield Problem("E455", message, inner)
+
+
+def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
+    """Whether a mechanism, by its number among the case's own, is a bypassed converter."""
+    elements = case.shift_elements
+    if not all(is_number(one, len(elements), 1) for one in gear.engaged):
+        return False  # said already
+    parts: list[ShiftElement | Mechanism] = [elements[one - 1] for one in gear.engaged]
+    parts += case.mechanisms
+    links = [link for part in parts for link in (part.first, part.second)]
+    links += [link for spring in case.springs for link in spring.form]
+    if not all(is_number(link, case.links) for link in links):
+        return False  # likewise
+    return case.own_mechanisms.start + number - 1 in case.bypassed(gear)
+
+
+def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[Problem]:
+    """Variators and converters that have a speed ratio neither by themselves nor by a gear.
+
+    Parameters
+    ----------
+    open_too : bool
+        Also converters whose torque is known, which can be open.
+    """
+    for number, one in enumerate(case.mechanisms[case.own_mechanisms], 1):
+        if one.kind and math.isnan(one.ratio) and (open_too or not one.can_be_open):
+            message = (
+                f"`speed_ratio` of {one.kind} {one.name or number} is missing: give it in this "
+                "gear under `speed_ratios`, or in the mechanism for all gears"
+            )
+            for place, gear in enumerate(case.gears, 1):
+                if number not in gear.speed_ratios and not _is_bypassed(case, gear, number):
+                    yield Problem("E277", message, ("gears", place))
+
+
+def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number that is not 0."""
+    right = number != 0 and math.isfinite(number)
+    return expect(number, f"{what} other than 0", path, right=right)
+
+
+def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
+    """The efficiency of a mechanism, an element or a mesh."""
+    if isinstance(value, Law):
+        return _efficiencies(value, path)
+    return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
+
+
+def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
+    """The efficiency of power that flows back, if it is another one."""
+    if isinstance(value, Law):
+        yield from _efficiencies(value, path)
+    elif value is not None:
+        what = "an efficiency from 0 (self-locking) to 1"
+        yield from expect(value, what, path, right=0 <= value <= 1)
+
+
+def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
+    """The points of an efficiency."""
+    from vstatics.core.model.laws import of_points  # costs start-up time
+
+    return of_points(
+        law, (*path, "points"), low=math.ulp(0.0), high=1, what="an efficiency above 0 and up to 1"
+    )
+
+
+def sets_side_by_side(
+    sets: Iterable[tuple[int, str, int, Iterable[int]]],
+) -> Iterator[tuple[int, str]]:
+    """Of sets (number, name, carrier, wheels): which has a wheel and the carrier of one before."""
+    seen: dict[tuple[int, int], str] = {}
+    for number, name, carrier, wheels in sets:
+        pairs = [(carrier, wheel) for wheel in wheels if HOUSING not in (carrier, wheel)]
+        yield from [(number, seen[pair]) for pair in pairs if pair in seen][:1]
+        for pair in pairs:
+            seen.setdefault(pair, name)
+
+
+def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
+    """What may be meant, but may be a mistake too."""
+    ratio = mechanism.ratio
+    if mechanism.third == HOUSING:
+        return  # so is a variator's
+    if ratio == 1:
+        message = (
+            "with ratio 1 the first link turns as the second whatever the third does, which takes "
+            "torque by losses only"
+        )
+        yield Problem("N203", message, (*path, "ratio"))
+    if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
+        yield Problem(
+            "N204" if ratio == -1 else "W201",  # as bevel differentials have it
+            f"ratio {ratio:g} is not that of a plain planetary set: there is no "
+            "planet speed without a planet ratio",
+            path,
+        )
+
+
+def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """What a gear engages and gives."""
+    if gear.engaged:
+        yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
+    ends = gear.input or case.input, gear.output or case.main_output
+    for end, link in (("input", gear.input), ("output", gear.output)):
+        if link is not None:
+            yield from of_link(link, (*path, end), case.own_links, lowest=1)
+    if ends[0] == ends[1] and (gear.input is not None or gear.output is not None):
+        yield Problem("E214", f"input and output are both link {called(case, ends[0])}", path)
+    yield from _turning(case, gear, (*path, "input_turns"))
+    yield from _dragging(case, gear, path)
+    yield from _speed_ratios(case, gear, path)
+    if gear.kind not in GEAR_KINDS:
+        yield Problem("E232", f"read {gear.kind!r}, expected `gear` or `point`", (*path, "kind"))
+    if gear.speeds or gear.torques:
+        yield from _sides_given(case, gear, ends, path)
+
+
+def _sides_given(
+    case: TransmissionFields, gear: Gear, ends: tuple[int, int], path: Path
+) -> Iterator[Problem]:
+    """Given speeds and torques, of links that have neither by themselves."""
+    yield from _speeds(case, gear.speeds, (*path, "speeds"))
+    yield from _finite(gear.torques, (*path, "torques"), case.own_links)
+    if ends[0] in gear.speeds:
+        message = f"link {called(case, ends[0])} is the input, whose speed is 1; expected another"
+        yield Problem("E233", message, (*path, "speeds", ends[0]))
+    for link in gear.torques:
+        if link == ends[1]:
+            message = f"link {called(case, link)} is the output, whose torque is calculated"
+            yield Problem("E234", f"{message}; expected another link", (*path, "torques", link))
+        elif link in gear.speeds and gear.holding is None:
+            message = f"link {called(case, link)} has a given speed, so its torque is calculated"
+            yield Problem("E235", f"{message}; give one of the two", (*path, "torques", link))
+
+
+def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The way in which the input turns, which is also that of the load."""
+    said = gear.input_turns
+    if not said:
+        return
+    by_load = case.input_turns(gear._replace(input_turns=""))
+    if said not in DIRECTIONS:
+        expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
+        yield Problem("E236", f"read {said!r}, expected {expected}", path)
+    elif by_load and said != by_load:
+        yield Problem(
+            "E237",
+            f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
+            "a load of its own whose signs agree, or this left out",
+            path,
+        )
+
+
+def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
+    """A load that is one, and of which power enters."""
+    if not isinstance(load or Load(), Load):
+        message = f"read {type_and_value(load)}, expected a Load, in rpm and N*m"
+        yield Problem("E238", message, (*path, "load"))
+        return
+    load = load or Load()
+    for quantity, value in load._asdict().items():
+        if isinstance(value, str):
+            message = f"read {value!r}, expected a number, in rpm and N*m"
+            yield Problem("E239", message, (*path, "load", quantity))
+            return
+        if value is not None and not math.isfinite(value):
+            message = f"read {value:g}, expected a finite number"
+            yield Problem("E229", message, (*path, "load", quantity))
+        elif value == 0 and quantity == "speed":
+            message = "read 0, expected a speed other than 0, as of an input that turns"
+            yield Problem("E241", message, (*path, "load", quantity))
+    if load.power is not None and math.isfinite(load.power):
+        yield from _of_power(load, load.power, (*path, "load", "power"))
+
+
+def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
+    """The power of a load, which is written in place of its torque: both are one."""
+    if load.speed is None:
+        message = f"read {power:g} kW without a speed, expected `speed` and `torque`"
+        yield Problem("E238", message, path)
+        return
+    own = load.speed * (load.torque or 0.0) * KW_OF_RPM_NM
+    if load.speed and not (own and math.isclose(power, own, rel_tol=SAME_POWER)):
+        torque = power / load.speed / KW_OF_RPM_NM
+        message = (
+            f"read {power:g} kW, which at {load.speed:g} rpm are {torque:.6g} N*m: expected these "
+            "as `torque`, or no `power`"
+        )
+        yield Problem("E238", message, path)
+
+
+def of_link_drag(
+    case: TransmissionFields, drag: Mapping[int, float], path: Path
+) -> Iterator[Problem]:
+    """The drag of links in a gear or in the case."""
+    for link, torque in drag.items():
+        if link == HOUSING:
+            message = "the housing does not turn, expected a link"
+            yield Problem("E217", message, (*path, "drag", link))
+        else:
+            yield from of_link(link, (*path, "drag", link), case.own_links, lowest=1)
+        yield from of_drag(torque, None, (*path, "drag", link))
+
+
+def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
+    """The drag that a gear gives, of links and of open elements."""
+    yield from of_link_drag(case, gear.drag, path)
+    elements = case.shift_elements
+    for number, torque in gear.open_drag.items():
+        inner = (*path, "open_drag", number)
+        if is_number(number, len(elements), 1):
+            yield from of_drag(torque, elements[number - 1], inner)
+        else:
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem("E243", f"read {number!r}, expected {expected}", inner)
+
+
+def _engaged(
+    elements: Sequence[ShiftElement], engaged: Sequence[int], path: Path
+) -> Iterator[Problem]:
+    seen: set[int] = set()
+    for position, element in enumerate(engaged, 1):
+        if not is_number(element, len(elements), 1):
+            expected = f"the number of a shift element, from 1 to {len(elements)}"
+            yield Problem("E243", f"read {element!r}, expected {expected}", (*path, position))
+            continue
+        message = f"element {elements[element - 1].name or element} is"
+        if element in seen:
+            message += " engaged twice, expected each once"
+            yield Problem("E245", message, (*path, position))
+        elif elements[element - 1].is_freewheel:
+            message += " a freewheel, which finds by itself whether it holds; leave it out"
+            yield Problem("E246", message, (*path, position))
+        seen.add(element)
+
+
+def _speeds(
+    case: TransmissionFields, speeds: Mapping[int, float | SpeedOf], path: Path
+) -> Iterator[Problem]:
+    """Given speeds: numbers, or those of other links."""
+    numbers = {link: one for link, one in speeds.items() if not isinstance(one, SpeedOf)}
+    yield from _finite(numbers, path, case.own_links)
+    for link, speed in speeds.items():
+        if not isinstance(speed, SpeedOf):
+            continue
+        inner = (*path, link)
+        yield from of_link(link, inner, case.own_links, lowest=1)
+        yield from of_link(speed.link, inner, case.own_links, lowest=1)
+        if speed.factor == 0 or not math.isfinite(speed.factor):
+            message = f"read a factor of {speed.factor:g}, expected a finite one other than 0"
+            yield Problem("E247", f"{message}; a link that stands has the speed 0", inner)
+        if speed.link == link:
+            message = f"the speed of link {called(case, link)} is given by itself"
+            yield Problem("E248", f"{message}, expected another link", inner)
+
+
+def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Problem]:
+    for link, value in values.items():
+        yield from of_link(link, (*path, link), links, lowest=1)
+        if not math.isfinite(value):
+            yield Problem("E229", f"read {value}, expected a finite number", (*path, link))
+
+
+def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
+    """A number that was written without its unit, it seems."""
+    other = "mm" if unit == "m" else "rpm"
+    hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
+    message = f"read {value:g} {unit}, more than {what} has: {hint}"
+    return Problem("N205", message, path)

@@ -1,0 +1,326 @@
+"""What springs, inertias, fatigue strengths, a dumped clutch must fulfil; problems with paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+from vstatics.core.errors import Path, Problem, listed, nearest, quoted
+from vstatics.core.model.converters import Converter
+from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.part_checks import called, expect, of_characteristic, of_link
+from vstatics.core.model.parts import HOUSING, Damping, damping, element_names, mechanism_names
+from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit
+from vstatics.core.model.springs import Spring, SpringLimit, ends, spring_names
+from vstatics.torsion.clutch.clutch_dump import NEEDED, NUMBERS
+
+_TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
+
+
+def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
+    """The inertias and springs of a case, what is elastic of its devices, and their names."""
+    for link, inertia in case.inertias.items():
+        path = ("inertias", link)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        yield from not_negative(inertia, "an inertia", path)
+    for link, mass in case.masses.items():
+        path = ("masses", link)
+        yield from of_link(link, path, case.own_links, lowest=1)
+        yield from not_negative(mass, "a mass", path)
+        if link in case.inertias:
+            message = f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
+            yield Problem("E540", f"{message}, expected it in one of them", path)
+    for number, spring in enumerate(case.springs, 1):
+        yield from _of_spring(case, spring, ("springs", number))
+    for number, element in enumerate(case.shift_elements, 1):
+        yield from of_elastic(element.stiffness, element.damping, ("shift_elements", number))
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        yield from of_elastic(mechanism.stiffness, mechanism.damping, ("mechanisms", number))
+    for number, converter in enumerate(case.converters, 1):
+        yield from of_converter(converter, ("converters", number), case.own_links)
+    yield from _of_names(case)
+
+
+def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    twist = dict(spring.twist)
+    if len(twist) < len(spring.twist):
+        link = next(iter(twist))
+        message = f"joins link {called(case, link)} to itself, expected two different links"
+        yield Problem("E218", message, (*path, "second"))
+        return
+    shaft = ends(twist)
+    for link, part in twist.items():
+        place = ("second" if link == shaft[1] else "first",) if shaft else ("twist", link)
+        yield from of_link(link, (*path, *place), case.own_links)
+        right = math.isfinite(part) and (part != 0 or link == HOUSING)
+        what = "a finite coefficient other than 0"
+        yield from expect(part, what, (*path, *place), right=right)
+    if not any(link != HOUSING for link in twist):
+        message = "the twist is empty, expected at least one link with its coefficient"
+        yield Problem("E251", message, (*path, "twist"))
+    yield from _of_units(case, spring, path)
+    yield from _of_elastic_law(case, spring, path)
+    if isinstance(spring.limit, SpringLimit):
+        yield from _of_followed(case, spring.limit, (*path, "limit"))
+    elif spring.limit is not None:
+        yield from above_0(spring.limit, "a torque", (*path, "limit"))
+    yield from not_negative(spring.friction, "a torque", (*path, "friction"))
+
+
+def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """A stiffness, or what stands in its place, and a damping."""
+    if spring.points:
+        yield from _of_points(spring, path)
+    if spring.strut:
+        yield from _of_strut(case, spring, (*path, "strut"))
+    given = (spring.stiffness, spring.compliance)
+    damped = damping(spring.damping)
+    if spring.is_damper and damped.loss_factor:
+        message = "read a loss factor or ratio without `stiffness`, of which it would be a part"
+        yield Problem("E252", f"{message}: expected one", path)
+    elif spring.is_damper and given == (None, None) and not damped.viscous:
+        message = "there is no `stiffness`, no `compliance`, no `points` and no `damping`"
+        yield Problem("E252", f"{message}, expected one of them", path)
+    elif None not in given:
+        yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
+    if spring.compliance is not None:
+        yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
+    yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
+
+
+def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
+    """Twists that rise, torques that do not fall, and nothing beside them that they exclude."""
+    here = (*path, "points")
+    for number, point in enumerate(spring.points, 1):
+        for place, value in enumerate(point, 1):
+            right = math.isfinite(value)
+            yield from expect(value, "a finite number", (*here, number, place), right=right)
+    for number, (one, other) in enumerate(pairwise(spring.points), 2):
+        rises = other[0] > one[0]
+        if not (rises and other[1] >= one[1]):
+            place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
+            message = f"read {other[place - 1]:g} behind {one[place - 1]:g}, expected {expected}"
+            yield Problem("E690", message, (*here, number, place))
+    first, last = spring.points[0], spring.points[-1]
+    if first[0] >= 0 and (*first,) != (0, 0):
+        message = f"read {first[0]:g}, {first[1]:g}, expected [0, 0] first, or a twist below 0"
+        yield Problem("E691", message, (*here, 1))
+    if not last[1] > first[1]:
+        yield Problem("E692", "expected two points at least, and a torque that rises", here)
+    yield from _beside("points", spring, path)
+
+
+def _beside(own: str, spring: Spring, path: Path) -> Iterator[Problem]:
+    """Nothing beside points, or a strut, that they exclude."""
+    given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
+    given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
+    for name, read in given.items():
+        if read:
+            what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
+            yield Problem("E693", f"read {what} beside `{own}`, expected none", (*path, name))
+
+
+def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """Units are those of what turns, or of what moves straight, as the spring does."""
+    straight = [link for link in spring.form if link in case.masses]
+    named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
+    numbers: list[tuple[Path, Any]] = [
+        ((name,), getattr(spring, name)) for name in ("stiffness", "compliance", "friction")
+    ]
+    limit, damped = spring.limit, spring.damping
+    numbers += [
+        (("limit",), limit.base if isinstance(limit, SpringLimit) else limit),
+        (("damping",), damped.viscous if isinstance(damped, Damping) else damped),
+    ]
+    for number, point in enumerate(spring.points, 1):
+        numbers += [(("points", number, place), one) for place, one in enumerate(point, 1)]
+    for inner, value in numbers:
+        why = f"its twist names {named} `masses`"
+        yield from _of_unit(value, why, (*path, *inner), straight=bool(straight))
+
+
+def _of_unit(value: Any, why: str, path: Path, *, straight: bool) -> Iterator[Problem]:
+    measure = value.measure if isinstance(value, InUnit) else None
+    expected = measure and (STRAIGHT if straight else _TURNING).get(measure)
+    if measure and expected:
+        message = f"read a number in {UNIT_OF[measure]}, expected one in {UNIT_OF[expected]}"
+        yield Problem("E541", f"{message}: {why}", path)
+
+
+def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
+    """A strut of a straight spring: numbers above 0, a counter chamber that is whole or none."""
+    strut = spring.strut
+    assert strut is not None  # noqa: S101 - it is asked of these alone
+    if not case.is_straight(spring):
+        message = "its twist names no link of `masses`, expected one: a strut is in m and N"
+        yield Problem("E542", message, path)
+    whole = ("pressure", "area", "length", "exponent")
+    for name in (*whole, *["counter_length"] * (strut.counter_length is not None)):
+        yield from above_0(getattr(strut, name), "a number", (*path, name))
+    for name in ("counter_pressure", "counter_area"):
+        yield from not_negative(getattr(strut, name), "a number", (*path, name))
+    if strut.counter_pressure and not (strut.counter_area and strut.counter_length):
+        message = "expected `counter_area` and `counter_length` above 0 beside `counter_pressure`"
+        yield Problem("E543", message, path)
+    elif strut.length > 0:
+        least, most = strut.reach
+        if not least < strut.at < most:
+            message = f"read {strut.at:g}, expected more than {least:g} and less than {most:g} m"
+            yield Problem("E544", message, (*path, "at"))
+        elif not strut.slope(strut.at) < math.inf:
+            message = "its stiffness is beyond all numbers, expected sizes of a strut"
+            yield Problem("E548", message, path)
+    if spring.points:
+        yield Problem("E693", "read `points` beside `strut`, expected none", (*path[:-1], "points"))
+    yield from _beside("strut", spring, path[:-1])
+
+
+def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
+    """A limit by the torque of another spring that bends alone."""
+    yield from not_negative(limit.base, "a torque", (*path, "base"))
+    right = math.isfinite(limit.times) and limit.times != 0
+    yield from expect(limit.times, "a number other than 0", (*path, "times"), right=right)
+    names = spring_names(case.springs)
+    if limit.of not in names:
+        message = f"read {quoted(limit.of)}, expected the name of a spring"
+        yield Problem("E545", f"{message}{nearest(limit.of, names)}", (*path, "of"))
+        return
+    other = case.springs[names.index(limit.of)]
+    if other.limit is not None or other.friction:
+        message = f"{quoted(limit.of)} slips or rubs itself, expected a spring without `limit`"
+        yield Problem("E546", f"{message} and `friction`", (*path, "of"))
+
+
+def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Problem]:
+    """What is wrong with a converter between two of so many links."""
+    for place, link in zip(("first", "second"), converter.links, strict=True):
+        yield from of_link(link, (*path, place), links, lowest=1)
+    if converter.pump == converter.turbine:
+        yield Problem("E638", "expected two different links, pump and turbine", (*path, "links"))
+    yield from of_characteristic(converter.points, (*path, "points"), numbers=3)
+
+
+def of_elastic(
+    stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
+) -> Iterator[Problem]:
+    """The stiffness and damping of a device; what is rigid (unless `always` elastic) has none."""
+    viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
+    is_damper = always and stiffness == 0 and viscous > 0
+    if stiffness is not None and not is_damper:
+        yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
+    here = (*path, "damping")
+    if not always:
+        yield from _of_unit(viscous, "it turns", here, straight=False)
+    yield from not_negative(viscous, "a damping", (*here, "viscous"))
+    yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
+    if (viscous or loss_factor) and stiffness is None and not always:
+        yield Problem(
+            "E254", "there is a damping without `stiffness`: what is rigid can't be damped", here
+        )
+
+
+def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number above 0."""
+    if not 0 < number < math.inf:
+        yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
+    elif 1 / number == math.inf:
+        yield Problem("E256", f"read {number:g}, expected {what} that is not so small", path)
+
+
+def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
+    """A finite number of 0 or more."""
+    return expect(number, f"{what} of 0 or more", path, right=0 <= number < math.inf)
+
+
+def _of_names(case: TransmissionFields) -> Iterator[Problem]:
+    """Torques and energies are told by names, so everything that has one is called otherwise."""
+    taken = dict.fromkeys(element_names(case.shift_elements), "a shift element")
+    rows: dict[str, str] = {}
+    for what, name, path, members in _devices(case):
+        if name in taken:
+            message = f"`{name}` is the name of {taken[name]} too, expected another"
+            yield Problem("E257", message, path)
+        taken.setdefault(name, what)
+        rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
+    names = spring_names(case.springs)
+    for number, name in enumerate(names, 1):
+        if other := taken.get(name) or rows.get(name):
+            message = f"`{name}` is the name of {other} too, expected another"
+            yield Problem("E257", message, ("springs", number))
+    taken |= dict.fromkeys(names, "a spring")
+    for number, converter in enumerate(case.converters, 1):
+        if other := taken.get(converter.name) or rows.get(converter.name):
+            message = f"`{converter.name}` is the name of {other} too, expected another"
+            yield Problem("E257", message, ("converters", number))
+
+
+def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
+    """Mechanisms and drawn elements: what each is, its name, its path, names of its members."""
+    if case.drawing is None:
+        for number, name in enumerate(mechanism_names(case.mechanisms), 1):
+            yield "a mechanism", name, ("mechanisms", number), ()
+        return
+    given = len(case.drawing.devices) - len(case.drawing.mechanisms)
+    for number, device in enumerate(case.drawing.devices):
+        what = "an element" if number < given else "a mechanism"
+        members = [member.name for member in device.members]
+        members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
+        yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members
+
+
+def of_dump(case: TransmissionFields) -> Iterator[Problem]:
+    """Links that there are, each once, and numbers above 0."""
+    dump = case.dump
+    if dump is None:
+        return
+    seen: dict[int, str] = {}
+    for name, links in dump.masses.items():
+        if not links and name in NEEDED:
+            yield Problem("E259", "there is no link, expected one at least", ("dump", name))
+        for number, link in enumerate(links, 1):
+            path: Path = ("dump", name, number)
+            yield from of_link(link, path, case.own_links, lowest=1)
+            if link in seen:
+                message = f"link {called(case, link)} is in {seen[link]} already"
+                yield Problem("E260", f"{message}, expected each link once", path)
+            seen.setdefault(link, name)
+    if dump.to is not None:
+        yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)
+    for name in NUMBERS:
+        value = getattr(dump, name)
+        if value is not None:
+            right = value > 0 and (value < math.inf or name == "M_phi")
+            yield from expect(value, "a number above 0", ("dump", name), right=right)
+
+
+_STRENGTHS = {
+    "endurance": "an endurance",
+    "exponent": "an exponent",
+    "cycles": "a number of cycles",
+    "diameter": "a diameter",
+    "section_modulus": "a section modulus",
+    "sum": "a sum of damages",
+}
+_PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
+
+
+def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
+    """What is wrong in the fatigue strengths of a case."""
+    names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
+    names += spring_names(case.springs)
+    for number, (name, fatigue) in enumerate(case.fatigue.items(), 1):
+        path = ("fatigue", number)
+        if name not in names:
+            hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
+            yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
+        if (fatigue.diameter is None) == (fatigue.section_modulus is None):
+            read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
+            message = f"read {read} `section_modulus`, expected one of them"
+            yield Problem("E881", message, path)
+        for key, value in fatigue._asdict().items():
+            if key in _PARTS:
+                yield from not_negative(value, _PARTS[key], (*path, key))
+            elif value is not None:
+                yield from above_0(value, _STRENGTHS[key], (*path, key))

@@ -1,0 +1,292 @@
+"""The keys of springs, of devices that are rigid but for vibration, of a clutch that is dumped."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from vstatics.core.model.parts import damping_fault, damping_of
+from vstatics.core.model.shape import (
+    LINK,
+    NUMBER,
+    TEXT,
+    ByKey,
+    Either,
+    Ends,
+    KeyShape,
+    Leaf,
+    Limits,
+    ListOf,
+    Numbers,
+    RowOf,
+)
+from vstatics.core.model.springs import limit_fault, limit_of, spring_fault, spring_of
+from vstatics.core.model.struts import Strut
+from vstatics.torsion.clutch.clutch_dump import MASSES, NEEDED, ClutchDump
+
+DAMPING = Either(
+    Leaf("damping", straight=True),
+    "viscous",
+    ByKey(
+        "Damping",
+        "Viscous damping, or that of a material, which is a part of the elastic torque.",
+        (
+            KeyShape(
+                "viscous",
+                Leaf("damping", straight=True),
+                "Torque by rate of twist, in N*m*s/rad.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+            KeyShape(
+                "ratio",
+                NUMBER,
+                "Damping ratio of a mode in which nothing else is twisted, half the loss factor.",
+                limits={"minimum": 0},
+                examples=(0.02,),
+            ),
+            KeyShape(
+                "loss_factor",
+                NUMBER,
+                "Damping torque as a part of the elastic one, at any frequency.",
+                default=0,
+                limits={"minimum": 0},
+            ),
+        ),
+        damping_of,
+        damping_fault,
+    ),
+    written=True,
+)
+"""Of what is elastic."""
+ABOVE_0: Limits = {"exclusiveMinimum": 0}
+_DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
+
+ELASTIC = (
+    KeyShape(
+        "stiffness",
+        Leaf("stiffness"),
+        "For vibration: torque on its first link by the twist of its own row, in N*m/rad; rigid "
+        "when not given.",
+        limits=ABOVE_0,
+        examples=(9e4,),
+    ),
+    _DAMPING,
+)
+"""Of devices that are rigid but for vibration."""
+
+LIMIT = Either(
+    Leaf("si_torque", straight=True),
+    "base",
+    ByKey(
+        "Limit",
+        "A limit that follows the torque of another spring, as grip does the load of a wheel.",
+        (
+            KeyShape(
+                "base",
+                Leaf("si_torque", straight=True),
+                "Where the other spring has none, in N*m.",
+                required=True,
+                limits={"minimum": 0},
+            ),
+            KeyShape("of", TEXT, "The other spring."),
+            KeyShape("times", NUMBER, "What its torque adds to the base by its size."),
+        ),
+        limit_of,
+        limit_fault,
+    ),
+    written=True,
+)
+
+STRUT = ByKey(
+    "Strut",
+    "Gas above a piston, and below it if there is a counter chamber: p V^exponent is constant.",
+    (
+        KeyShape(
+            "pressure",
+            Leaf("pressure"),
+            "At rest, in Pa.",
+            required=True,
+            limits=ABOVE_0,
+            examples=("38 at",),
+        ),
+        KeyShape("area", Leaf("area"), "Of the piston, in m^2.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "length",
+            Leaf("length"),
+            "Volume of the gas at rest by that area, in m.",
+            required=True,
+            limits=ABOVE_0,
+            examples=("11 cm",),
+        ),
+        KeyShape("exponent", NUMBER, "Polytropic.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "counter_pressure",
+            Leaf("pressure"),
+            "In the counter chamber at rest, in Pa.",
+            default=0,
+            limits={"minimum": 0},
+        ),
+        KeyShape(
+            "counter_area", Leaf("area"), "Towards it, in m^2.", default=0, limits={"minimum": 0}
+        ),
+        KeyShape("counter_length", Leaf("length"), "Of it, in m.", limits=ABOVE_0),
+        KeyShape(
+            "at",
+            Leaf("length"),
+            "How much longer than at rest the strut is where its slope is the stiffness of modes.",
+            default=0,
+        ),
+    ),
+    Strut,
+)
+
+SPRING = ByKey(
+    "Spring",
+    "An elastic device: torque by twist.",
+    (
+        KeyShape(
+            "links",
+            Ends(least=1),
+            "Of a shaft: its twist is the angle of the first link less that of the second; one "
+            "link alone is joined to the housing.",
+            examples=(["engine", "disc"],),
+        ),
+        KeyShape(
+            "twist",
+            Numbers("link", NUMBER),
+            "In place of links: any sum of angles, by coefficients.",
+            examples=({"pinion": 1, "wheel": -1, "casing": -1},),
+        ),
+        KeyShape(
+            "stiffness",
+            Leaf("stiffness", straight=True),
+            "In N*m/rad; of a spring whose twist names a link of `masses` in N/m.",
+            limits=ABOVE_0,
+        ),
+        KeyShape(
+            "compliance",
+            Leaf("compliance", straight=True),
+            "In place of the stiffness, in rad/(N*m).",
+            limits=ABOVE_0,
+            examples=(84e-5,),
+        ),
+        KeyShape(
+            "damping",
+            DAMPING,
+            "Damping beside its stiffness, in N*m*s/rad; of a spring whose points have a play it "
+            "acts in contact only, and spring and damper together never pull.",
+        ),
+        KeyShape(
+            "limit",
+            LIMIT,
+            "In a scenario its torque stays within it, in N*m; the rest is slip, as of a tyre.",
+            examples=("3000 N*m", {"base": 2400, "of": "suspension", "times": 0.24}),
+        ),
+        KeyShape(
+            "points",
+            ListOf(
+                RowOf(
+                    (Leaf("angle", straight=True), Leaf("si_torque", straight=True)),
+                    "twist, torque",
+                ),
+                "points",
+            ),
+            "In place of a stiffness: twists in rad, which rise, and torques in N*m, which do not "
+            "fall, from [0, 0] on in both directions; with a twist below 0 as they are written. "
+            "Beyond them the last slope holds.",
+            examples=([[0, 0], [0.02, 0], [0.1, 160]],),
+        ),
+        KeyShape(
+            "friction",
+            Leaf("si_torque", straight=True),
+            "In a scenario dry friction beside it, in N*m.",
+            default=0,
+            limits={"minimum": 0},
+            examples=("14 N*m",),
+        ),
+        KeyShape("strut", STRUT, "In place of a stiffness, of a spring that is straight."),
+    ),
+    spring_of,
+    spring_fault,
+)
+
+CONVERTER = ByKey(
+    "Converter",
+    "A torque converter: -M on the pump, +K*M on the turbine, M = lambda*w_P*|w_P|, by "
+    "i = w_T/w_P.",
+    (
+        KeyShape(
+            "links", Ends(), "Pump and turbine.", required=True, examples=(["engine", "turbine"],)
+        ),
+        KeyShape(
+            "points",
+            ListOf(
+                RowOf((NUMBER, NUMBER, Leaf("pump_factor")), "i, K, lambda"), "points", unique=False
+            ),
+            "Speed ratio i, torque ratio K, lambda in N*m*s^2; i ascends.",
+            required=True,
+            examples=([[0, 2.4, 3.1e-3], [0.8, 1.0, 2.2e-3], [1, 1, 0]],),
+        ),
+    ),
+)
+
+
+_OF = {
+    "J1": "the engine and the driving parts of the clutch",
+    "J2": "the driven disc",
+    "J3": "the transmission",
+    "J4": "the wheels",
+    "J5": "the vehicle",
+}
+
+DUMP = ByKey(
+    "Clutch dump",
+    "What makes up the masses of a clutch that is dumped, for `vstatics torsion dump`.",
+    (
+        *(
+            KeyShape(
+                name,
+                ListOf(LINK, "links"),
+                f"Links of {_OF[name]}; their inertias are reduced and added.",
+                required=name in NEEDED,
+                limits={"minItems": 1} if name in NEEDED else {},
+            )
+            for name in MASSES
+        ),
+        KeyShape(
+            "M_C0",
+            Leaf("si_torque"),
+            "Torque at which the clutch breaks away, on the first link of J2, in N*m.",
+            required=True,
+            limits=ABOVE_0,
+        ),
+        KeyShape(
+            "M_phi",
+            Leaf("si_torque", infinite=True),
+            "Torque at which the tyres lose their grip, that of all wheels on the first link of "
+            "J4, in N*m; when not given they don't.",
+            limits=ABOVE_0,
+        ),
+        KeyShape(
+            "omega1",
+            Leaf("si_speed"),
+            "Speed before of the first link of J1, in rad/s.",
+            required=True,
+            limits=ABOVE_0,
+        ),
+        KeyShape(
+            "E",
+            Leaf("compliance"),
+            "Compliance from J2 to J5 on the link `to`, in rad/(N*m); that of the elastic devices "
+            "when not given.",
+            limits=ABOVE_0,
+        ),
+        KeyShape(
+            "to",
+            LINK,
+            "Link to which all is reduced and on which the torques are told; the first of J2 when "
+            "not given.",
+        ),
+    ),
+    partial(ClutchDump, J3=(), J4=()),
+)

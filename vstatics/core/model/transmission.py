@@ -1,0 +1,362 @@
+"""The transmission as its kinematic scheme shows it: links, devices, gears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields, replace
+from itertools import count
+from typing import Any
+
+from vstatics.core.arguments import refuse_fields
+from vstatics.core.errors import CaseError, nearest, plural
+from vstatics.core.extras import higher
+from vstatics.core.model.checks import problems
+from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionFields
+from vstatics.core.model.part_checks import of_mechanism
+from vstatics.core.model.parts import (
+    HOUSING,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    SpeedOf,
+    as_float,
+    damping,
+    element_name,
+    mechanism_name,
+    related,
+)
+from vstatics.core.model.springs import Spring, SpringLimit, spring_name
+
+__all__ = [
+    "HOUSING",
+    "Gear",
+    "IdleConvention",
+    "Mechanism",
+    "ShiftElement",
+    "SpeedOf",
+    "Transmission",
+]
+
+_CLASSES = {
+    "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
+    "Converter": "vstatics.core.model.converters",
+    "Fatigue": "vstatics.vehicle.case.fatigue",
+    "Vehicle": "vstatics.vehicle.case.vehicle",
+}
+"""The modules of parts that few cases have."""
+
+
+class Transmission(TransmissionFields):
+    """A whole transmission, checked when it is made.
+
+    Parameters
+    ----------
+    links : int
+        Number of main links, without the housing.
+    shift_elements, mechanisms, gears : sequence
+        In order of their numbers.
+    input, output : int
+        Link numbers; the output is the last link when not given.
+    idle : {"exact", "published"}
+        Convention for the sign of idle mechanisms.
+    coast : bool, optional
+        Power enters at the output (engine braking): the torque of the load is turned against
+        the speed of the input, or along it if false. When not given the sign of its power says it.
+    link_names : sequence of str
+        The link numbers when not given.
+    load : Load, optional
+        Speed and torque of the input, for results in rpm, N*m and kW.
+    drawing : Drawing, optional
+        The elements that links and mechanisms are made from; so with another drawing, by
+        `dataclasses.replace` say, they are others. Mechanisms that are replaced alone are
+        taken as they are.
+    outputs : sequence of int
+        All output links, where there are several: `output` is the first. The others are ports
+        with a given speed or torque.
+    inertias : mapping of int to float
+        Of links; those that are left out have none. [kg*m^2]
+    springs : sequence of Spring
+        Elastic devices; with them a case may go without mechanisms, and without gears it has
+        one with nothing engaged, as a case without shift elements has.
+    converters : sequence of Converter
+        Torque converters, for vibration and motion; for all else they are open.
+    dump : ClutchDump, optional
+        A clutch that is dumped.
+    vehicle : Vehicle, optional
+        What the box is in.
+    fatigue : mapping of str to Fatigue
+        By names of devices: what they bear.
+    masses : mapping of int to float
+        Of links that move straight; what is told of the others in rad is in m. [kg]
+    cylinders : int, optional
+        Of the engine at the input, of four strokes: half of them fire in a revolution.
+    drag : mapping of int to float
+        Torque of bearings and oil on links, against their rotation, relative to the input
+        torque, in all gears that give none of that link. [-]
+
+    Raises
+    ------
+    CaseError
+        With every `Problem` of the model, each with the path of the value.
+
+    Examples
+    --------
+    >>> differential = Transmission(
+    ...     links=3,
+    ...     shift_elements=[ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...     mechanisms=[Mechanism(1, 2, 3, ratio=-2.5)],
+    ...     gears=[Gear([1]), Gear([2])],
+    ... )
+    >>> [element.name for element in differential.shift_elements]
+    ['F1', 'T2']
+    """
+
+    def __repr__(self) -> str:
+        """What it has, in numbers."""
+        parts = {
+            "link": self.own_links,
+            "shift element": len(self.shift_elements),
+            "mechanism": len(self.own_devices),
+            "gear": len(self.gears),
+        }
+        if self.springs:
+            parts["spring"] = len(self.springs)
+        counts = (f"{count} {plural(what, count)}" for what, count in parts.items())
+        name = f" {self.name!r}" if self.name else ""
+        return f"<Transmission{name}: {', '.join(counts)}>"
+
+    def replace(self, **changes: Any) -> Transmission:
+        """The same transmission but for some of its parameters; it is checked as any other.
+
+        Examples
+        --------
+        >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+        >>> case.replace(name="pair", coast=True)
+        <Transmission 'pair': 2 links, 0 shift elements, 1 mechanism, 1 gear>
+        """
+        known = [field.name for field in fields(self) if field.init]
+        for name in changes:
+            if name not in known:
+                raise TypeError(f"a transmission has no {name!r}{nearest(name, known)}")
+        return replace(self, **changes)
+
+    def with_coast(self, coast: bool | None) -> Transmission:  # noqa: FBT001
+        """The same where power enters at the output of all gears, or of none; as it is for None."""
+        gears = [gear._replace(coast=None) for gear in self.gears]
+        unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
+        return replace(self, coast=coast, gears=gears) if unlike else self
+
+    def with_torque(self, torque: float | None) -> Transmission:
+        """The same with a torque of the load that is one of all gears [N*m]; as it is for None."""
+        if torque is None:
+            return self
+        own = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
+        gears = [gear._replace(load=load) for gear, load in zip(self.gears, own, strict=True)]
+        return replace(self, load=Load(torque=torque).or_else(self.load or Load()), gears=gears)
+
+    def as_pairs(self, gear: Gear) -> Transmission | None:
+        """The case whose variators are pairs of the ratios that they have in a gear.
+
+        None where that cannot be: of a converter that is not bypassed, or of a variator at a
+        speed ratio of 0.
+
+        Examples
+        --------
+        >>> hydro = Mechanism(1, 2, 0, 0.4, name="hydro", kind="variator")
+        >>> case = Transmission(2, [], [hydro], [Gear()])
+        >>> case.as_pairs(case.gears[0]).mechanisms[0].ratio
+        2.5
+        """
+        ratios = self.gear_ratios(gear)
+        pairs, bypassed = list[Mechanism](), self.bypassed(gear)
+        for place, (one, ratio) in enumerate(zip(self.mechanisms, ratios, strict=True)):
+            if place in bypassed:
+                pairs.append(one._replace(ratio=ratio))
+                continue
+            if one.kind == "converter" or (one.kind and not ratio):
+                return None
+            pairs.append(one._replace(kind="", ratio=1 / ratio, points=()) if one.kind else one)
+        gears = [each._replace(speed_ratios={}) for each in self.gears]
+        return replace(self, mechanisms=pairs, gears=gears)
+
+    def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
+        """The same transmission with other ratios, efficiencies and planet ratios.
+
+        Nothing else of its mechanisms may change, so nothing else is checked again.
+
+        Raises
+        ------
+        CaseError
+            If these are no such numbers.
+        """
+        others = tuple(mechanisms)
+        parts = enumerate(others, 1)
+        errors = [e for n, one in parts for e in of_mechanism(one, ("mechanisms", n), self.links)]
+        if errors:
+            raise CaseError(errors)
+        made = object.__new__(type(self))
+        fields = {field: getattr(self, field) for field in self.__dataclass_fields__}
+        made._set(**fields | {"mechanisms": others})
+        return made
+
+    @staticmethod
+    def from_dict(data: Mapping[str, Any]) -> Transmission:
+        """The transmission of plain data, with the keys of YAML and JSON.
+
+        Raises
+        ------
+        ReadError
+            With all that is wrong with it, by its keys.
+        """
+        case: Transmission = higher("from_dict")(data)
+        return case
+
+    def part_numbers(self) -> Mapping[str, Any]:
+        """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
+        found: Mapping[str, Any] = higher("part_numbers")(self)
+        return found
+
+    def with_part_numbers(self, numbers: Sequence[Any], values: Sequence[float]) -> Transmission:
+        """The case with other values of such numbers, in SI."""
+        case: Transmission = higher("with_part_numbers")(self, numbers, values)
+        return case
+
+    def __post_init__(self) -> None:
+        """Check everything, then fill in the defaults."""
+        try:
+            self._complete()
+        except (AttributeError, TypeError):
+            refuse_fields("Transmission", self, **_CLASSES)
+            raise
+
+    def _complete(self) -> None:
+        if self.drawing is not None and self.drawing != self._lowered:
+            self._follow(self.drawing)
+        errors = list(problems(self))
+        if errors:
+            raise CaseError(errors)
+        self._set(**_completed(self))
+
+    def _follow(self, drawing: AnyDrawing) -> None:
+        """Take links and mechanisms of a drawing; names of former planets are left out."""
+        errors = list(drawing.problems())
+        if errors:
+            raise CaseError(errors)
+        before, names = self._lowered, list(self.link_names)
+        if before is not None:
+            own = names[: before.links]
+            if names == before.lowered(own)["link_names"]:
+                names = own[: drawing.links]
+        output = self.output or (0 if self.outputs else drawing.links)
+        self._set(**drawing.lowered(names), output=output)
+
+    def _set(self, **attributes: object) -> None:
+        """Set attributes while the case is made."""
+        for attribute, value in attributes.items():
+            object.__setattr__(self, attribute, value)
+
+
+def _completed(case: Transmission) -> dict[str, object]:
+    """The attributes of a checked case with names and defaults filled in."""
+    return {
+        "output": case.main_output,
+        "outputs": tuple(case.outputs) if len(case.outputs) > 1 else (),
+        "link_names": tuple(case.link_names) or tuple(map(str, range(1, case.links + 1))),
+        "shift_elements": tuple(
+            _shift_element(element, number, case.load)
+            for number, element in enumerate(case.shift_elements, 1)
+        ),
+        "mechanisms": tuple(map(_mechanism, case.mechanisms, count(1))),
+        "gears": tuple(
+            _gear(case, gear, number) for number, gear in enumerate(case.gears or (Gear(),), 1)
+        ),
+        "drag": {link: _by_torque(drag, case.load) for link, drag in case.drag.items()},
+        "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
+        "masses": {link: float(mass) for link, mass in case.masses.items()},
+        "springs": tuple(map(_spring, case.springs, count(1))),
+        "converters": tuple(one.completed() for one in case.converters),
+        "dump": case.dump and case.dump.completed(),
+        "vehicle": case.vehicle and case.vehicle.completed(),
+        "fatigue": {name: one.completed() for name, one in case.fatigue.items()},
+    }
+
+
+def _shift_element(element: ShiftElement, number: int, load: Load | None) -> ShiftElement:
+    return element._replace(
+        name=element.name or element_name(number, element),
+        drag=_by_torque(element.drag, load),
+        capacity=None if element.capacity is None else _by_torque(element.capacity, load),
+        stiffness=_float(element.stiffness),
+        damping=damping(element.damping),
+        static=float(element.static),
+        friction=element.friction and element.friction.completed(),
+    )
+
+
+def _mechanism(mechanism: Mechanism, number: int) -> Mechanism:
+    back = mechanism.back_efficiency
+    return mechanism._replace(
+        ratio=float(mechanism.ratio),
+        efficiency=as_float(mechanism.efficiency),
+        name=mechanism.name or mechanism_name(number),
+        back_efficiency=None if back is None else as_float(back),
+        stiffness=_float(mechanism.stiffness),
+        damping=damping(mechanism.damping),
+        points=tuple(tuple(map(float, point)) for point in mechanism.points),
+    )
+
+
+def _spring(spring: Spring, number: int) -> Spring:
+    return spring._replace(
+        twist=tuple(spring.form.items()),
+        stiffness=_float(spring.stiffness),
+        compliance=_float(spring.compliance),
+        damping=damping(spring.damping),
+        name=spring.name or spring_name(number),
+        limit=_limit(spring.limit),
+        strut=spring.strut and spring.strut.completed(),
+        points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
+        friction=float(spring.friction),
+    )
+
+
+def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
+    """A gear with its numbers as parts of its load's, where they were given with a unit."""
+    load = case.gear_load(gear) if case.load or gear.load else Load()
+    torque = case.torque_unit(gear) if case.load or gear.load else 0.0
+    return gear._replace(
+        engaged=tuple(gear.engaged),
+        speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
+        torques=_by_load(gear.torques, torque),
+        name=gear.name or str(number),
+        drag=_by_load(gear.drag, abs(torque)),
+        open_drag=_by_load(gear.open_drag, abs(torque)),
+        balance=gear.balance
+        and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
+        speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},
+    )
+
+
+def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:
+    return {part: as_float(related(number, whole)) for part, number in numbers.items()}
+
+
+def _by_torque(number: float, load: Load | None) -> float:
+    return as_float(related(number, load.torque_size if load else None))
+
+
+def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:
+    if isinstance(speed, SpeedOf):
+        return SpeedOf(speed.link, float(speed.factor))
+    return as_float(related(speed, whole))
+
+
+def _limit(limit: float | SpringLimit | None) -> float | SpringLimit | None:
+    if isinstance(limit, SpringLimit):
+        return SpringLimit(float(limit.base), limit.of, float(limit.times))
+    return _float(limit)
+
+
+def _float(value: float | None) -> float | None:
+    return None if value is None else float(value)

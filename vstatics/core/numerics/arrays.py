@@ -1,0 +1,101 @@
+"""Types of arrays (without numpy.typing, which costs start-up time), and what is asked of them."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from vstatics.core.errors import CaseError, quoted
+from vstatics.core.numerics.tolerances import LAST_BITS
+
+Floats = np.ndarray[Any, np.dtype[np.float64]]
+Complex = np.ndarray[Any, np.dtype[np.complex128]]
+Integers = np.ndarray[Any, np.dtype[np.integer[Any]]]
+Booleans = np.ndarray[Any, np.dtype[np.bool_]]
+
+
+def as_floats(name: str, given: object, hint: str = "") -> Floats:
+    """An array of numbers that somebody gives, by a name.
+
+    Raises
+    ------
+    CaseError
+        If it is none, with the name.
+
+    Examples
+    --------
+    >>> as_floats("load.torque", [100, 200])
+    array([100., 200.])
+    >>> as_floats("load.torque", ["100 N*m"])
+    Traceback (most recent call last):
+    vstatics.core.errors.CaseError: load.torque: read `['100 N*m']`, expected numbers [E701]
+    """
+    with contextlib.suppress(TypeError, ValueError):
+        if not _has_truths(given):
+            return np.asarray(given, dtype=np.float64)
+    raise CaseError("E701", f"{name}: read {quoted(str(given))}, expected numbers{hint}")
+
+
+def _has_truths(given: object) -> bool:
+    """Whether there is a True or False, which NumPy takes as 1 or 0."""
+    if isinstance(given, list | tuple):
+        return any(map(_has_truths, given))
+    return isinstance(given, bool) or getattr(given, "dtype", None) == np.bool_
+
+
+def first_largest(sizes: Floats) -> Integers:
+    """The place of the largest number along the first axis; of those equal to rounding the first.
+
+    Parameters
+    ----------
+    sizes : ndarray, shape (n,) or (n, columns)
+        None below 0; NaN is never the largest.
+
+    Returns
+    -------
+    ndarray of int, shape () or (columns,)
+
+    Examples
+    --------
+    >>> int(first_largest(np.array([0.25, 0.3, 0.1 + 0.2, np.nan])))
+    1
+    """
+    known = np.where(np.isnan(sizes), -1.0, sizes)
+    return np.asarray(np.argmax(known >= known.max(axis=0) * (1 - LAST_BITS), axis=0))
+
+
+def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
+    """The largest magnitude of an array; 0 of an empty one, NaN if any is.
+
+    Examples
+    --------
+    >>> largest(np.array([1.0, -3.0])), largest(np.zeros(0))
+    (3.0, 0.0)
+    """
+    return float(np.abs(values).max(initial=0.0))
+
+
+def counted(lengths: Integers) -> tuple[Integers, Integers]:
+    """Of lists one behind the other: the list of each item, and its place there from 0.
+
+    >>> [one.tolist() for one in counted(np.array([2, 0, 3]))]
+    [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]
+    """
+    which = np.repeat(np.arange(len(lengths)), lengths)
+    return which, np.arange(len(which)) - (np.cumsum(lengths) - lengths)[which]
+
+
+def portions(lengths: Integers, most: int) -> Iterator[slice]:
+    """Which lists are taken together: no more than so many items, and one list at least.
+
+    >>> list(portions(np.array([2, 0, 3, 9, 1]), 5))
+    [slice(0, 3, None), slice(3, 4, None), slice(4, 5, None)]
+    """
+    ends, start, done = np.cumsum(lengths), 0, 0
+    while start < len(ends):
+        end = max(int(np.searchsorted(ends, done + most, "right")), start + 1)
+        yield slice(start, end)
+        start, done = end, int(ends[end - 1])

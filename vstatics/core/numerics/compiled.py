@@ -1,0 +1,142 @@
+"""Functions that Numba compiles, for loops that arrays can't do."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from typing import Any, TypeVar, cast
+
+import numba
+from numba.core.caching import FunctionCache
+
+from vstatics.core.extras import build
+from vstatics.core.numerics.arrays import Floats, Integers
+
+Compiled = TypeVar("Compiled", bound=Callable[..., Any])
+
+CACHE_TROUBLE: list[str] = []
+"""Why machine code is not kept, or what is kept could not be read; for the command to tell."""
+
+
+def _cache() -> str:
+    """Return a folder for machine code in which nobody else can write, or "": the code is run.
+
+    The path is resolved once. Its folders are looked at from the root on, so that nobody can
+    exchange one that is looked at later. The folder is named by the files that are compiled and
+    the tolerances in them: machine code of other ones could be taken for theirs.
+    """
+    home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
+    name = build(b"import compiled", b"Tolerances of")
+    folder = os.path.realpath(os.path.join(home, "vstatics", name))  # noqa: PTH118
+    try:
+        path = ""
+        for part in folder.split(os.sep):  # noqa: PTH206 - imports of pathlib cost start-up time
+            path += part + os.sep
+            with suppress(FileExistsError):
+                os.mkdir(path, mode=0o700)  # noqa: PTH102
+            _check(path, may_be_shared=True)
+        _check(folder)
+        for inner, folders, names in os.walk(folder):
+            for name in (*folders, *names):
+                with suppress(FileNotFoundError):  # another process has just finished a file
+                    _check(os.path.join(inner, name))  # noqa: PTH118
+        if not os.access(folder, os.W_OK):
+            CACHE_TROUBLE.append(f"{folder} can't be written")
+            return ""
+    except OSError as error:
+        CACHE_TROUBLE.append(f"{error.filename or folder}: {error.strerror}")
+        return ""
+    return folder
+
+
+def _check(path: str, *, may_be_shared: bool = False) -> None:
+    """Refuse a file or folder that somebody other than this user and root can change.
+
+    Parameters
+    ----------
+    path : str
+    may_be_shared : bool
+        Whether others may write in a folder whose sticky bit keeps them from what is not theirs.
+
+    Raises
+    ------
+    OSError
+    """
+    status = os.lstat(path)
+    mode = status.st_mode
+    if not (stat.S_ISDIR(mode) or stat.S_ISREG(mode)):
+        why = "is neither a file nor a folder"
+    elif status.st_uid not in (os.geteuid(), ROOT):
+        why = "has another owner"
+    elif mode & 0o022 and not (may_be_shared and mode & stat.S_ISVTX):
+        why = "others may write there (chmod go-w)"
+    else:
+        return
+    raise PermissionError(errno.EPERM, why, path)
+
+
+@contextmanager
+def _private() -> Iterator[None]:
+    """Let nobody else write to the files that are created meanwhile."""
+    before = os.umask(0o077)
+    try:
+        yield
+    finally:
+        os.umask(before)
+
+
+ROOT = 0
+"""The user who can change every file."""
+CACHE = _cache()
+
+
+class _KeptCode(FunctionCache):
+    """Machine code in files; what can't be read or written is compiled again."""
+
+    @contextmanager
+    def _guard_against_spurious_io_errors(self) -> Iterator[None]:
+        """Around each reading and writing: whatever is wrong with a file ends there."""
+        try:
+            with _private():
+                yield
+        except RuntimeError:  # the code is not ready to be kept yet: Numba compiles it again
+            pass
+        except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
+            CACHE_TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
+            with suppress(Exception):
+                self.flush()  # type: ignore[no-untyped-call] # Numba has no types
+
+
+def compiled(function: Compiled) -> Compiled:
+    """A function that is compiled when it is called first; the machine code is kept if it can."""
+    made = numba.njit(function, nogil=True, error_model="numpy")
+    before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
+    numba.config.CACHE_DIR = CACHE  # type: ignore[attr-defined]
+    try:
+        if CACHE and made is not function:
+            with _private():
+                kept = _KeptCode(function)  # type: ignore[no-untyped-call]
+            if kept.cache_path.startswith(CACHE):
+                made._cache = kept  # noqa: SLF001 - as its own enable_caching does
+    except (OSError, RuntimeError) as error:
+        CACHE_TROUBLE.append(f"{CACHE}: {error}")
+    finally:  # functions of others are kept where they want
+        numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
+    return cast(Compiled, made)
+
+
+@compiled
+def put(values: Floats | Integers, into: Floats | Integers) -> None:
+    """Copy an array; an assignment of slices would take seconds to compile."""
+    for place in range(len(values)):
+        into[place] = values[place]
+
+
+@compiled
+def fill(into: Floats | Integers, value: float) -> None:
+    """Give all places of an array one value."""
+    for place in range(len(into)):
+        into[place] = value

@@ -1,0 +1,171 @@
+"""The best points by several objectives: those that no other point dominates.
+
+A point dominates another if it is as good in all objectives and better in one. Equal points
+do not dominate each other. Smaller is better everywhere here; what does not exist (NaN) is
+in no front.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+
+LEAF = 128
+"""So many points are compared each with each."""
+BLOCK = 256
+"""So many points are compared with others at once."""
+PIVOTS = 16
+"""So many good points are tried against all others before anything is sorted."""
+
+
+def non_dominated(objectives: Floats) -> Integers:
+    """The rows that no other row dominates, in their order.
+
+    A few good rows are tried against all others; what is left is sorted. Two objectives are
+    then one pass; with three and more the rows are halved again and again, and a half is
+    compared with what is left of the half before it: by a staircase for three objectives,
+    in blocks for more.
+
+    Parameters
+    ----------
+    objectives : ndarray, shape (rows, objectives)
+        Smaller is better.
+
+    Returns
+    -------
+    ndarray of int, shape (kept,)
+
+    Examples
+    --------
+    >>> non_dominated(np.array([[1.0, 4.0], [2.0, 4.0], [3.0, 1.0], [1.0, 4.0], [np.nan, 0.0]]))
+    array([0, 2, 3])
+    """
+    rows: Integers = np.flatnonzero(~np.isnan(objectives).any(axis=1))
+    rows = _sieved(rows, objectives)
+    points = objectives[rows]
+    order = np.lexsort(points.T[::-1])
+    points = points[order]
+    new = np.ones(len(points), dtype=np.bool_)
+    new[1:] = (points[1:] != points[:-1]).any(axis=1)
+    kept = np.zeros(np.count_nonzero(new), dtype=np.bool_)
+    kept[_front(points[new])] = True
+    return np.sort(rows[order[kept[np.cumsum(new) - 1]]])
+
+
+def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
+    """The rows of two fronts that are non-dominated among both.
+
+    Each is what `non_dominated` has left of its points. With four and more objectives this
+    is faster than to ask for all again.
+
+    Parameters
+    ----------
+    first, second : ndarray, shape (rows, objectives)
+
+    Returns
+    -------
+    first, second : ndarray of int
+        The rows that are left of each, in their order.
+
+    Examples
+    --------
+    >>> merged(np.array([[1.0, 4.0], [3.0, 2.0]]), np.array([[0.0, 4.0], [5.0, 1.0]]))
+    (array([1]), array([0, 1]))
+    """
+    if first.shape[1] <= 3:
+        rows = non_dominated(np.concatenate([first, second]))
+        return rows[rows < len(first)], rows[rows >= len(first)] - len(first)
+    of_second = np.flatnonzero(~_dominated(first, second, strictly=True))
+    return np.flatnonzero(~_dominated(second[of_second], first, strictly=True)), of_second
+
+
+def scaled(objectives: Floats) -> Floats:
+    """Each objective from 0 (the best) to 1; what is infinite counts as far off."""
+    limits = np.finfo(np.float64).max / 4
+    finite = np.clip(objectives, -limits, limits)
+    span = np.ptp(finite, axis=0)
+    made: Floats = (finite - finite.min(axis=0)) / np.where(span > 0, span, 1)
+    return made
+
+
+def _sieved(rows: Integers, objectives: Floats) -> Integers:
+    """Rows without most of those that are dominated: by the ones with the least sums.
+
+    Whatever is taken for a sum, only rows that are dominated are left out.
+    """
+    if len(rows) <= LEAF:
+        return rows
+    sums = scaled(objectives[rows]).sum(axis=1)
+    for _ in range(PIVOTS):
+        pivot = int(np.argmin(sums))
+        by = objectives[rows[pivot : pivot + 1]]
+        sums[pivot] = np.inf
+        left = ~_hit(by, objectives[rows], strictly=True)
+        rows, sums = rows[left], sums[left]
+        if np.isinf(sums).all():
+            break
+    return rows
+
+
+def _front(points: Floats) -> Integers:
+    """Non-dominated rows of different points in the order of their objectives."""
+    if points.shape[1] == 1:
+        return np.arange(min(len(points), 1))
+    if points.shape[1] == 2:
+        least = np.minimum.accumulate(points[:, 1])
+        first = np.ones(len(points), dtype=np.bool_)
+        first[1:] = points[1:, 1] < least[:-1]
+        return np.flatnonzero(first)
+    if len(points) <= LEAF:
+        return np.flatnonzero(_compared(points))
+    half = len(points) // 2
+    before = _front(points[:half])
+    behind = half + np.flatnonzero(~_behind(points[half:], points[before]))
+    return np.concatenate([before, behind[_front(points[behind])]])
+
+
+def _compared(points: Floats) -> Booleans:
+    """Which of a few different points no other is as good as."""
+    as_good = np.ones((len(points), len(points)), dtype=np.bool_)
+    for objective in points.T:
+        as_good &= objective <= objective[:, None]
+    kept: Booleans = as_good.sum(axis=1) == 1  # each is as good as itself
+    return kept
+
+
+def _behind(points: Floats, by: Floats) -> Booleans:
+    """Which points are dominated by others that are as good in the first objective."""
+    if points.shape[1] > 3:
+        return _dominated(by[:, 1:], points[:, 1:], strictly=False)
+    order = np.argsort(by[:, 1], kind="stable")
+    least = np.minimum.accumulate(by[order, 2])
+    steps = np.searchsorted(by[order, 1], points[:, 1], side="right")
+    made: Booleans = (steps > 0) & (least[steps - 1] <= points[:, 2])
+    return made
+
+
+def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
+    """Which points others are as good as, or strictly: as good as and better in one."""
+    dominated = np.zeros(len(points), dtype=np.bool_)
+    left = np.arange(len(points))
+    for start in range(0, len(by), BLOCK):
+        block = by[start : start + BLOCK]
+        hit = np.zeros(len(left), dtype=np.bool_)
+        for begin in range(0, len(left), 16 * BLOCK):
+            part = slice(begin, begin + 16 * BLOCK)
+            hit[part] = _hit(block, points[left[part]], strictly=strictly)
+        dominated[left[hit]] = True
+        left = left[~hit]
+    return dominated
+
+
+def _hit(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
+    as_good = np.ones((len(by), len(points)), dtype=np.bool_)
+    better = np.zeros_like(as_good)
+    for objective, point in zip(by.T, points.T, strict=True):
+        as_good &= objective[:, None] <= point
+        if strictly:
+            better |= objective[:, None] < point
+    hit: Booleans = np.logical_or.reduce(as_good & better if strictly else as_good, axis=0)
+    return hit

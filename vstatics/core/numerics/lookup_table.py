@@ -1,0 +1,99 @@
+"""Values over one or two variables: straight between, constant outside."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Floats, Integers
+
+
+class LookupTable(NamedTuple):
+    """Straight between rows, and between columns; constant outside.
+
+    Parameters
+    ----------
+    x : sequence of float
+        Of the rows, ascending. Where a table of one variable has one twice it jumps: the later
+        value holds from there.
+    values : sequence of sequence of float
+        Rows of as many values as there are columns.
+    columns : sequence of float
+        Ascending; with one alone it is a table of one variable.
+
+    Examples
+    --------
+    >>> engine = LookupTable((100.0, 300.0), ((0.0, 200.0), (0.0, 100.0)), (0.0, 1.0))
+    >>> engine.at(200.0, 0.5), engine.at(0.0, 2.0)
+    (75.0, 200.0)
+    >>> LookupTable((0.0, 1.0), ((0.5,), (1.0,))).at(0.5)
+    0.75
+    """
+
+    x: tuple[float, ...]
+    values: tuple[tuple[float, ...], ...]
+    columns: tuple[float, ...] = (0.0,)
+
+    @property
+    def variables(self) -> int:
+        """Of how many variables it is."""
+        return 1 if len(self.columns) == 1 else 2
+
+    def at(self, x: float, y: float = 0.0) -> float:
+        """The value at a place."""
+        row, part = _place(self.x, x)
+        if len(self.columns) == 1:
+            first, last = self.values[row][0], self.values[row + (part > 0)][0]
+            return first + part * (last - first)
+        column, share = _place(self.columns, y)
+        beside = column + (share > 0)
+        made = [
+            one[column] + share * (one[beside] - one[column])
+            for one in (self.values[row], self.values[row + (part > 0)])
+        ]
+        return made[0] + part * (made[1] - made[0])
+
+    def along(self, x: Any, y: Any = 0.0) -> Floats:
+        """The values at several places."""
+        (row, part), values = _places(self.x, np.asarray(x, float)), np.array(self.values)
+        behind = row + (part > 0)
+        if len(self.columns) == 1:
+            return np.asarray(values[row, 0] + part * (values[behind, 0] - values[row, 0]))
+        column, share = _places(self.columns, np.asarray(y, float))
+        beside = column + (share > 0)
+        first, last = (
+            values[one, column] + share * (values[one, beside] - values[one, column])
+            for one in (row, behind)
+        )
+        return np.asarray(first + part * (last - first))
+
+    def line_at(self, x: float) -> tuple[float, float]:
+        """Value at 0 and slope of a table of one variable, near a place."""
+        row, part = _place(self.x, x)
+        if not part:
+            return self.values[row][0], 0.0
+        slope = (self.values[row + 1][0] - self.values[row][0]) / (self.x[row + 1] - self.x[row])
+        return self.values[row][0] - slope * self.x[row], slope
+
+
+def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
+    """Behind which step a place is, and by what part of the way to the next."""
+    behind = bisect_right(steps, x)
+    if behind in (0, len(steps)):
+        return max(0, behind - 1), 0.0
+    first, last = steps[behind - 1 : behind + 1]
+    return behind - 1, (x - first) / (last - first)
+
+
+def _places(steps: Sequence[float], x: Floats) -> tuple[Integers, Floats]:
+    """The same of several places."""
+    at = np.array(steps)
+    behind = np.searchsorted(at, x, side="right")
+    inside = (behind > 0) & (behind < len(at))
+    row = np.clip(behind, 1, len(at)) - 1
+    first, last = at[row], at[np.minimum(row + 1, len(at) - 1)]
+    part = np.where(inside, (x - first) / np.where(inside, last - first, 1.0), 0.0)
+    return row, part

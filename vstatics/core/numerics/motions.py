@@ -1,0 +1,118 @@
+"""What homogeneous equations leave free: all their solutions, each unknown by those left free.
+
+It knows nothing of transmissions. Equations of two unknowns, as shafts and gear pairs give
+them, are followed along a tree, in time proportional to their number; the rest is eliminated
+as elsewhere, with entries that tell by themselves when they are zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.elimination import in_free_unknowns
+
+Form = Mapping[int, float]
+"""Index of an unknown -> coefficient."""
+
+
+def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
+    """All solutions of homogeneous equations, as columns.
+
+    Returns
+    -------
+    ndarray, shape (unknowns, free)
+        In each column one of the unknowns that are left free is 1, the others of these 0.
+
+    Examples
+    --------
+    Two wheels of ratio -2, and a third body by itself:
+
+    >>> free_motions([{0: 1.0, 1: 2.0}], 3)
+    array([[ 1. ,  0. ],
+           [-0.5,  0. ],
+           [ 0. ,  1. ]])
+    """
+    tree = _Tree(unknowns)
+    left = [one for one in equations if not tree.takes(one)]
+    roots, by_root = tree.followed()
+    reduced = [_by_roots(one, by_root) for one in left]
+    of_roots = in_free_unknowns(reduced, len(roots))
+    free = sorted({column for row in of_roots for column in row})
+    place = {column: index for index, column in enumerate(free)}
+    solutions = np.zeros((unknowns, len(free)))
+    for unknown, (root, factor) in enumerate(by_root):
+        for column, value in of_roots[root].items() if root >= 0 else ():
+            solutions[unknown, place[column]] = factor * value
+    return solutions
+
+
+def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
+    """Forms as rows of a matrix of shape (forms, unknowns)."""
+    rows = np.zeros((len(forms), unknowns))
+    for row, form in zip(rows, forms, strict=True):
+        for unknown, coefficient in form.items():
+            row[unknown] += coefficient
+    return rows
+
+
+class _Tree:
+    """Unknowns joined by equations of two of them; what an equation of one holds is 0."""
+
+    def __init__(self, unknowns: int) -> None:
+        self.parent: list[int] = list(range(unknowns))
+        self.factor: list[float] = [1.0] * unknowns
+        """By its parent."""
+        self.still: set[int] = set()
+        """Roots that are 0."""
+
+    def root(self, unknown: int) -> tuple[int, float]:
+        """The root of an unknown, and the unknown by it."""
+        path, factor = [], 1.0
+        while self.parent[unknown] != unknown:
+            path.append(unknown)
+            unknown = self.parent[unknown]
+        for one in reversed(path):
+            factor *= self.factor[one]
+            self.parent[one], self.factor[one] = unknown, factor
+        return unknown, factor
+
+    def takes(self, form: Form) -> bool:
+        """Whether an equation is followed here; one that closes a circle is not."""
+        terms = [(unknown, part) for unknown, part in form.items() if part]
+        if len(terms) == 1:
+            root, _ = self.root(terms[0][0])
+            self.still.add(root)
+            return True
+        if len(terms) != 2:
+            return not terms
+        (first, a), (second, b) = terms
+        (left, of_left), (right, of_right) = self.root(first), self.root(second)
+        if left == right:
+            return left in self.still
+        self.parent[right], self.factor[right] = left, -(a * of_left) / (b * of_right)
+        if right in self.still:
+            self.still.add(left)
+        return True
+
+    def followed(self) -> tuple[list[int], list[tuple[int, float]]]:
+        """The roots that may move, and of each unknown the place of its root and its factor.
+
+        The place is -1 for what is 0.
+        """
+        by_root = [self.root(unknown) for unknown in range(len(self.parent))]
+        roots = [one for one in dict.fromkeys(root for root, _ in by_root) if one not in self.still]
+        place = {root: index for index, root in enumerate(roots)}
+        return roots, [(place.get(root, -1), factor) for root, factor in by_root]
+
+
+def _by_roots(form: Form, by_root: Sequence[tuple[int, float]]) -> dict[int, tuple[float, ...]]:
+    """A form in the roots; terms of one root stay apart, so that their rounding is seen."""
+    terms: dict[int, tuple[float, ...]] = {}
+    for unknown, part in form.items():
+        root, factor = by_root[unknown]
+        if root >= 0:
+            terms[root] = (*terms.get(root, ()), part * factor)
+    return terms

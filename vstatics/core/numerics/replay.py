@@ -1,0 +1,268 @@
+"""A tape run again on arrays: which steps are needed, and where their results stand."""
+
+from __future__ import annotations
+
+import operator
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.memory import Layout, Rows
+from vstatics.core.numerics.signed import Signed, Truth, upright
+from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
+from vstatics.core.numerics.traced import Number, Traced
+
+CHUNK = 8192
+"""Variants that run through the steps together: so that their numbers stay in the cache."""
+
+
+def _absolute(one: Floats, _: Floats, result: Floats) -> None:
+    np.absolute(one, result)
+
+
+def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
+    np.copyto(result, no)
+    np.copyto(result, yes, where=margin > 0)
+
+
+def _store(one: Floats, factor: float, result: Any) -> None:
+    """A result times +1 or -1, to a row of its type."""
+    np.multiply(one, factor, result, casting="unsafe")
+
+
+def _minimum(one: Floats, other: Floats, result: Floats) -> None:
+    np.minimum(one, other, out=result)
+
+
+def _of_arrays(one: float, other: float) -> float:
+    """Stands for functions of plans of any sign, which single variants do not take."""
+    raise NotImplementedError
+
+
+ARRAYS: Mapping[str, Callable[..., Any]] = {
+    "absolute": _absolute,
+    "choose": _choose,
+    "minimum": _minimum,
+}
+"""Functions of tapes that are no functions of NumPy by this name."""
+
+PLAIN: Mapping[str, Callable[..., float]] = {
+    "add": operator.add,
+    "subtract": operator.sub,
+    "multiply": operator.mul,
+    "divide": operator.truediv,
+    "less": operator.lt,
+    "less_equal": operator.le,
+    "equal": operator.eq,
+    "not_equal": operator.ne,
+}
+
+
+class _Own(threading.local):
+    """Memory of a thread for working arrays; fresh memory costs more time than the steps."""
+
+    numbers: Floats = np.empty(0)
+    holds: Booleans = np.empty(0, dtype=np.bool_)
+
+
+_own = _Own()
+
+
+def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Booleans]:
+    """Arrays over the variants, for numbers and for guards; they are full of what was there."""
+    if _own.numbers.size < count * variants:
+        _own.numbers = np.empty(count * variants)
+    if _own.holds.size < guards * variants:
+        _own.holds = np.empty(guards * variants, dtype=np.bool_)
+    numbers, holds = _own.numbers[: count * variants], _own.holds[: guards * variants]
+    return numbers.reshape(count, variants), holds.reshape(guards, variants)
+
+
+class Step(NamedTuple):
+    """A function of arrays and its like for plain numbers, the cells of operands and result."""
+
+    function: Callable[..., Any]
+    plain: Callable[..., float]
+    one: int
+    other: int
+    result: int | None
+    """None: a guard."""
+    third: int | None = None
+    """Of a function of three operands."""
+
+
+class Replay(NamedTuple):
+    """The steps that lead from the inputs of a tape to its results.
+
+    Cells are numbered: inputs, results that vary, working arrays; plain numbers are
+    counted from the end.
+    """
+
+    inputs: int
+    steps: Sequence[Step]
+    working: int
+    """Number of working arrays."""
+    plain: Sequence[float]
+    layout: Layout
+    """Of the results."""
+
+    def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
+        """Write the results of all variants; those that do not pass the guards are unmarked.
+
+        Parameters
+        ----------
+        magnitudes : ndarray, shape (inputs, variants)
+        passed : ndarray, shape (variants,)
+        """
+        variants = len(passed)
+        varied = rows.lay_out(self.layout)
+        guards = sum(step.result is None for step in self.steps)
+        buffers, holds = _working_arrays(self.working, guards, min(CHUNK, variants))
+        plain = self.plain[::-1]
+        for start in range(0, variants, CHUNK):
+            part = slice(start, min(start + CHUNK, variants))
+            size = part.stop - part.start
+            cells = [
+                *magnitudes[:, part],
+                *[row[part] for row in varied],
+                *buffers[:, :size],
+                *plain,
+            ]
+            held = iter(holds[:, :size])
+            for function, _, one, other, result, third in self.steps:
+                if result is None:
+                    function(cells[one], cells[other], next(held))
+                elif third is None:
+                    function(cells[one], cells[other], cells[result])
+                else:
+                    function(cells[one], cells[other], cells[third], cells[result])
+            passed[part] &= holds[:, :size].all(axis=0)
+
+    def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
+        """Write the results of a single variant of one sign; tell whether it passes the guards.
+
+        Plain numbers take a quarter of the time that arrays of one number take.
+        """
+        none = [0.0] * (len(self.layout.varied) + self.working)
+        cells = [*magnitudes, *none, *self.plain[::-1]]
+        for _, function, one, other, result, _ in self.steps:
+            number = function(cells[one], cells[other])
+            if result is not None:
+                cells[result] = number
+            elif not number:
+                return False
+        for array, value in zip(rows.lay_out(self.layout), cells[self.inputs :], strict=False):
+            array[0] = value
+        return True
+
+
+def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
+    """Arrange the operations of a tape that its guards and some results need."""
+    varied: list[int] = []
+    copies: dict[int, list[tuple[int, float]]] = {}
+    for row, result in enumerate(results):
+        if isinstance(result, Traced | Signed | Residual | Truth):
+            slot, sign = _slot(result)
+            copies.setdefault(slot, []).append((tape.inputs + len(varied), sign))
+            varied.append(row)
+    last = _last_uses(tape, copies)
+    cells = _Cells(tape.inputs, len(varied))
+    steps: list[Step] = []
+    for slot in range(tape.inputs):
+        steps += cells.copied(slot, copies)
+    for slot, operation in enumerate(tape.operations, tape.inputs):
+        if slot in last:
+            name, one, other, third = operation
+            operands = cells.of(one), cells.of(other)
+            more = None if third is None else cells.of(third)
+            released = [used for used in operation.slots if last[used] == slot]
+            if third is None:
+                cells.release(released)
+            cell = None if name in GUARDS else cells.taken(slot, copies)
+            if third is not None:  # its result is written while its operands are still read
+                cells.release(released)
+            function = ARRAYS.get(name) or getattr(np, name)
+            steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
+            steps += cells.copied(slot, copies)
+    varies = set(varied)
+    constants = [(row, value) for row, value in enumerate(results) if row not in varies]
+    return Replay(
+        tape.inputs,
+        steps,
+        cells.working,
+        [plain.number for plain in cells.plain],
+        Layout(varied, constants),
+    )
+
+
+def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
+    """Where a result stands on its tape, and its sign."""
+    if isinstance(result, Residual):
+        return result.slot, 1.0
+    if isinstance(result, Truth):
+        margin = upright(result.tape, result.margin)
+        return result.tape.note("greater", margin, Plain(0.0)), 1.0
+    if isinstance(result, Signed):
+        return result.slot, -1.0 if result.negated else 1.0
+    assert isinstance(result.magnitude.operand, int)  # noqa: S101 - a plain number is not traced
+    return result.magnitude.operand, float(result.sign)
+
+
+def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
+    """Slot -> the last operation that uses it, or its own where a result alone does.
+
+    Guards stand for themselves; what is not in it nobody needs.
+    """
+    last = {slot: slot for slot in copies}
+    for index in reversed(range(len(tape.operations))):
+        slot = tape.inputs + index
+        operation = tape.operations[index]
+        if operation.name in GUARDS:
+            last[slot] = slot
+        if slot in last:
+            for operand in operation.slots:
+                last[operand] = max(last.get(operand, slot), slot)
+    return last
+
+
+class _Cells:
+    """Which cell holds what, while the steps are arranged."""
+
+    def __init__(self, inputs: int, varied: int) -> None:
+        self.plain: list[Plain] = []
+        self.working = 0
+        self._first_working = inputs + varied
+        self._cells: dict[int, int] = {slot: slot for slot in range(inputs)}
+        self._free: list[int] = []
+
+    def of(self, operand: Operand) -> int:
+        """The cell of a slot, or of a plain number."""
+        if isinstance(operand, int):
+            return self._cells[operand]
+        if operand not in self.plain:
+            self.plain.append(operand)
+        return -1 - self.plain.index(operand)
+
+    def taken(self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]) -> int:
+        """A cell for a new slot: that of a result, a free one, or one more."""
+        result = next((cell for cell, sign in copies.get(slot, ()) if sign > 0), None)
+        if result is None and not self._free:
+            self._free.append(self._first_working + self.working)
+            self.working += 1
+        self._cells[slot] = self._free.pop() if result is None else result
+        return self._cells[slot]
+
+    def release(self, slots: Iterable[int]) -> None:
+        """The working arrays of slots that nobody needs any more are free again."""
+        self._free += [self._cells[s] for s in slots if self._cells[s] >= self._first_working]
+
+    def copied(
+        self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]
+    ) -> Iterator[Step]:
+        """Steps that copy a slot to the other results that it is."""
+        for cell, sign in copies.get(slot, ()):
+            if cell != self._cells[slot]:
+                yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

@@ -1,0 +1,251 @@
+"""Readers of cases: one module or folder per format, text -> Transmission.
+
+>>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: , high: }}"
+>>> format_of("case.yaml", text.encode())
+'yaml'
+>>> reading = read(text.encode(), "case.yaml")  # or ReadError, with all that is wrong, and where
+>>> [gear.name for gear in reading.case.gears], reading.warnings
+(['low', 'high'], [])
+
+`load` reads a file, `loads` a text, `from_dict` plain data. `expressions` reads formulas. In
+`named` and `deck` a text becomes values with their places, these a case; `reading` ends what both
+do. `workbook` makes of sheets what `named` reads. `results` and `sweep_tables` read what was
+written as results.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, nullcontext
+from importlib import import_module
+from os import PathLike, fspath
+from os.path import split, splitext
+from typing import Any, Literal, Protocol, runtime_checkable
+
+from vstatics.core.arguments import refusing, type_and_value
+from vstatics.core.errors import ReadError
+from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.reading import Reading
+
+Format = Literal["deck", "yaml", "json", "xlsx"]
+
+
+@runtime_checkable
+class Stream(Protocol):
+    """What can be read from."""
+
+    def read(self, size: int, /) -> Any:
+        """Return at most this many characters or bytes."""
+
+
+READERS: dict[Format, tuple[str, str]] = {
+    "deck": ("vstatics.core.readers.deck.reader", "read"),
+    "yaml": ("vstatics.core.readers.named.reader", "read_yaml"),
+    "json": ("vstatics.core.readers.named.reader", "read_json"),
+    "xlsx": ("vstatics.core.readers.workbook", "read"),
+}
+"""Module and function of each format; imported when needed, as YAML costs start-up time."""
+
+SUFFIXES: dict[str, Format] = {
+    ".dat": "deck",
+    ".deck": "deck",
+    ".lst": "deck",
+    ".yaml": "yaml",
+    ".yml": "yaml",
+    ".json": "json",
+    ".xlsx": "xlsx",
+}
+
+_PACKED = b"PK\x03\x04"
+"""With this begins a workbook, which is a ZIP file."""
+
+
+def format_of_name(file: str) -> Format | None:
+    """The format that the suffix of a file's name tells, if it does."""
+    suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
+    return SUFFIXES.get(suffix.lower())
+
+
+def format_of(file: str, data: bytes) -> Format:
+    """The format of a case: told by the suffix, else by the content."""
+    named = format_of_name(file)
+    if named is not None:
+        return named
+    if data.startswith(_PACKED):
+        return "xlsx"
+    from vstatics.core.readers.deck.text import holds_deck
+
+    if data.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] == b"{":
+        return "json"
+    return "deck" if holds_deck(data) else "yaml"
+
+
+def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # noqa: A002
+    """Read a case from bytes.
+
+    Parameters
+    ----------
+    data : bytes
+        The content of a file.
+    file : str
+        Its name, for messages and to tell the format.
+    format : {"deck", "yaml", "json", "xlsx"}, optional
+        The format, where it is known.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    wanted = format or format_of(file, data)
+    if wanted not in READERS:
+        raise ValueError(f"format {wanted!r}: expected one of {', '.join(READERS)}")
+    module, function = READERS[wanted]
+    reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
+    return reader(data, file)
+
+
+@refusing()
+def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) -> Transmission:  # noqa: A002
+    r"""Read a case: a Visual-Statics deck, YAML, JSON or a workbook.
+
+    Parameters
+    ----------
+    source : path-like or stream
+        The file, or something opened: text or bytes.
+    format : {"deck", "yaml", "json", "xlsx"}, optional
+        The format; told by the suffix, else by the content, when not given.
+
+    Returns
+    -------
+    Transmission
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    ValueError
+        If there is no such format.
+    OSError
+        If the file cannot be opened.
+
+    Examples
+    --------
+    >>> import io
+    >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}"
+    >>> load(io.StringIO(text))
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    """
+    with content(source) as (data, name):
+        return read(data, name, format).case
+
+
+@contextmanager
+def content(
+    source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
+) -> Iterator[tuple[bytes, str]]:
+    """What a file or a stream holds, at most so many bytes, and its name, to read it in the block.
+
+    Files that the text of a stream without a name names are refused there: nobody knows whose
+    text it is.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be opened, or is larger.
+    """
+    if isinstance(source, str | PathLike):
+        yield read_file(source, most), fspath(source)
+        return
+    name = getattr(source, "name", "")
+    is_named = isinstance(name, str) and bool(name)
+    from vstatics.core.readers.named.csv_files import no_files
+
+    with nullcontext() if is_named else no_files():
+        shown = name if is_named else "<text>"
+        yield _encoded(read_stream(source, most, shown)), shown
+
+
+@refusing()
+def loads(text: str | bytes, *, format: Format | None = None, name: str = "") -> Transmission:  # noqa: A002
+    r"""Read a case from a text; parameters and errors as of `load`.
+
+    Parameters
+    ----------
+    text : str or bytes
+        The case itself, not the name of a file.
+    format : {"deck", "yaml", "json", "xlsx"}, optional
+        Told by the content when not given.
+    name : str, optional
+        For messages. Files that the text names are read beside it if it has a folder, as in
+        ``cases/box.yaml``; else they are refused, so that a text of a stranger reads none.
+
+    Returns
+    -------
+    Transmission
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    ValueError
+        If there is no such format.
+
+    Examples
+    --------
+    >>> loads("links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 3}}\ngears: {1: []}")
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    """
+    from vstatics.core.readers.named.csv_files import no_files
+
+    folder, _ = split(name)
+    with nullcontext() if folder else no_files():
+        return read(_encoded(text), name or "<text>", format).case
+
+
+def _encoded(text: str | bytes) -> bytes:
+    return text.encode("utf-8", "surrogatepass") if isinstance(text, str) else bytes(text)
+
+
+def from_dict(data: Mapping[str, Any]) -> Transmission:
+    """The transmission of plain data, with the keys of YAML and JSON; no file is read.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its path.
+    TypeError
+        If it is no mapping, or holds what is no plain data.
+
+    Examples
+    --------
+    >>> pair = {"first": "in", "second": "out", "ratio": "-41/13"}
+    >>> from_dict({"links": ["in", "out"], "mechanisms": {"pair": pair}, "gears": {"drive": []}})
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    """
+    import json
+
+    from vstatics.core.readers.named.csv_files import no_files
+
+    if not isinstance(data, Mapping):
+        raise TypeError(
+            f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
+        )
+    text = json.dumps(data, default=_plain)
+    if "NaN" in text or "Infinity" in text:  # no JSON; texts are told by their keys
+        text = json.dumps(json.loads(text, parse_constant=str))
+    try:
+        with no_files():
+            return read(text.encode(), "<dict>", "json").case
+    except ReadError as error:  # the messages name the keys; a line of that text is no place
+        raise ReadError(one._replace(path=(), place=None) for one in error.problems) from None
+
+
+def _plain(value: Any) -> Any:
+    """Numbers and lists of NumPy, mappings that are no dict, as plain data."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"from_dict: {type_and_value(value)} is no plain data")

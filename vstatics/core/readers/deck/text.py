@@ -1,0 +1,308 @@
+"""The text of a deck: its encoding, and where its fields stand.
+
+A field counts only at the start of a line, before ``(`` or ``=``; blanks inside its
+name and Cyrillic look-alikes do not matter. Everything else is prose.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.readers.deck.encodings import in_each_encoding
+from vstatics.core.readers.reading import Source
+from vstatics.core.readers.signs import with_plain_blanks
+from vstatics.core.tables.quantities import PRINTED
+
+SPRINGS = "KSPR"
+"""How many springs a case has: only listings tell it, of cases that no deck holds."""
+SPRING = "SPRING "
+"""Begins a line of each below it."""
+SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
+"""Fields of one value; they have no index list, and may share a line."""
+
+LISTS = {
+    *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
+    *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
+}
+GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
+"""Lists with the name of a scalar: they count only with an index list."""
+
+PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
+"""Fields of which there are several, told apart by their second index."""
+
+LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
+
+_LETTERS = r"[^\W\d_](?:\s*[^\W\d_])*"
+_BOUND = rf"(?:[0-9]+|{_LETTERS}(?:\s*\([^()]*\))?)"
+INDEX_LIST = re.compile(
+    rf"\s*\(([^()]*)\)(?:[\s)]*,\s*[^\W\d_]\s*=\s*[0-9]+\s*,\s*{_BOUND})*[\s)]*([:=]?)"
+)
+NAME_LINE = r"\s*N\s*A\s*M\s*E\s+([A-Z])\s*([0-9]*)\s*"
+WORD = re.compile(r"[^\s,;()]+")
+
+
+class Field(NamedTuple):
+    """A field, and where its values may stand."""
+
+    key: str
+    line: int
+    column: int
+    value: int
+    """Offset of the first value in the line."""
+    end: int | None = None
+    """Offset at which the values must end, when another field follows in the line."""
+
+
+class Scan:
+    """What a text holds: its fields and names in their order, and what is wrong."""
+
+    def __init__(self, source: Source, last: int) -> None:
+        """Begin with nothing; `last` is the number of the last line of the input."""
+        self.source = source
+        self.last = last
+        self.fields: dict[str, Field] = {}
+        self.stops: list[int] = []
+        """Lines at which the values of the field above end: those with a field or a name."""
+        self.names: list[tuple[str, str, str, int, int]] = []
+        """Of lines ``NAME F3: C1``: kind, number and name, line and column."""
+        self.unknown: dict[str, int] = {}
+        """Words that stand where fields do, and their lines; for hints."""
+        self.broken: set[str] = set()
+        """Names of fields that stand somewhere with an index that says nothing."""
+        self.problems: list[Problem] = []
+
+    def error(self, message: str, line: int, column: int = 1) -> None:
+        """Note an error at a place."""
+        self.problems.append(Problem("E102", message, place=self.source.place(line, column)))
+
+
+def latin(text: str) -> str:
+    """Upper case, Cyrillic letters that look like Latin ones made Latin."""
+    return text.upper().translate(LATIN)
+
+
+def decode(data: bytes, file: str) -> str:
+    """The text of a deck or a report, in the encoding that shows most of its names.
+
+    Raises
+    ------
+    ReadError
+        If the file holds no text.
+    """
+
+    def names(text: str) -> int:
+        return sum(head(line) != "" for line in Source(file, text).lines)
+
+    return max((text for text, _ in texts(data, file)), key=names)
+
+
+def holds_deck(data: bytes) -> bool:
+    """Whether any line of a file starts with the name of a deck's field."""
+    try:
+        return any(scan(Source("", text)).fields for text, _ in texts(data, ""))
+    except ReadError:
+        return False
+
+
+def head(line: str) -> str:
+    """The name of the field or result that a line starts with, if any.
+
+    >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
+    ('NZD', 'WSAT', '', '')
+    """
+    word, opened, start = _opening(line)
+    return word if _kind(line, word, opened, start) else ""
+
+
+def scan(source: Source) -> Scan:
+    """Find the fields and the names of a deck."""
+    found = Scan(source, len(source.lines))
+    for number, line in enumerate(source.lines, 1):
+        kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
+        if kind == "result":
+            found.last = number - 1
+            _only_report(found, number)
+            break
+        if kind == "fields":
+            for key, column, value, end in what:
+                _add(found, Field(key, number, column, value, end))
+        elif kind == "broken":
+            name, column, message = what
+            found.error(message, number, column)
+            found.stops.append(number)
+            found.broken.add(name)
+        elif kind == "name":
+            found.stops.append(number)
+            *words, column = what
+            found.names.append((*words, number, column))
+        elif kind == "word" and len(found.unknown) < 50:
+            found.unknown.setdefault(what, number)
+    while found.last > 1 and not source.lines[found.last - 1].strip():
+        found.last -= 1
+    return found
+
+
+def _read_line(line: str) -> tuple[str, Any]:
+    """What a line is, and what it says; the same line says the same in every deck.
+
+    A ``result``; ``fields``, each with its key, column, and offsets of its values; a
+    ``broken`` field with its name, column and message; a ``name`` with its kind, number,
+    text and column; a ``word`` that stands where fields do; or nothing of these.
+    """
+    word, opened, start = _opening(line)
+    kind = _kind(line, word, opened, start)
+    if kind == "result":
+        return kind, None
+    if kind == "scalar":
+        return "fields", _scalars(line)
+    if kind == "list":
+        return _list(line, start, word)
+    match = _name_line(line)
+    if match is not None:
+        return "name", (*match, len(line) - len(line.lstrip()) + 1)
+    return ("word", word) if word.isascii() and 0 < len(word) < 8 else ("", None)
+
+
+KEPT_CHARACTERS = 200
+"""What texts of so many characters mean is kept, which many decks share."""
+_meaning = lru_cache(maxsize=2000)(_read_line)
+
+
+def _only_report(found: Scan, first: int) -> None:
+    """Note an error where another report follows the first."""
+    for number, line in enumerate(found.source.lines[first:], first + 1):
+        if head(line) == "KJG":
+            found.error("KJG: another report begins here, expected one case in a file", number)
+            return
+
+
+def _opening(line: str) -> tuple[str, str, int]:
+    """The word at the start of a line, the sign that follows it, and where that stands."""
+    start = len(line) - len(line.lstrip())
+    start += line.startswith("(", start)
+    ends = [end for end in (line.find("(", start), line.find("=", start)) if end >= 0]
+    if not ends or min(ends) - start > 40:  # names are short, even with stray blanks
+        return "", "", start
+    end = min(ends)
+    return latin("".join(line[start:end].split())), line[end], end
+
+
+def _kind(line: str, word: str, opened: str, start: int) -> str:
+    """What a line starts with: a ``scalar``, a ``list``, a ``result``, or nothing of these."""
+    if opened == "(" and word in PRINTED and _is_index(line, start):
+        return "result"
+    if opened == "=" and word in SCALARS:
+        return "scalar"
+    return "list" if word in LISTS or (opened == "(" and word in GEAR_LISTS) else ""
+
+
+def _is_index(line: str, start: int) -> bool:
+    match = INDEX_LIST.match(line, start)
+    index = "" if match is None else _squeezed(match).replace(",", "0")
+    return index.isascii() and index.isalnum()
+
+
+def _squeezed(match: re.Match[str]) -> str:
+    return latin("".join(match[1].split()))
+
+
+def _add(found: Scan, new: Field) -> None:
+    """Keep a field, unless it was given before."""
+    if not found.stops or found.stops[-1] != new.line:
+        found.stops.append(new.line)
+    first = found.fields.setdefault(new.key, new)
+    if first is not new:
+        before = f"line {first.line}, column {first.column}"
+        message = f"{new.key}: given again, first given in {before}; expected once"
+        found.error(message, new.line, new.column)
+
+
+def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
+    """All fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
+    heads: list[tuple[str, int, int]] = []
+    before = 0
+    for equals in re.finditer("=", line):
+        words = list(WORD.finditer(line, before, equals.start()))[-5:]
+        for word in range(len(words)):
+            key = latin("".join(part[0] for part in words[word:]))
+            if key in SCALARS:
+                heads.append((key, words[word].start(), equals.end()))
+                break
+        before = equals.end()
+    ends = [*(start for _, start, _ in heads[1:]), None]
+    return tuple(
+        (key, start + 1, value, end) for (key, start, value), end in zip(heads, ends, strict=True)
+    )
+
+
+def _list(line: str, start: int, name: str) -> tuple[str, Any]:
+    """A field such as ``IAB(I),I=1,KG:``; the colon or the whole index list may be missing."""
+    column = len(line) - len(line.lstrip()) + 1
+    key, value, index = GEAR_LISTS.get(name, name), start + 1, ""
+    if line[start] == "(":
+        match = INDEX_LIST.match(line, start)
+        if match is not None:
+            value, index = match.end(), _squeezed(match)
+        if match is None or not match[2]:  # there is no colon, or the index list is broken
+            colon = line.find(":", value)
+            starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
+            value = value if colon < 0 or starts_value else colon + 1
+    if name in PARTS:
+        parts = PARTS[name]
+        part = index.partition(",")[2]
+        if part not in parts:
+            expected = " or ".join(f"{name}(I,{part})" for part in parts)
+            read = f"{name}({index})" if index else line.strip()[:30]
+            return "broken", (name, column, f"{name}: read '{read}', expected {expected}")
+        key = f"{name}(I,{part})"
+    return "fields", ((key, column, value, None),)
+
+
+def _name_line(line: str) -> tuple[str, str, str] | None:
+    """Kind, number and name of a line such as ``NAME F3: C1``."""
+    before, colon, name = line.partition(":")
+    short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
+    match = re.fullmatch(NAME_LINE, latin(before)) if short else None
+    if match is None or not (match[2] or match[1] == "T"):
+        return None
+    return match[1], match[2], name.strip()
+
+
+def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
+    """The text of a file in each encoding that is possible, the likeliest first.
+
+    Raises
+    ------
+    ReadError
+        If the file holds no text.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    if b"\0" in data:
+        message = "the file is binary, expected a deck as text: save it as text in UTF-8"
+        raise _unreadable(file, message)
+    data = data.rstrip(b"\x1a")  # the end of a text for DOS
+    try:
+        yield with_plain_blanks(data.decode("utf-8-sig")), []
+    except UnicodeDecodeError as error:
+        for text in in_each_encoding(data):
+            yield with_plain_blanks(text), []
+        yield _damaged(data, error.start, file)
+
+
+def _unreadable(file: str, message: str) -> ReadError:
+    return ReadError("E103", message, place=Place(file, 1, 1))
+
+
+def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
+    """The text as UTF-8 with a fault, so that a cut file does not read as gibberish."""
+    before = Source(file, data[:start].decode("utf-8-sig")).lines
+    text = data.decode("utf-8-sig", errors="replace")
+    message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"
+    return text, [
+        Problem("E104", message, place=Source(file, text).place(len(before), len(before[-1]) + 1))
+    ]

@@ -1,0 +1,343 @@
+"""The values of a deck's fields: as many as the sizes say, each with its place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from functools import lru_cache, partial
+from typing import Generic, NamedTuple
+
+from vstatics.core.errors import plural
+from vstatics.core.readers.deck.numbers import (
+    DECIMAL_COMMA,
+    NotANumberError,
+    Number,
+    Token,
+    is_attempt,
+    is_number,
+    leading_numbers,
+    numbers_alone,
+    plain_numbers,
+    real,
+    repeated,
+    starts_values,
+    token_lines,
+    value_lines,
+    worked_out,
+)
+from vstatics.core.readers.deck.text import KEPT_CHARACTERS, Field, Scan
+
+Spot = tuple[int, int]
+"""Line and column, from 1."""
+
+_CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
+"""Signs that calculate with the number before them, and how other formats write them."""
+_DIGITS = tuple("0123456789")
+
+STAND_IN = "-1"
+"""For a value that cannot be read: equal to no link or number of anything."""
+
+
+class Values(NamedTuple, Generic[Number]):
+    """The values of a field, with stand-ins where they could not be read."""
+
+    numbers: list[Number]
+    spots: Callable[[], list[Spot]]
+    """Gives the place of each value; few are ever asked for."""
+    unreadable: set[int]
+    """Positions from 0 that hold stand-ins."""
+
+
+class Wanted(NamedTuple):
+    """What a field has to hold."""
+
+    name: str
+    label: Callable[[int], str]
+    """The name of a value by its position from 0: ``IAB(1)``."""
+    need: int
+    why: str
+    """What fixes the number of values: ``KG``."""
+
+
+def take(
+    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+) -> Values[Number]:
+    """The values of a field; what is wrong with them is noted in `found`."""
+    plain = _plain(found, field, wanted.need, parse)
+    return _take_with_care(found, field, wanted, parse) if plain is None else plain[0]
+
+
+def _take_with_care(
+    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+) -> Values[Number]:
+    """The values of a field that holds more than plain numbers, or has a fault."""
+    ending = partial(_ending, found, field)
+    taker = _Taker(found, (field.line, field.value + 1), wanted, parse, ending)
+    return taker.take(token_lines(found, field))
+
+
+def take_rows(
+    found: Scan,
+    field: Field,
+    counts: Sequence[int],
+    counted: str,
+    parse: Callable[[str], Number],
+) -> Values[Number]:
+    """The values of all gears, in one line or in a line for each gear that has any."""
+    plain = _plain(found, field, sum(counts), parse)
+    if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
+        return plain[0]
+    gears = [gear for gear, count in enumerate(counts, 1) if count]
+    rows = _rows(found, field, len(gears))
+    if len(rows) < 2:
+        names = list(row_labels(field.key, counts))
+        wanted = Wanted(
+            field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
+        )
+        return _take_with_care(found, field, wanted, parse)
+    if len(rows) != len(gears):
+        surplus = rows[len(gears) : len(gears) + 1]
+        spot = surplus[0][0].spot if surplus else (rows[-1][-1].line, rows[-1][-1].after)
+        expected = f"expected {len(gears)} (one for each gear with {counted} above 0)"
+        end = "" if surplus else f" before {_ending(found, field, spot[0] + 1)}"
+        found.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
+        return stand_ins(field, sum(counts), parse)
+    numbers: list[Number] = []
+    spots: list[Spot] = []
+    unreadable: set[int] = set()
+    for gear, tokens in zip(gears, rows, strict=True):
+        wanted = _row(field.key, gear, counts[gear - 1], counted)
+        taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
+        row = taker.take([tokens])
+        unreadable.update(len(numbers) + position for position in row.unreadable)
+        numbers.extend(row.numbers)
+        spots.extend(row.spots())
+    return Values(numbers, lambda: spots, unreadable)
+
+
+def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
+    """The names of the values of each gear: ``NFRI(1,2)``."""
+    for gear, count in enumerate(counts, 1):
+        for position in range(1, count + 1):
+            yield f"{key}({position},{gear})"
+
+
+def values_in_words(count: int) -> str:
+    """How many values there are."""
+    return f"{count} {plural('value', count)}"
+
+
+def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
+    """Values of a field that is not there, or cannot be read at all."""
+    spot = (field.line, field.column) if field else (0, 0)
+    return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
+
+
+_kept_numbers = lru_cache(maxsize=2000)(plain_numbers)
+
+
+def _plain(
+    found: Scan, field: Field, need: int, parse: Callable[[str], Number]
+) -> tuple[Values[Number], list[int]] | None:
+    """The values of a field, and how many each line has.
+
+    None if it holds anything but so many plain numbers with blanks between them, and
+    prose behind the line of the last one: then one has to look at each token.
+    """
+    numbers: list[Number] = []
+    counts: list[int] = []
+    for _, line, start, end in value_lines(found, field):
+        text = line[start:end]
+        if len(numbers) == need:
+            first = text.lstrip()[:1]
+            if first and first in "+-.,0123456789":
+                return None
+            if first:
+                break
+            continue
+        row = (_kept_numbers if len(text) <= KEPT_CHARACTERS else plain_numbers)(text, parse)
+        if row is None:
+            return None
+        if row:
+            numbers += row
+            counts.append(len(row))
+    if len(numbers) != need:
+        return None
+
+    def spots() -> list[Spot]:
+        return [token.spot for tokens in token_lines(found, field) for token in tokens][:need]
+
+    return Values(numbers, spots, set()), counts
+
+
+def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
+    """The lines of numbers of a field, up to the first line of prose."""
+    rows: list[list[Token]] = []
+    for tokens in token_lines(found, field):
+        if not numbers_alone(tokens) and (len(rows) >= expected or not starts_values(tokens)):
+            break
+        rows.append(tokens)
+    return rows
+
+
+def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
+    """What the line of one gear has to hold."""
+
+    def label(position: int) -> str:
+        return f"{key}({position + 1},{gear})"
+
+    return Wanted(label(0), label, need, f"{counted}({gear})")
+
+
+def _ending(found: Scan, field: Field, line: int) -> str:
+    """What the values end at from a line on: prose, the next field, the end of the file."""
+    lines = found.source.lines
+    if field.end is not None:
+        return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
+    while line <= found.last and not lines[line - 1].strip():
+        line += 1
+    if line > found.last:
+        return "the end of the input"
+    return f"'{lines[line - 1].strip()[:30]}' in line {line}"
+
+
+class _Taker(Generic[Number]):
+    """Takes the values of one field, token by token."""
+
+    def __init__(
+        self,
+        found: Scan,
+        start: Spot,
+        wanted: Wanted,
+        parse: Callable[[str], Number],
+        ending: Callable[[int], str],
+    ) -> None:
+        self.found, self.wanted, self.ending = found, wanted, ending
+        self.parse: Callable[[str], Number] = parse
+        self.need = wanted.need
+        self.numbers: list[Number] = []
+        self.spots: list[Spot] = []
+        self.unreadable: set[int] = set()
+        self.start = self.end = start
+        self.total = 0
+        self.surplus: Token | None = None
+        self.after_comma = True
+        self.failed = False
+        self.complete_at = 0
+        """The line that completes the values if its mistyped ones are counted."""
+
+    def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
+        """Take all values and check their count."""
+        for tokens in lines:
+            later = tokens[0].line > self.start[0]
+            if later and self.total >= self.need and not numbers_alone(tokens):
+                break
+            if (later and not starts_values(tokens)) or not self._line(tokens):
+                break
+        if not self.failed and self.total != self.need:
+            self._count()
+        missing = range(len(self.numbers), self.need)
+        self.unreadable.update(missing)
+        self.numbers.extend([self.parse(STAND_IN)] * len(missing))
+        self.spots.extend([self.start] * len(missing))
+        return Values(self.numbers, lambda: self.spots, self.unreadable)
+
+    def _line(self, tokens: list[Token]) -> bool:
+        """Take the values of a line; whether there may be more below."""
+        for position, token in enumerate(tokens):
+            if token.text == ",":
+                if not self._comma(token):
+                    return False
+                continue
+            self.after_comma = False
+            try:
+                count, number = repeated(token, self.parse)
+            except NotANumberError as error:
+                if self.total >= self.need and not is_number(token):
+                    self._check_behind(tokens[:position], tokens[position:])
+                    return False  # prose behind the last value
+                if self.total < self.need and not self._wrong(token, error, tokens[position:]):
+                    return False
+                count, number = 1, self.parse(STAND_IN)
+            self._keep(token, count, number)
+        return True
+
+    def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
+        """Report a sign of a calculation behind the last value, which words would hide."""
+        if self.parse is not real or not before or before[-1].text == ",":
+            return
+        sign = behind[0].text[0]
+        operand = behind[0].text[1:] or "".join(token.text for token in behind[1:2])
+        if sign not in _CALCULATES or (sign != "%" and operand.lstrip("+-.")[:1] not in _DIGITS):
+            return
+        shown = f"{before[-1].text} {sign}" + f" {operand}" * (sign != "%")
+        hint = ""
+        with suppress(NotANumberError):
+            second = "" if sign == "%" else repr(real(operand))
+            number = worked_out(f"{real(before[-1].text)!r} {_CALCULATES[sign]} {second}")
+            hint = f": write {number:.12g}"
+        label = self.wanted.label(self.total - 1)
+        self._fail(f"{label}: read '{shown[:60]}', expected a number{hint}", before[-1])
+
+    def _comma(self, token: Token) -> bool:
+        if self.after_comma and self.total < self.need:
+            what = "two commas with nothing between" if self.total else "nothing before the comma"
+            label, hint = self.wanted.label(self.total), self._hint(token.line)
+            self._fail(f"{label}: {what}, expected a number{hint}", token)
+            return False
+        self.after_comma = True
+        return True
+
+    def _wrong(self, token: Token, error: NotANumberError, rest: list[Token]) -> bool:
+        """Report a token that is no number; whether those behind it can be told to be values."""
+        hint = self._hint(token.line) if token.text in "+-" else ""
+        label = self.wanted.label(self.total)
+        self._fail(f"{label}: read '{token.text[:30]}', {error}{hint}", token)
+        if not is_attempt(token):
+            return False
+        if self.complete_at != token.line:
+            left = sum(max(leading_numbers([token]), 1) for token in rest if token.text != ",")
+            if left != self.need - self.total:
+                return False
+            self.complete_at = token.line
+        self.unreadable.add(len(self.numbers))
+        return True
+
+    def _fail(self, message: str, token: Token) -> None:
+        self.found.error(message, *token.spot)
+        self.failed = True
+
+    def _keep(self, token: Token, count: int, number: Number) -> None:
+        """Keep as many values as are needed; the rest is counted, not kept."""
+        kept = min(count, max(self.need - self.total, 0))
+        self.numbers.extend([number] * kept)
+        self.spots.extend([token.spot] * kept)
+        self.total += count
+        self.end = token.line, token.after
+        if self.total > self.need and self.surplus is None:
+            self.surplus = token
+
+    def _count(self) -> None:
+        """Report too few or too many values."""
+        expected = (
+            f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
+        )
+        read = f"read {values_in_words(self.total)}"
+        if self.surplus is None:
+            label = self.wanted.label(self.total)
+            end = self.ending(self.end[0] + 1)
+            hint = self._hint(self.end[0] + 1)
+            self.found.error(f"{label}: {read} before {end}, {expected}{hint}", *self.end)
+        else:
+            hint = self._hint(self.surplus.line)
+            self.found.error(f"{self.wanted.name}: {read}, {expected}{hint}", *self.surplus.spot)
+            self.unreadable.update(range(self.need))
+
+    def _hint(self, last: int) -> str:
+        """A word on decimal commas, where they are likely."""
+        first, column = self.start
+        lines = self.found.source.lines[first - 1 : last]
+        lines[0] = lines[0][column - 1 :]
+        likely = self.parse is real and any(re.search(DECIMAL_COMMA, line) for line in lines)
+        return "; write a decimal point, not a decimal comma" if likely else ""

@@ -1,0 +1,364 @@
+"""Text of a formula -> tree: what binds how, not what names mean.
+
+From the operator that binds least to the one that binds most::
+
+    or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
+
+An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser climbs
+by precedence: an operand, then all operators behind it that bind at least as much as asked,
+each with what binds more to its right.
+
+What to say of a sign or a word that does not belong where it stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+from vstatics.core.errors import nearest, quoted
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.operands import (
+    Constant,
+    DottedName,
+    Subscript,
+    TableName,
+    quantity_end,
+    read_dotted,
+    read_number,
+    read_subscripts,
+)
+from vstatics.core.tables.names import NAME
+
+MOST_CHARACTERS = 2000
+MOST_BRACKETS = 50
+"""So many may be open at once."""
+MOST_DEPTH = 100
+"""So many operations may stand one inside another, since trees are walked by recursion."""
+MOST_TREE_PARTS = 10_000
+"""So many parts a tree may have; what stands in a chain of comparisons counts twice."""
+
+_LOGIC = ("or", "and")
+_COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
+_POWERS = ("**", "^")
+_LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
+_BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
+_PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
+"""Signs before an operand, and what they bind like."""
+_BINARY = _BINDS.keys() - set(_PREFIXES.values())
+_WORD_SIGNS = (*_LOGIC, "not")
+_SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
+_BLANK = re.compile(r"\s*")
+_QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'")
+_INSIDE = re.compile(r"[^)]*")
+
+
+class Applied(NamedTuple):
+    """An operator or a function, and what it is applied to."""
+
+    name: str
+    """The sign, `and`, `or`, `not`, `-x`, or the name of a function."""
+    operands: tuple[Any, ...]
+    """Trees; when names are resolved, what they mean in place of names."""
+    at: int
+    depth: int
+    """How many parts stand one inside another."""
+    parts: int = 1
+    """How many parts there are in all."""
+
+
+Tree: TypeAlias = Constant | TableName | DottedName | Applied
+
+
+class Language(NamedTuple):
+    """What a formula may have, and what messages say of it.
+
+    Parameters
+    ----------
+    functions : collection of str
+        Their names.
+    operands : str
+        What an operand can be: ``a number, or the time t``.
+    example : str
+        An operand: ``t``.
+    instead : str
+        What to say of a function that there is not and that resembles none.
+    caret : bool
+        Whether ``x^2`` is a power too; else it is told to write ``x**2``.
+    of_names : collection of str
+        Words that speak of what is named in quotes behind them: ``speed('out')``.
+    """
+
+    functions: Collection[str]
+    operands: str
+    example: str
+    instead: str = ""
+    caret: bool = False
+    of_names: Collection[str] = ()
+    quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
+    """What a number with a unit means, by what is written and where, such as ``20 km/h``."""
+
+
+def parse(source: Excerpt, language: Language) -> Tree:
+    """Read a formula.
+
+    Parameters
+    ----------
+    source : Excerpt
+    language : Language
+
+    Returns
+    -------
+    Tree
+        A chain ``a < b < c`` has become ``a < b and b < c``, with one tree for both `b`;
+        ``x^2`` has become ``x**2``.
+
+    Raises
+    ------
+    ReadError
+        At the first place that can't be read.
+
+    Examples
+    --------
+    >>> tree = parse(Excerpt("1 - t[2]**2", "--min"), Language(["abs"], "a number", "t"))
+    >>> tree.name, tree.operands[0], tree.operands[1].name, tree.operands[1].at
+    ('-', Constant(value=1.0), '**', 8)
+    """
+    read = source.end - source.start
+    if read > MOST_CHARACTERS:
+        message = f"read {read} characters, expected {MOST_CHARACTERS} at most"
+        raise source.error(message, source.start)
+    return _Parser(source, language).expression()
+
+
+class _Parser:
+    """Goes through a text from the left to the right."""
+
+    def __init__(self, source: Excerpt, language: Language) -> None:
+        self.source = source
+        self.language = language
+        self.binary = _BINARY if language.caret else _BINARY - {"^"}
+        self.calls: list[bool] = []
+        """Whether each open bracket is that of a function."""
+        self.take("", source.start)
+
+    def take(self, read: str, end: int) -> None:
+        """Go on behind what was read."""
+        self.before, self.end_of_before = read, end
+        self.at = self.source.end_of(_BLANK, end)
+
+    def matched(self, pattern: re.Pattern[str]) -> str:
+        """What matches a pattern here; nothing if nothing does."""
+        return self.source.text[self.at : self.source.end_of(pattern, self.at)]
+
+    def expression(self, least: int = 0, depth: int = 1) -> Tree:
+        """Operands with operators between them that bind at least so much."""
+        left = self.operand(least, depth)
+        while (level := _BINDS.get(self.operator(), -1)) >= least:
+            operands: list[Tree] = [left]
+            signs: list[tuple[str, int]] = []
+            while (sign := self.operator()) in _LEVELS[level]:
+                signs.append((sign, self.at))
+                self.take(sign, self.at + len(sign))
+                behind = level if sign in _POWERS else level + 1  # a power goes from the right
+                operands.append(self.expression(behind, depth + 1))
+            left = self.joined(operands, signs)
+        return left
+
+    def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
+        """Operands with operators of one level between them."""
+        first, at = signs[0]
+        if first in _LOGIC:
+            return self.operation(first, operands, at)
+        if first in _COMPARISONS:
+            links = [
+                self.operation(sign, operands[number : number + 2], place)
+                for number, (sign, place) in enumerate(signs)
+            ]
+            return self.operation("and", links, at) if len(links) > 1 else links[0]
+        left = operands[0]
+        for (sign, place), right in zip(signs, operands[1:], strict=True):
+            left = self.operation("**" if sign in _POWERS else sign, (left, right), place)
+        return left
+
+    def operation(self, name: str, operands: Sequence[Tree], at: int) -> Tree:
+        nodes = [one for one in operands if isinstance(one, Applied)]
+        depth = 1 + max([1, *(one.depth for one in nodes)])
+        self.check_depth(depth, at)
+        parts = 1 + len(operands) - len(nodes) + sum(one.parts for one in nodes)
+        if parts > MOST_TREE_PARTS:
+            raise self.source.error("too many comparisons, one inside another", at)
+        return Applied(name, tuple(operands), at, depth, parts)
+
+    def check_depth(self, depth: int, at: int) -> None:
+        if depth > MOST_DEPTH:
+            message = f"more than {MOST_DEPTH} operations, one inside another; sum() may help"
+            raise self.source.error(message, at)
+
+    def operator(self) -> str:
+        """What stands behind an operand: an operator, `)`, `,`, or nothing at the end."""
+        sign = self.matched(NAME) or self.matched(_SIGN)
+        if sign == ",":
+            known = bool(self.calls) and self.calls[-1]
+        else:
+            known = sign in self.binary or (sign == ")" and bool(self.calls))
+        if known or self.at == self.source.end:
+            return sign
+        raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
+
+    def operand(self, least: int, depth: int) -> Tree:
+        """An operand, with the signs before it."""
+        self.check_depth(depth, self.at)
+        name = self.matched(NAME)
+        sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
+        if sign in _PREFIXES:
+            return self.prefixed(sign, least, depth)
+        if sign == "(":
+            return self.bracketed(depth, call=False)[0]
+        found = None if sign else read_dotted(self.source, self.at)
+        if not found and name and not sign:
+            return self.named(name, depth)
+        read = found or self.quantity() or read_number(self.source, self.at)
+        if not read:
+            message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
+            raise self.source.error(message, self.at)
+        if self.before in _WORD_SIGNS and self.end_of_before == self.at:
+            raise self.source.error(f"expected a blank behind {quoted(self.before)}", self.at)
+        tree, end = read
+        self.take(self.source.text[self.at : end], end)
+        return tree
+
+    def quantity(self) -> tuple[Constant, int] | None:
+        """A number with a unit, and where it ends, if the language knows it."""
+        end = quantity_end(self.source, self.at)
+        known = self.language.quantity(self.source.text[self.at : end], self.at)
+        return None if known is None else (known, end)
+
+    def prefixed(self, sign: str, least: int, depth: int) -> Tree:
+        """An operand behind a sign."""
+        at, name = self.at, _PREFIXES[sign]
+        if sign == "not" and _BINDS[sign] < least:
+            message = f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)"
+            raise self.source.error(message, at)
+        self.take(sign, at + len(sign))
+        operand = self.expression(_BINDS[name], depth + 1)
+        return operand if sign == "+" else self.operation(name, [operand], at)
+
+    def bracketed(self, depth: int, *, call: bool) -> list[Tree]:
+        """What stands between brackets: several parts in a call."""
+        self.calls.append(call)
+        if len(self.calls) > MOST_BRACKETS:
+            raise self.source.error(f"more than {MOST_BRACKETS} brackets are open", self.at)
+        inside: list[Tree] = []
+        while not inside or self.operator() == ",":
+            self.take(self.source.text[self.at], self.at + 1)
+            inside.append(self.expression(0, depth))
+        if self.at == self.source.end:
+            raise self.source.error("a bracket `(` is not closed, expected `)`", self.at)
+        self.calls.pop()
+        self.take(")", self.at + 1)
+        return inside
+
+    def named(self, name: str, depth: int) -> Tree:
+        """What begins with a name that has no point: a call, or a table."""
+        at, end, language = self.at, self.at + len(name), self.language
+        behind = self.source.end_of(_BLANK, end)
+        call = self.source.has("(", behind)
+        if name in language.of_names and call:
+            return self.of_name(name, at, behind)
+        if name in language.functions and call:
+            self.take(name, end)
+            return self.operation(name, self.bracketed(depth + 1, call=True), at)
+        if name in language.functions:
+            example = f"{name}({language.example})"
+            message = f"`{name}` is a function, expected `(` behind it, such as {example}"
+            raise self.source.error(message, behind)
+        if call:
+            words = (*language.functions, *language.of_names)
+            hint = nearest(name, words) or language.instead
+            known = ", ".join(language.functions)
+            message = f"there is no function {quoted(name)}, expected {known}{hint}"
+            raise self.source.error(message, at)
+        if name in PYTHON:
+            message = (
+                f"read `{name}`, which this language does not have; expected {language.operands}"
+            )
+            raise self.source.error(message, at)
+        subscripts, end = (
+            read_subscripts(self.source, behind) if self.source.has("[", behind) else ((), end)
+        )
+        self.take(name, end)
+        return TableName(name, subscripts, at)
+
+    def of_name(self, word: str, at: int, bracket: int) -> TableName:
+        """A word and, between brackets, the name in quotes of what it is of."""
+        begin = self.source.end_of(_BLANK, bracket + 1)
+        end = self.source.end_of(_QUOTED, begin)
+        close = self.source.end_of(_BLANK, end)
+        if end == begin or not self.source.has(")", close):
+            read = self.source.text[begin : self.source.end_of(_INSIDE, begin)].strip()
+            message = f"read {quoted(read)}, expected a name in quotes, such as {word}('out')"
+            raise self.source.error(message, begin)
+        self.take(")", close + 1)
+        return TableName(word, (Subscript(self.source.text[begin:end], begin),), at)
+
+
+ELSEWHERE = {
+    "&&": "and",
+    "&": "and",
+    "||": "or",
+    "|": "or",
+    "!": "not",
+    "^": "**",
+    "//": "/",
+    "=": "==",
+    "<>": "!=",
+    "≤": "<=",
+    "≥": ">=",
+    "≠": "!=",
+    "−": "-",
+    "–": "-",
+    "×": "*",
+    "·": "*",
+    "÷": "/",
+}
+"""Signs of other languages, and how they are written here."""
+PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
+"""Words that ask for more than this language has."""
+
+
+def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
+    """What to say of something that was read behind an operand.
+
+    >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
+    'read `&`, expected `and`'
+    """
+    if read == ",":
+        return "read `,`, expected an operator, or an end"
+    if read == ")":
+        return "read `)`, but no bracket is open"
+    if source.has("[", at):
+        return "read `[`, but rows and gears belong to a table, such as speeds[:,1]"
+    if read in ELSEWHERE and read != "!":
+        return f"read `{read}`, expected `{ELSEWHERE[read]}`"
+    if read in PYTHON:
+        return f"read `{read}`, which this language does not have"
+    shown = quoted(read or source.text[at])
+    expected = "expected an operator such as `+`, `<` or `and`, or an end"
+    return f"read {shown} behind {quoted(before)}, {expected}"
+
+
+def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
+    """What to say of something that was read where one of the operands is expected.
+
+    >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
+    'read `*` behind `+`, expected a number'
+    """
+    if ELSEWHERE.get(read) in ("-", "not"):
+        return f"read `{read}`, expected `{ELSEWHERE[read]}`"
+    if source.has("[", at):
+        return "read `[`, expected a table before it, such as speeds[:,1]"
+    behind = f" behind {quoted(before)}" if before else ""
+    shown = f"read {quoted(read or source.text[at])}" if at < source.end else "the text ends"
+    return f"{shown if source.part.strip() else 'read nothing'}{behind}, expected {operands}"

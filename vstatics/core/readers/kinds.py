@@ -1,0 +1,56 @@
+"""What a document is, by its keys: a case, a scenario, a sweep file."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+from vstatics.core.errors import ReadError
+from vstatics.core.readers.named.nodes import Mapping, Node, decode
+
+Kind = Literal["scenario", "sweep file", "case"]
+_KEYS: dict[Kind, str] = {
+    "scenario": "duration",
+    "sweep file": "vary variants",
+    "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
+}
+"""By one of which a kind is known, if no kind before has one of its own."""
+
+
+def kind_of(root: Node) -> Kind | None:
+    """What a document in YAML or JSON is."""
+    keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
+    return next((kind for kind, own in _KEYS.items() if not keys.isdisjoint(own.split())), None)
+
+
+def is_foreign(data: bytes, file: str) -> bool:
+    """Whether a file is a text of other matters, as no key of a case stands in it.
+
+    >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
+    (True, False)
+    """
+    from vstatics.core.readers import format_of
+
+    keys = rb"(?:^|[\s{,\"'])(?:%s)[\"']?\s*:" % _KEYS["case"].replace(" ", "|").encode()
+    if b"\0" in data or re.search(keys, data):  # a zero is of a wider encoding
+        return False
+    return format_of(file, data) not in ("deck", "xlsx")
+
+
+def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
+    """Whether a file is a document of this kind in YAML or JSON.
+
+    >>> is_of_kind("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
+    True
+    """
+    from vstatics.core.readers import format_of
+
+    told = any(key.encode() in data for key in _KEYS[kind].split())
+    if not told or format_of(file, data) in ("deck", "xlsx"):
+        return False
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+
+    try:
+        return kind_of(yaml_tree(decode(data, file))) == kind
+    except ReadError:
+        return False

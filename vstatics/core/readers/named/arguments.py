@@ -1,0 +1,197 @@
+"""The values of a document -> the arguments of `Transmission`, relative numbers by gear.
+
+Speeds are related to the input speed of the load, torques and drag to its torque.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from vstatics.core.errors import Path
+from vstatics.core.model.converters import converters_of
+from vstatics.core.model.keys import CASE
+from vstatics.core.model.parts import HOUSING, Gear, Law, Load, OfLoad, ShiftElement, SpeedOf
+from vstatics.core.model.shape import UNITS
+from vstatics.core.readers.named.nodes import Spots
+from vstatics.core.readers.named.units import WithUnit
+from vstatics.core.readers.named.walk import Walk
+
+_OWN = tuple(key.name for key in CASE.keys)
+"""Keys that are attributes of a case."""
+
+
+def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
+    """The arguments of `Transmission`."""
+    if values.get("output") == HOUSING:  # to the model this would say that none is given
+        walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
+    parts = {
+        part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
+        for part in ("shift_elements", "mechanisms", "springs", "gears")
+    }
+    masses = ("springs", "inertias", "masses")
+    given = any(values.get(key) or (key,) in walk.spots.unreadable for key in masses)
+    if not parts["gears"] and (given or not parts["shift_elements"]):
+        parts["gears"] = [Gear()]
+    load = values.get("load", Load())
+    common = Common(load, bool(values.get("inertias") or values.get("masses")))
+    elements, gears, drag = in_gears(
+        parts["shift_elements"], parts["gears"], values.get("drag", {}), common, walk.spots
+    )
+    return {
+        **{key: values[key] for key in _OWN if key in values},
+        **parts,
+        "converters": converters_of(values.get("converters", {})),
+        "shift_elements": elements,
+        "gears": [gear._replace(load=_or_none(gear.load)) for gear in gears],
+        "drag": drag,
+        "load": _or_none(load),
+        "link_names": walk.references.link_names,
+    }
+
+
+def _or_none(load: Load | None) -> Load | None:
+    """A load that says nothing is none."""
+    return None if load == Load() else load
+
+
+def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
+    """Where the model's complaints would be about stand-ins.
+
+    Links are counted against the devices, so these count too.
+    """
+    devices = {("shift_elements",), ("mechanisms",), ("springs",)}
+    return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
+
+
+class _Located(NamedTuple):
+    """A number, and the path where it stands."""
+
+    number: float
+    path: Path
+
+
+_ByPart = dict[int, _Located]
+"""By link or shift element."""
+
+
+class Common(NamedTuple):
+    """Loads of a case, to which numbers with a unit are related."""
+
+    load: Load
+    moves: bool = False
+    """Whether the case has inertias: then capacities and drag with a unit need no load."""
+
+
+def in_gears(
+    elements: list[ShiftElement],
+    gears: list[Gear],
+    drag: Mapping[int, float],
+    common: Common,
+    spots: Spots,
+) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
+    """Shift elements, gears and the drag of the case, with relative numbers only.
+
+    Capacities and drags of shift elements, and the drag of the case, are related to the load of
+    the case; each gear relates the drags to its own load.
+
+    Parameters
+    ----------
+    elements, gears, drag
+        Of a document, with their numbers as they are written.
+    spots : Spots
+        Is told where a unit stands without a load.
+    """
+    numbered = enumerate(elements, 1)
+    of_elements = {
+        number: _Located(element.drag, ("shift_elements", number, "drag"))
+        for number, element in numbered
+        if isinstance(element.drag, WithUnit)
+    }
+    of_links = _located(drag, ("drag",))
+    for gear in gears:
+        load = (gear.load or Load()).or_else(common.load)
+        for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
+            left = {part: drag for part, drag in of_case.items() if part not in of_gear}
+            _related(left, load.torque_size or _whole(common), spots)
+    whole = common.load.torque_size or math.inf
+    return (
+        [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
+        [_gear(gear, n, common, spots) for n, gear in enumerate(gears, 1)],
+        {link: _by_load(torque, whole) for link, torque in drag.items()},
+    )
+
+
+def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
+    return {part: _Located(number, (*path, part)) for part, number in numbers.items()}
+
+
+def _by_load(torque: float, whole: float) -> float:
+    """A torque by that of a load, if it has a unit; an infinite one stands for none."""
+    return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
+
+
+def _whole(common: Common) -> float:
+    """What capacities are related to: infinite where only their own unit counts."""
+    return common.load.torque_size or (math.inf if common.moves else 0.0)
+
+
+def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
+    """An element whose drag and capacity are relative to the load of the case."""
+    drag = _by_load(element.drag, common.load.torque_size or math.inf)
+    capacity, path = element.capacity, ("shift_elements", number, "capacity")
+    if isinstance(capacity, WithUnit):
+        if capacity > 0:
+            given = {number: _Located(capacity, path)}
+            capacity = _related(given, _whole(common), spots).get(number)
+        else:
+            spots.tell(path, f"read {capacity:g}, expected a torque above 0")
+            capacity = None
+    return element._replace(drag=drag, capacity=capacity)
+
+
+def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
+    load = (gear.load or Load()).or_else(common.load)
+    torque = load.torque_size
+    drags = torque or _whole(common)
+
+    def related(key: str, numbers: Mapping[int, float], whole: float) -> dict[int, float]:
+        return _related(_located(numbers, ("gears", number, key)), whole, spots)
+
+    by_links = {link: one for link, one in gear.speeds.items() if isinstance(one, SpeedOf)}
+    numbers = {link: one for link, one in gear.speeds.items() if not isinstance(one, SpeedOf)}
+    speeds = related("speeds", numbers, load.speed or 0.0) | by_links
+    return gear._replace(
+        speeds={link: speeds[link] for link in gear.speeds if link in speeds},
+        torques=related("torques", gear.torques, torque),  # the case gives it its sign
+        drag=related("drag", gear.drag, drags),
+        open_drag=related("open_drag", gear.open_drag, drags),
+    )
+
+
+def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
+    """Numbers as parts of the input's, which is 0 where none is known.
+
+    Those that cannot be related are told.
+    """
+    made: dict[int, float] = {}
+    no_load = any(path[-1] == "load" for path in spots.unreadable)
+    for part, (number, path) in numbers.items():
+        if isinstance(number, Law) and not whole and path[0] == "drag":
+            if path not in spots.unreadable:
+                message = "it depends on speed, in N*m, expected a `load` with speed and torque"
+                spots.tell(path, message)
+        elif not isinstance(number, WithUnit):
+            made[part] = number
+        elif whole:
+            made[part] = OfLoad(float(number), whole)
+        elif path not in spots.unreadable and not no_load:
+            quantity, unit = number.quantity, UNITS[number.quantity]
+            spots.tell(
+                path,
+                f"read {number:g}, but there is no input {quantity} to relate it to; "
+                f"expected a number relative to the input {quantity}, or "
+                f"`load: {{{quantity}: ... {unit}}}` in the case",
+            )
+    return made

@@ -1,0 +1,173 @@
+"""A number with arithmetic before it: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
+
+What stands behind the number is left to who asks: a unit, the name of a link.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import NamedTuple
+
+from vstatics.core.readers.signs import dash_hint, with_plain_blanks
+
+LONGEST_ARITHMETIC = 1000
+"""Characters of a text with a number."""
+MOST_ARITHMETIC_BRACKETS = 20
+"""So many may be open at once."""
+
+_FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
+ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
+"""For a JSON Schema, which cannot count brackets."""
+
+DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
+"""A number without a unit, a percentage or a ratio of two numbers, for a JSON Schema."""
+
+_GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
+_PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
+_NUMBER = re.compile(rf" *{_FIGURE} *")
+_SIGN = re.compile(r" *([-+])")
+_OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
+_BINDING = tuple(
+    # an operator only if a number is behind it, not a unit or a name: 2000/min, 1.05*FL
+    re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
+    for signs in ("-+", "*/")
+)
+
+
+class LeadingNumber(NamedTuple):
+    """A number, and the text behind it without blanks around it: `Nm`, `/min`, `*FL`."""
+
+    value: float
+    behind: str
+
+
+def calculated(text: str) -> LeadingNumber:
+    """Work out a number, with `+ - * /` and brackets, as far as it goes.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> calculated("-96/39 "), calculated("(2 + 3)*100 rpm")
+    (LeadingNumber(value=-2.4615384615384617, behind=''), LeadingNumber(value=500.0, behind='rpm'))
+    >>> calculated("3000 1/min").behind, calculated("1.05*FL").behind
+    ('1/min', '*FL')
+    """
+    if len(text) > LONGEST_ARITHMETIC:
+        raise ValueError(f"expected a number of at most {LONGEST_ARITHMETIC} characters")
+    if _PLAIN.match(text):
+        return LeadingNumber(_finite(float(text)), "")
+    reading = _Calculation(with_plain_blanks(text).strip(" "))
+    return LeadingNumber(reading.joined(0, 0), reading.text[reading.at :])
+
+
+def dimensionless(text: str) -> float:
+    """Work out a number without a unit, a percentage, or a ratio of two numbers.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> [dimensionless(text) for text in ("98 %", "3.55:1", "5:2", "1 + 78/30")]
+    [0.98, 3.55, 2.5, 3.6]
+    """
+    value, behind = calculated(text)
+    if behind == "%":
+        return value / 100
+    if behind.startswith(":"):
+        other, behind = calculated(behind[1:])
+        if not behind:
+            return _applied("/", value, other)
+    if behind:
+        raise ValueError(expected(text))
+    return value
+
+
+def expected(text: str) -> str:
+    """What to say of a text that is no number.
+
+    >>> expected("1,5")
+    'expected a number or a calculation such as -96/39 (with a decimal point)'
+    """
+    return f"expected a number or a calculation such as -96/39{slip(text)}"
+
+
+def slip(text: str) -> str:
+    """How a number is written, where one was read as texts in print have it.
+
+    >>> slip("1,5"), slip("\u22122.6"), slip("x")
+    (' (with a decimal point)', ' (with `-` in place of `\u2212`)', '')
+    """
+    if "," in text:
+        return " (with a decimal point)"
+    if grouped := _GROUPED.search(with_plain_blanks(text)):
+        return f" (digits without blanks: {grouped[0].replace(' ', '')})"
+    return dash_hint(text)
+
+
+class _Calculation:
+    """Goes through a text from the left to the right."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+
+    def took(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
+        """Go on behind a pattern if it stands here."""
+        found = pattern.match(self.text, self.at)
+        self.at = found.end() if found else self.at
+        return found
+
+    def joined(self, level: int, brackets: int) -> float:
+        """A sum at level 0, a product at level 1, an operand at level 2."""
+        if level == len(_BINDING):
+            return self.operand(brackets)
+        value = self.joined(level + 1, brackets)
+        while sign := self.took(_BINDING[level]):
+            value = _applied(sign[1], value, self.joined(level + 1, brackets))
+        return value
+
+    def operand(self, brackets: int) -> float:
+        sign = self.took(_SIGN)
+        if self.took(_OPEN):
+            value = self.bracketed(brackets + 1)
+        else:
+            number = self.took(_NUMBER)
+            if not number:
+                raise ValueError(expected(self.text))
+            value = _finite(float(number[0]))
+        return -value if sign and sign[1] == "-" else value
+
+    def bracketed(self, brackets: int) -> float:
+        if brackets > MOST_ARITHMETIC_BRACKETS:
+            raise ValueError(f"expected at most {MOST_ARITHMETIC_BRACKETS} open brackets")
+        value = self.joined(0, brackets)
+        if not self.took(_CLOSED):
+            raise ValueError(f"{expected(self.text)}, and `)` behind it")
+        return value
+
+
+def _applied(sign: str, left: float, right: float) -> float:
+    match sign:
+        case "+":
+            return _finite(left + right)
+        case "-":
+            return _finite(left - right)
+        case "*":
+            return _finite(left * right)
+    if right == 0:
+        raise ValueError("expected a denominator other than 0")
+    return _finite(left / right)
+
+
+def _finite(value: float) -> float:
+    if not math.isfinite(value):
+        raise ValueError("expected a number that is not so large")
+    return value

@@ -1,0 +1,92 @@
+"""Cases that are drawn: names of links gathered from their elements, and the elements made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from vstatics.core.elements import teeth
+from vstatics.core.elements.checks import hints, problems
+from vstatics.core.elements.drawing import Drawing
+from vstatics.core.elements.keys import DRAWN, element_of, with_elements
+from vstatics.core.errors import Path, Problem
+from vstatics.core.model.shape import ByKey
+from vstatics.core.readers.named import nodes
+from vstatics.core.readers.named.arguments import arguments, read_with_stand_ins
+from vstatics.core.readers.named.joined_links import gathered_links, is_listed, loose_links
+from vstatics.core.readers.named.nodes import Spot, Spots, is_null
+from vstatics.core.readers.named.walk import Walk
+from vstatics.core.readers.reading import Reading, finish
+
+_DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
+
+
+def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
+    """A case made of elements; they become mechanisms if nothing is wrong with them.
+
+    Raises
+    ------
+    ReadError
+        With every problem that can be told from the others.
+    """
+    spots = walk.spots
+    given = {key.text for key, value in root.entries if not is_null(value)}
+    listed = is_listed(root)
+    gathered = [] if listed else gathered_links(root, walk)
+    values = walk.read(Spot((), "", root), with_elements(case, required=True))
+    if not listed:
+        values = {**values, "links": len(gathered)}
+        spots.unreadable += [] if gathered else [("input",), ("output",)]
+        for end in ("input", "output"):
+            if given.isdisjoint({end, f"{end}s", "links"}):
+                spots.missing(Spot((), "", root), end)
+    parts = arguments(values, walk)
+    found = list(spots.found.problems)
+    locate: Callable[[Problem], Problem] = spots.locate
+    if any(path and path[0] in _DRAWN for path in spots.unreadable):
+        spots.unreadable += [("links",), ("mechanisms",)]
+    else:
+        names = parts["link_names"] or list(map(str, range(1, values["links"] + 1)))
+        drawing = Drawing(
+            len(names),
+            tuple(element_of(name, record, names) for name, record in values["elements"].items()),
+            tuple(parts["mechanisms"]),
+            values.get("losses"),
+            values.get("mesh_efficiency", {}),
+        )
+        faults = list(problems(drawing)) or list(_planets_called_like_links(drawing, names))
+        if faults:
+            spots.unreadable += [("links",), ("mechanisms",)]
+        else:
+            parts |= drawing.lowered(names)
+            parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
+            locate = _locator(spots, drawing)
+            faults = [*hints(drawing), *teeth.doubts(drawing)]
+            faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
+        found += map(spots.locate, faults)
+    return finish(parts, found, read_with_stand_ins(spots.unreadable), locate)
+
+
+def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterator[Problem]:
+    for number, part in enumerate(drawing.parts, 1):
+        for planet in part.planet_links:
+            if f"{part.name}.{planet}" in names:
+                message = f"planet {planet} is called `{part.name}.{planet}`, as a link is"
+                yield Problem("E106", f"{message}; expected another name", ("elements", number))
+
+
+def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
+    """Gives a problem with a mechanism the place of the element that it was made from."""
+    paths: list[Path] = []
+    for number, part in enumerate(drawing.parts, 1):
+        count = number - len(drawing.elements)
+        path: Path = ("elements", number) if part.element else ("mechanisms", count)
+        paths += [path] * len(part.lowered)
+
+    def locate(problem: Problem) -> Problem:
+        if problem.path[:1] == ("mechanisms",) and len(problem.path) > 1:
+            return spots.locate(
+                problem._replace(path=(*paths[int(problem.path[1]) - 1], *problem.path[2:]))
+            )
+        return spots.locate(problem)
+
+    return locate

@@ -1,0 +1,394 @@
+"""Headings of tables of numbers: names with units, as people and published files write them.
+
+A unit is in brackets, in parentheses, after a comma that does not separate cells, or after `_`.
+Lines before the first line of headings are titles, lines of numbers too. Capitals do not count,
+nor do signs of a comment before the headings. Units may also be in a separate line below the
+names.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import chain, islice, pairwise, repeat
+from types import MappingProxyType
+from typing import NamedTuple
+
+from vstatics.core.errors import nearest, quoted, spoken
+from vstatics.core.model.shape import UNIT_OF, Measure
+from vstatics.core.readers.named.csv_rows import cells_of, headings_of, separator_of
+from vstatics.core.readers.named.si_units import measured
+
+MOST_TITLE_LINES = 100
+"""Number of lines in which the headings are looked for."""
+MOST_QUOTED = 76
+"""Number of characters of a line that a message quotes."""
+LEAST_LIKENESS = 0.75
+"""Likeness of a heading and a name, from 0 to 1, from which on it is taken for a mistyped name."""
+COMMENT_SIGNS = ("#", "%")
+"""Signs with which a comment begins."""
+_IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
+"""Measures in whose units no prefix is told from another by its size of letters."""
+_UNIT_BEHIND = re.compile(
+    r"(?P<name>.*?)\s*"
+    r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
+)
+_OF_NUMBERS = re.compile(r"[-+0-9.,;eE\s\"]*")
+_LONGEST_WITH_UNIT = 200
+
+
+class TableColumn(NamedTuple):
+    """A column that a table may have."""
+
+    name: str
+    measure: Measure | None = None
+    """What its numbers are in SI; None: of numbers without a unit, or of texts."""
+    is_text: bool = False
+    optional: bool = False
+    may_be_bare: bool = False
+    """Whether a heading without a unit means the unit of SI."""
+    meaning: str = ""
+    """Ends the message about a unit that may not stand there."""
+    sizes: Mapping[str, float] | None = None
+    """Sizes of the only units that may stand there, where these are no measure."""
+    aliases: Mapping[str, str] = MappingProxyType({})
+    """Other names in small letters, each with the unit that it implies; empty if it has none."""
+
+    @property
+    def heading(self) -> str:
+        """As it may be written.
+
+        >>> TableColumn("speed", "si_speed").heading
+        'speed [rad/s]'
+        """
+        if self.sizes:
+            unit = next(iter(self.sizes))
+            return f"{self.name} [{unit}]" if unit else self.name
+        return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
+
+    def size(self, unit: str | None) -> float:
+        """Size of a unit in SI, or of the unit that a heading without a unit means.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if self.sizes is not None or self.measure is None:
+            sizes = {"": 1.0, "-": 1.0} if self.sizes is None else self.sizes
+            if (unit or "") not in sizes or (unit == "" and self.sizes is None):
+                units = spoken(map(quoted, filter(None, sizes)), "or") if self.sizes else "none"
+                message = f"{self.name}: read the unit {(unit or '')[:40]!r}, expected {units}"
+                raise ValueError(message + self.meaning)
+            return sizes[unit or ""]
+        if unit is None and self.may_be_bare:
+            return 1.0
+        if not unit:
+            raise ValueError(f"{self.name}: its unit is missing, such as {quoted(self.heading)}")
+        try:
+            return _size_of(unit, self.measure)
+        except ValueError as error:
+            raise ValueError(f"{self.name}: read the unit {unit[:40]!r}, {error}") from None
+
+
+def _size_of(unit: str, measure: Measure) -> float:
+    """Size of a unit in SI; its capitals do not count in times and speeds of vehicles.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> _size_of("KM/H", "velocity") == _size_of("km/h", "velocity"), _size_of("MS", "time")
+    (True, 0.001)
+    """
+    try:
+        return measured(f"1 {unit}", measure)
+    except ValueError:
+        if measure not in _IN_ANY_LETTERS or unit == unit.casefold():
+            raise
+        with suppress(ValueError):
+            return measured(f"1 {unit.casefold()}", measure)
+        raise
+
+
+class Heading(NamedTuple):
+    """The heading of a column that is read."""
+
+    column: TableColumn
+    place: int
+    """Index of its cell in a row."""
+    unit: str | None
+    """None if the heading has no unit."""
+
+    @property
+    def size(self) -> float:
+        """Size of its unit in SI."""
+        return self.column.size(self.unit)
+
+
+class HeadingLine(NamedTuple):
+    """The line of a table that has the headings."""
+
+    number: int
+    separator: str
+    headings: Sequence[Heading]
+    width: int
+    """Number of cells with a heading."""
+    skipped: Sequence[str]
+    """Headings of columns that are not read."""
+
+
+class HeadingError(ValueError):
+    """Headings that cannot be used, and the number of their line."""
+
+    def __init__(self, message: str, line: int) -> None:
+        """Keep the line."""
+        super().__init__(message)
+        self.line = line
+
+
+def with_unit(cell: str) -> tuple[str, str | None]:
+    """Split a heading into its name and its unit.
+
+    Examples
+    --------
+    >>> [with_unit(cell) for cell in ("time [s]", "Speed (km/h)", "Test Time, secs", "gear")]
+    [('time', 's'), ('Speed', 'km/h'), ('Test Time', 'secs'), ('gear', None)]
+    """
+    parts = _UNIT_BEHIND.fullmatch(cell.strip()) if len(cell) <= _LONGEST_WITH_UNIT else None
+    if not parts:
+        return cell.strip(), None
+    unit = next(part for part in parts.group("bracket", "round", "comma") if part is not None)
+    return parts["name"], unit.strip()
+
+
+def read_headings(
+    lines: Iterable[tuple[int, str]],
+    what: str,
+    columns: Sequence[TableColumn],
+    *,
+    skips: bool = False,
+) -> HeadingLine:
+    """Find the headings of a table.
+
+    Parameters
+    ----------
+    lines : iterable of (int, str)
+        The first lines that are not empty, with their numbers.
+    what : str
+        What the table is, in words: ``a duty cycle``.
+    columns : sequence of TableColumn
+        Columns that it may have, in any order.
+    skips : bool
+        Whether columns with other names are skipped.
+
+    Raises
+    ------
+    HeadingError
+        With what was read and expected.
+
+    Examples
+    --------
+    >>> columns = [TableColumn("time", "time"), TableColumn("speed", "velocity")]
+    >>> lines = ["City cycle, 2 rows", "Time (s),Speed (mph),Phase", "0,0,1"]
+    >>> found = read_headings(enumerate(lines, 1), "a cycle", columns, skips=True)
+    >>> found.number, [one.unit for one in found.headings], found.skipped
+    (2, ['s', 'mph'], ['Phase'])
+    """
+    return _ExpectedTable(what, columns, skips).headings(list(islice(lines, MOST_TITLE_LINES)))
+
+
+def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
+    """Return the lines of a table with empty ones instead of those above the headings.
+
+    Examples
+    --------
+    >>> list(without_titles(["Test 7", "Speed (rpm)", "5"], lambda cell: "Speed" in cell))
+    ['', 'Speed (rpm)', '5']
+    """
+    top = _heading_lines(lines[:MOST_TITLE_LINES])
+    head = next((at for at, _, cells in top if any(map(is_heading, cells))), 0)
+    return chain(repeat("", head), islice(lines, head, None))
+
+
+class _ExpectedTable(NamedTuple):
+    """What is known of a table before its headings are read."""
+
+    what: str
+    columns: Sequence[TableColumn]
+    skips: bool
+
+    def headings(self, lines: Sequence[tuple[int, str]]) -> HeadingLine:
+        """The first line with all required columns, or else the error in the likeliest line."""
+        if not lines:
+            raise HeadingError(f"read nothing, expected {self.what}", 1)
+        candidates: list[tuple[int, int, str, list[str]]] = []
+        required = {column.name for column in self.columns if not column.optional}
+        for at, separator, cells in _heading_lines([line for _, line in lines]):
+            known = {heading.column.name for heading in self.understood(cells)}
+            if known >= required:
+                return self.checked(lines, at, separator, cells)
+            candidates.append((len(known), -at, separator, cells))
+        most, at, separator, cells = max(candidates, key=lambda candidate: candidate[:2])
+        if not most:
+            at = -_above_numbers([line for _, line in lines])
+            separator, cells = next(_split(lines[-at][1]))
+        return self.checked(lines, -at, separator, cells)
+
+    def understood(self, cells: Sequence[str]) -> list[Heading]:
+        """The headings that are known, in their order."""
+        return [
+            Heading(*heading._replace(place=place))
+            for place, cell in enumerate(cells)
+            if (heading := self.heading(cell))
+        ]
+
+    def heading(self, cell: str) -> Heading | None:
+        """What a cell means as a heading."""
+        name, unit = with_unit(cell)
+        known = self.named(name)
+        if known is None and unit is None and "_" in name:
+            name, _, unit = name.rpartition("_")
+            known = self.named(name)
+        if known is None:
+            return None
+        column, implied = known
+        return Heading(column, 0, implied or None if unit is None else unit)
+
+    def named(self, name: str) -> tuple[TableColumn, str] | None:
+        """The column of a name, with the unit that this name implies."""
+        name = _folded(name)
+        for column in self.columns:
+            if name == column.name:
+                return column, ""
+            if name in column.aliases:
+                return column, column.aliases[name]
+        return None
+
+    def checked(
+        self, lines: Sequence[tuple[int, str]], at: int, separator: str, cells: Sequence[str]
+    ) -> HeadingLine:
+        """The headings of a line.
+
+        Raises
+        ------
+        HeadingError
+            With what was read and expected.
+        """
+        number = lines[at][0]
+        headings = self.understood(cells)
+        places = {heading.place for heading in headings}
+        others = [cell for place, cell in enumerate(cells) if place not in places]
+        try:
+            self.check_names(headings, others)
+        except ValueError as error:
+            raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
+        try:
+            _check_units(headings)
+        except ValueError as error:
+            with_units = _with_units_below(headings, separator, lines[at + 1 : at + 2])
+            if not with_units:
+                raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
+            headings, number = with_units, lines[at + 1][0]
+        return HeadingLine(number, separator, headings, len(cells), others)
+
+    def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
+        """Check that each column is there once, and that nothing else is there.
+
+        Raises
+        ------
+        ValueError
+            With what was read and expected.
+        """
+        from difflib import get_close_matches  # costs start-up time
+
+        names = [heading.column.name for heading in headings]
+        lacking = [column for column in self.columns if column.name not in names]
+        missing = [column.heading for column in lacking if not column.optional]
+        wanted = [column.name for column in lacking]
+        known = [alias for column in lacking for alias in (*column.aliases, column.name)]
+        for cell in others:
+            name = _folded(with_unit(cell)[0])
+            hint = nearest(name, known)
+            is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
+            if is_mistyped or missing or not self.skips:
+                expected = spoken([quoted(column.heading) for column in self.columns], "or")
+                raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
+        if twice := next((name for name in names if names.count(name) > 1), None):
+            raise ValueError(f"two columns are called {quoted(twice)}")
+        if missing:
+            verb = "is" if len(missing) == 1 else "are"
+            raise ValueError(f"{spoken(map(quoted, missing))} {verb} missing, expected {self.what}")
+
+
+def _check_units(headings: Sequence[Heading]) -> None:
+    """Check that each heading has a unit of what its column measures.
+
+    Raises
+    ------
+    ValueError
+        With what was read and expected.
+    """
+    for heading in headings:
+        _ = heading.size
+
+
+def _with_units_below(
+    headings: Sequence[Heading], separator: str, below: Sequence[tuple[int, str]]
+) -> list[Heading]:
+    """Headings with the units of the line below them; empty if it is not a line of units."""
+    for _, line in below:
+        cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
+        if len(cells) > max(heading.place for heading in headings):
+            with_units = [
+                heading._replace(unit=heading.unit or cells[heading.place] or None)
+                for heading in headings
+            ]
+            with suppress(ValueError):
+                _check_units(with_units)
+                return with_units
+    return []
+
+
+def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
+    """Return the index, separator and cells of each line, once for each likely separator."""
+    for at, line in enumerate(lines):
+        for separator, cells in _split(line):
+            yield at, separator, cells
+
+
+def _split(line: str) -> Iterator[tuple[str, list[str]]]:
+    """The cells of a line of headings, by each sign that may separate them."""
+    bare = line.strip()
+    bare = bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+    for separator in dict.fromkeys((separator_of(bare), ";" if ";" in bare else ",")):
+        yield separator, headings_of(cells_of(bare, separator))
+
+
+def _is_row_of_numbers(line: str) -> bool:
+    return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
+
+
+def _above_numbers(lines: Sequence[str]) -> int:
+    """Index of the first line above a row of the most numbers, or else of the first line."""
+    above = [
+        at
+        for at, (line, below) in enumerate(pairwise(lines))
+        if _is_row_of_numbers(below) and not _is_row_of_numbers(line)
+    ]
+    return max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
+
+
+def _folded(name: str) -> str:
+    return " ".join(name.casefold().replace("_", " ").split())
+
+
+def _quoted_lines(lines: Sequence[tuple[int, str]], at: int) -> str:
+    below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
+    head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
+    first = "".join(f", the first row `{cells}`" for cells in row)
+    return f"; the line of the headings is `{head}`{first}"

@@ -1,0 +1,148 @@
+"""How single values are read, and what stands in for those that cannot be, to read on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NamedTuple, get_args
+
+from vstatics.core.model.shape import (
+    Balances,
+    ByForm,
+    ByKey,
+    ByLaw,
+    ByPoints,
+    Either,
+    Ends,
+    Leaf,
+    LeafKind,
+    Links,
+    ListOf,
+    Measure,
+    OneOrMany,
+    Pair,
+    Parsed,
+    RowOf,
+    Shape,
+)
+from vstatics.core.readers.named import scalars, units
+from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
+
+_MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
+_NO_LINKS = (NO_LINK, NO_LINK)
+_BY_REST = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
+"""Measures that may be 0, as they are where nothing is read."""
+
+
+class LeafReading(NamedTuple):
+    """How a single value is read."""
+
+    expected: str
+    stand_in: Any
+    parse: Callable[[str], Any] = str
+    """Text -> value, where the text alone tells it."""
+
+
+def _in_si(text: str, measure: Measure) -> float:
+    from vstatics.core.readers.named.si_units import (
+        measured as in_si,  # cases without masses do without
+    )
+
+    return in_si(text, measure)
+
+
+def either_way(text: str, measure: Any) -> float:
+    """A number of what turns, or of what moves straight: it knows which, if its unit says so."""
+    from vstatics.core.readers.named.si_units import of_either  # likewise
+
+    return of_either(text, measure)
+
+
+_FORMULA = re.compile(
+    r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
+)
+"""A name of the speed, or operators where no unit follows the first number."""
+
+
+def _drag(text: str) -> float:
+    """A torque, or a formula of the speed."""
+    try:
+        return units.relative(text, "torque")
+    except ValueError as error:
+        if not _FORMULA.search(text):
+            allowed = "a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
+            raise ValueError(f"{error}; {allowed}") from None
+    from vstatics.core.readers.named.drag_formulas import read_drag_formula  # likewise
+
+    return read_drag_formula(text)
+
+
+LEAVES: dict[LeafKind, LeafReading] = {
+    "text": LeafReading("text", ""),
+    "number": LeafReading("a number", 1.0, scalars.number),
+    "count": LeafReading("a whole number", 1, scalars.count),
+    "share": LeafReading("a share of 0 or more", 0.0, scalars.share),
+    **{
+        kind: LeafReading(f"a {kind} with its unit", 1.0, partial(units.quantity, kind=kind))
+        for kind in get_args(units.Quantity)
+    },
+    "relative_speed": LeafReading("a speed", 0.0, partial(units.relative, kind="speed")),
+    "drag": LeafReading("a torque, or a formula of w", 0.0, _drag),
+    "relative_torque": LeafReading("a torque", 0.0, partial(units.relative, kind="torque")),
+    **{
+        measure: LeafReading(
+            units.with_article(measure),
+            0.0 if measure in _BY_REST else 1.0,
+            partial(_in_si, measure=measure),
+        )
+        for measure in get_args(Measure)
+    },
+    "link": LeafReading("a link", NO_LINK),
+    "element": LeafReading("the name of a shift element", NO_ELEMENT),
+    "flag": LeafReading("`true` or `false`", stand_in=False),
+    "choice": LeafReading("text", None),
+}
+
+
+def parsed(text: str, kind: LeafKind) -> Any:
+    """A single value whose text alone tells it."""
+    return LEAVES[kind].parse(text)
+
+
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
+    """What stands in for a value that cannot be read."""
+    match shape:
+        case Leaf():
+            return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in
+        case ByKey():
+            return shape.make(**values_before(shape))
+        case Either():
+            return shape.record.make(**{shape.key: stand_in(shape.short)})
+        case Ends():
+            return _NO_LINKS
+        case Links():
+            return _MANY_LINKS
+        case ListOf() | OneOrMany():
+            return ()
+        case Pair():
+            return ("", "")
+        case RowOf():
+            return tuple(map(stand_in, shape.items))
+        case ByPoints():
+            return (stand_in(shape.row),)
+        case Balances():
+            return None
+        case ByLaw():
+            return stand_in(shape.scalar)
+        case Parsed():
+            return shape.stand_in
+        case ByForm():
+            return stand_in(shape.scalar)
+    return {}
+
+
+def values_before(shape: ByKey) -> dict[str, Any]:
+    """The values of a record as far as they are known before it is read."""
+    defaults = {key.name: key.default for key in shape.keys if key.default is not None}
+    return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -1,0 +1,226 @@
+"""Dotted paths to the values of a document: `shifts.1.overlap`, `controls."F 1".2.1`.
+
+Keys are names, items of a list count from 1. A name with a dot or a sign in it goes in quotes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
+
+from vstatics.core.errors import nearest, quoted, spoken, typed_number
+from vstatics.core.readers.named.arithmetic import calculated, dimensionless
+from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, what
+from vstatics.core.tables.names import in_quotes
+
+Keys: TypeAlias = tuple[str, ...]
+"""The parts of a path, without quotes."""
+
+MOST_PATH_PARTS = 16
+"""So many parts has a path at most, as documents nest."""
+MOST_KNOWN = 12
+"""So many names are listed where one is not known."""
+
+_PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
+_BARE = re.compile(r"\w+(?:[- ]\w+)*")
+_CALL = re.compile(r"[^\W\d]\w*\s*\(")
+_VARIABLES = ("t", "speed", "angle")
+_SIGNS = ("*", "+", "-", "^")
+"""No unit begins with one of these."""
+
+
+class PathPart(NamedTuple):
+    """A part of a path as it was typed."""
+
+    name: str
+    at: int
+    """Where it begins in the text, from 0."""
+
+
+class NoValueError(Exception):
+    """There is no such value; where in the typed path that shows, from 0."""
+
+    def __init__(self, message: str, at: int) -> None:
+        super().__init__(message)
+        self.at = at
+
+
+def split(text: str) -> list[PathPart]:
+    """The parts of a typed path.
+
+    Raises
+    ------
+    NoValueError
+
+    Examples
+    --------
+    >>> [part.name for part in split('controls."F 1.a".2.1')]
+    ['controls', 'F 1.a', '2', '1']
+    """
+    parts: list[PathPart] = []
+    at = len(text) - len(text.lstrip())
+    end = len(text.rstrip())
+    while True:
+        found = _PART.match(text, at, end)
+        if not found:
+            quote = text[at : at + 1] in ('"', "'") and at < end
+            message = "the quote is not closed" if quote else "read nothing, expected a name"
+            raise NoValueError(f"{message} between the points of a path", at)
+        name = next(group for group in found.groups() if group is not None)
+        parts.append(PathPart(name.strip() if found[3] else name, at))
+        at = found.end()
+        if at == end:
+            return parts
+        if text[at] != "." or len(parts) == MOST_PATH_PARTS:
+            expected = f"at most {MOST_PATH_PARTS} parts" if text[at] == "." else "a point"
+            raise NoValueError(f"read {quoted(text[at:end])}, expected {expected}", at)
+        at += 1
+
+
+def written(keys: Sequence[str]) -> str:
+    """A path as it can be typed.
+
+    >>> written(("controls", "F.1", "2"))
+    'controls."F.1".2'
+    """
+    return ".".join(key if _BARE.fullmatch(key) else in_quotes(key) for key in keys)
+
+
+def keys_of(node: Node) -> list[str]:
+    """What can stand next in a path: names of keys, or numbers of items."""
+    match node:
+        case Mapping():
+            return list(dict.fromkeys(key.text for key, _ in node.entries))
+        case Listing():
+            return [str(number) for number in range(1, len(node.items) + 1)]
+    return []
+
+
+def child(node: Node, key: str) -> Node | None:
+    """The value below a node, if there is one."""
+    match node:
+        case Mapping():
+            return next((value for one, value in node.entries if one.text == key), None)
+        case Listing():
+            number = typed_number(key, len(node.items))
+            return None if number is None else node.items[number - 1]
+    return None
+
+
+def found(root: Node, parts: Sequence[PathPart]) -> Node | None:
+    """The value of a path; none if only its last key is missing, of a mapping.
+
+    Raises
+    ------
+    NoValueError
+        If the path leads nowhere; it names the nearest.
+    """
+    node = root
+    for number, part in enumerate(parts):
+        below = child(node, part.name)
+        if below is None:
+            before = written([one.name for one in parts[:number]])
+            last = number == len(parts) - 1
+            if last and isinstance(node, Mapping):
+                return None
+            raise NoValueError(_missing(node, part.name, before), part.at)
+        node = below
+    return node
+
+
+def _missing(node: Node, name: str, before: str) -> str:
+    """What to say where a path does not go on."""
+    known = keys_of(node)
+    of = f" in {quoted(before)}" if before else ""
+    match node:
+        case Mapping():
+            more = f", ... ({len(known)})" if len(known) > MOST_KNOWN else ""
+            expected = spoken(map(quoted, known[:MOST_KNOWN]), "or") + more if known else "nothing"
+            return f"there is no {quoted(name)}{of}, expected {expected}{nearest(name, known)}"
+        case Listing():
+            expected = f"the number of an item, 1 to {len(known)}" if known else "nothing"
+            return f"read {quoted(name)}, expected {expected}: {quoted(before)} is a list"
+    return f"read {quoted(name)}, but {quoted(before)} is {what(node)}, with nothing below it"
+
+
+class WrittenNumber(NamedTuple):
+    """A number as it stands in a document: with its unit, if it has one."""
+
+    value: float
+    unit: str
+
+
+def number_of(node: Node) -> WrittenNumber:
+    """The number of a value.
+
+    Raises
+    ------
+    ValueError
+        If it is none; with what it is.
+
+    Examples
+    --------
+    >>> number_of(Scalar("1.2*600 rpm", 1, 1))
+    WrittenNumber(value=720.0, unit='rpm')
+    """
+    if isinstance(node, Mapping | Listing):
+        raise ValueError(f"is {what(node)}: name a number in it")  # noqa: TRY004 (a value of the document)
+    if is_null(node):
+        raise ValueError("is nothing, expected a number")
+    try:
+        value, behind = calculated(node.text)
+    except ValueError:
+        raise ValueError(f"is {what(node)}, expected a number") from None
+    if behind in _VARIABLES or behind[:1] in _SIGNS or _CALL.search(behind):
+        raise ValueError(f"is a formula, {what(node)}, expected a number")
+    if behind[:1] in ("%", ":"):
+        return WrittenNumber(dimensionless(node.text), "")
+    return WrittenNumber(value, behind)
+
+
+def number_text(value: float, unit: str = "") -> str:
+    """A number as it is written into a document; a whole one without a point.
+
+    >>> number_text(42.0), number_text(0.1, "rpm")
+    ('42', '0.1 rpm')
+    """
+    whole = abs(value) < 2**53 and value == int(value)
+    text = str(int(value)) if whole else repr(float(value))
+    return f"{text} {unit}" if unit else text
+
+
+def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
+    """A tree with another text at a path; a key that a mapping has not is put behind the others.
+
+    Parameters
+    ----------
+    node : Node
+    keys : sequence of str
+        A path that `found` has found, or whose last key is missing.
+    text : str
+
+    Examples
+    --------
+    >>> tree = Mapping([(Scalar("at", 1, 1), Scalar("2", 1, 5))], 1, 1)
+    >>> replaced(tree, ["at"], "3").entries[0][1].text
+    '3'
+    >>> len(replaced(tree, ["overlap"], "0.1").entries)
+    2
+    """
+    if not keys:
+        return Scalar(text, node.line, node.column)
+    first, *others = keys
+    if isinstance(node, Listing):
+        items = list(node.items)
+        place = int(first) - 1
+        items[place] = replaced(items[place], others, text)
+        return node._replace(items=items)
+    assert isinstance(node, Mapping)  # noqa: S101 - the path was found
+    entries = list(node.entries)
+    for place, (key, value) in enumerate(entries):
+        if key.text == first:
+            entries[place] = key, replaced(value, others, text)
+            return node._replace(entries=entries)
+    key = Scalar(first, node.line, node.column)
+    return node._replace(entries=[*entries, (key, Scalar(text, node.line, node.column))])

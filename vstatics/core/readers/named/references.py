@@ -1,0 +1,179 @@
+"""What a document calls its links and shift elements."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+from itertools import islice
+
+from vstatics.core.model.transmission import HOUSING, SpeedOf
+from vstatics.core.readers.named import scalars
+from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.core.readers.named.nodes import Found, shown
+from vstatics.core.readers.named.units import unit
+
+NO_LINK = -1
+"""Stands in for a link that is not known; no other link is equal to it."""
+
+NO_ELEMENT = 0
+_FEW_LINKS = 8
+_MOST_FACTORS = 100
+_HOUSING = ("0", "housing")
+
+
+class References:
+    """Numbers of links and shift elements by their names.
+
+    Attributes
+    ----------
+    link_names : list of str
+        Names of the links, empty when they are numbers.
+    links_known, elements_known : bool
+        Whether they could be read; if not, it is no use to complain about names.
+    """
+
+    def __init__(self, found: Found) -> None:
+        self.link_names: list[str] = []
+        self.links_known = False
+        self.elements_known = True
+        self._found = found
+        self._links = 0
+        self._link_numbers: dict[str, int] = {}
+        self._elements: dict[str, int] = {}
+        self._others: dict[str, dict[str, int]] = {
+            "mechanism": {},
+            "spring": {},
+            "elastic device": {},
+        }
+
+    def set_links(self, links: int) -> None:
+        """Links that have numbers only."""
+        self._links, self.links_known = links, True
+
+    def set_link_names(self, names: Sequence[str]) -> None:
+        """Links that have names only."""
+        self.link_names = list(names)
+        self._link_numbers = _numbered(names)
+        self.links_known = True
+
+    def set_elements(self, names: Iterable[str]) -> None:
+        """The shift elements in order."""
+        self._elements = _numbered(names)
+
+    def set_others(self, kind: str, names: Iterable[str]) -> None:
+        """The mechanisms in order, without those of drawn elements; springs; all that bends."""
+        self._others[kind] = _numbered(names)
+
+    def add_converters(self, names: Iterable[str]) -> None:
+        """Converters have speed ratios, too: their numbers are behind those of mechanisms."""
+        self.set_others("mechanism", [*self._others["mechanism"], *names])
+
+    def other(self, kind: str, text: str) -> int:
+        """The number of a mechanism or a spring.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        numbers = self._others[kind]
+        if text in numbers:
+            return numbers[text]
+        article = "an" if kind == "elastic device" else "a"
+        raise ValueError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
+
+    def link(self, text: str) -> int:
+        """The number of a link, 0 for the housing, `NO_LINK` if no links are known.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if text in _HOUSING:
+            return HOUSING
+        if self.link_names:
+            if text in self._link_numbers:
+                return self._link_numbers[text]
+            known = self._known(text, [*self.link_names, "housing"])
+            raise ValueError(f"expected the name of a link or `housing`{known}")
+        number = scalars.link_number(text)
+        if number is not None and (number <= self._links or not self.links_known):
+            return number
+        if not self.links_known:
+            return NO_LINK
+        hint = self._found.hint(text, ["housing"])
+        raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
+
+    def speed_of(self, text: str) -> SpeedOf | None:
+        """The speed of another link, as `FL`, `1.05*FL` or `1.05*link 3`; none if it is not one.
+
+        Raises
+        ------
+        ValueError
+            If it is one, but of no link that is known.
+        """
+        for factor, link in ((1.0, text), (-1.0, text.removeprefix("-").strip())):
+            number = self._number(link)
+            if number is not None:
+                return SpeedOf(number, factor)
+        for times in islice(re.finditer(r"\*", text), _MOST_FACTORS):
+            number = self._number(text[times.end() :].strip())
+            if number is not None:
+                return SpeedOf(number, scalars.number(text[: times.start()].strip()))
+        ends = re.fullmatch(r"([^*/]+)([*/])(.+)", text)
+        if ends and self._number(ends[1].strip()) is not None:
+            link, given = ends[1].strip(), ends[3].strip()
+            first = given if ends[2] == "*" else f"1/{given}"
+            raise ValueError(f"expected the factor before the link: `{first}*{link}`")
+        behind = _behind(text)
+        if self.links_known and behind.startswith("*") and not unit(behind)[0]:
+            link = "the name of a link" if self.link_names else "`link` and its number"
+            known = self._known(behind[1:].strip(), self.link_names) if self.link_names else ""
+            raise ValueError(f"expected {link} behind the `*`{known}")
+        return None
+
+    def _number(self, link: str) -> int | None:
+        """The number of the link that a text names, alone or behind the word `link`."""
+        named = link.removeprefix("link ").strip()
+        if self.link_names:
+            return self._link_numbers.get(named if named in self._link_numbers else link)
+        number = scalars.link_number(named) if named != link else None
+        return number if number and number <= self._links else None
+
+    def element(self, text: str) -> int:
+        """The number of a shift element, `NO_ELEMENT` if none are known.
+
+        Raises
+        ------
+        ValueError
+            With what was expected.
+        """
+        if text in self._elements:
+            return self._elements[text]
+        if not self.elements_known:
+            return NO_ELEMENT
+        if not self._elements:
+            raise ValueError("but there are no shift elements")
+        known = self._known(text, self._elements)
+        raise ValueError(f"expected the name of a shift element{known}")
+
+    def _known(self, text: str, names: Collection[str]) -> str:
+        """The nearest of the names, or all of them if they are few."""
+        few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW_LINKS else ""
+        return self._found.hint(text, names) or few
+
+
+def _behind(text: str) -> str:
+    """What stands behind a number, if there is one."""
+    try:
+        return calculated(text).behind
+    except ValueError:
+        return ""
+
+
+def _numbered(names: Iterable[str]) -> dict[str, int]:
+    numbers: dict[str, int] = {}
+    for number, name in enumerate(names, 1):
+        numbers.setdefault(name, number)
+    return numbers

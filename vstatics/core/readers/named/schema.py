@@ -1,0 +1,263 @@
+"""The JSON Schema of a case, made from its declared shape."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, get_args
+
+from vstatics.core.elements.keys import with_elements
+from vstatics.core.model.keys import CASE, EFFICIENCY, with_masses
+from vstatics.core.model.shape import (
+    STRAIGHT,
+    UNIT_OF,
+    Balances,
+    ByForm,
+    ByKey,
+    ByKind,
+    ByLaw,
+    ByName,
+    ByPoints,
+    Either,
+    Ends,
+    KeyShape,
+    Leaf,
+    Links,
+    ListOf,
+    Measure,
+    Numbers,
+    OneOrMany,
+    Pair,
+    Parsed,
+    RowOf,
+    Shape,
+    Shares,
+)
+from vstatics.core.model.torsional_keys import DAMPING
+from vstatics.core.readers.named.arithmetic import ARITHMETIC
+from vstatics.core.readers.named.scalars import LINK_NUMBER, NUMBER
+from vstatics.core.readers.named.si_units import WITH_UNIT
+from vstatics.core.readers.named.units import QUANTITY
+
+Words = dict[str, Any]
+
+_DAMPING, _EFFICIENCY = "any_damping", "efficiency"
+_IN_NO_CASE = frozenset(("time", "velocity", "pump_factor", *STRAIGHT.values())) - {"length"}
+"""Measures of scenarios alone."""
+_NAME: Words = {"type": ["string", "integer"], "minLength": 1}
+_DEFINITIONS: dict[str, Words] = {
+    "link": {
+        "title": "Link",
+        "description": "Number or name of a link; 0 and `housing` are the housing.",
+        "type": ["integer", "string"],
+        "minimum": 0,
+        "minLength": 1,
+    },
+    "number": {
+        "title": "Number",
+        "description": "A number, or a fraction of two such as -96/39.",
+        "type": ["number", "string"],
+        "pattern": NUMBER,
+    },
+}
+
+_GIVEN: Words = {"not": {"type": "null"}}
+_TWO_LINKS: Words = {"minimum": 2, "minItems": 2}
+_NOT_EMPTY: Words = {"minProperties": 1}
+_GEARS: tuple[Words, ...] = (
+    {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
+    {"properties": {"shift_elements": {"maxProperties": 0}}},
+)
+"""Gears, or no shift elements: such a case has one gear."""
+_ENOUGH: tuple[Words, ...] = (
+    {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
+    {
+        "required": ["links", "mechanisms"],
+        "properties": {"links": {**_GIVEN, **_TWO_LINKS}, "mechanisms": _GIVEN},
+        "anyOf": [*_GEARS],
+    },
+    *(
+        {"required": [key], "properties": {key: {**_GIVEN, **_NOT_EMPTY}}}
+        for key in ("springs", "inertias", "masses")
+    ),
+)
+"""What a case is made of, at least."""
+
+
+def json_schema() -> Words:
+    """The JSON Schema (draft 2020-12) of a case in YAML or JSON.
+
+    Names of links and shift elements are not looked up: a schema cannot do that.
+
+    Examples
+    --------
+    >>> [one["required"] for one in json_schema()["anyOf"]]
+    [['elements'], ['links', 'mechanisms'], ['springs'], ['inertias'], ['masses']]
+    """
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **_record(with_elements(with_masses(CASE))),
+        "anyOf": list(_ENOUGH),
+    }
+    measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}
+    damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
+    several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
+    return {**schema, "$defs": {**_DEFINITIONS, **measures, **several}}
+
+
+def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
+    """The JSON Schema of another document in YAML, in which these measures stand."""
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
+    return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
+
+
+def _measure(name: Measure) -> Words:
+    return {
+        "title": name.removeprefix("si_").capitalize(),
+        "description": f"Bare in {UNIT_OF[name]}, or with its unit.",
+        "type": ["number", "string"],
+        "pattern": f"^{ARITHMETIC}$|{WITH_UNIT}",
+    }
+
+
+def _reference(name: str) -> Words:
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def _record(shape: ByKey) -> Words:
+    words: Words = {
+        "title": shape.title,
+        "description": shape.description,
+        "type": "object" if shape.required else ["object", "null"],
+        "properties": {key.name: _key(key) for key in shape.keys},
+        "additionalProperties": False,
+    }
+    for key in shape.keys:
+        if key.unless:
+            words["anyOf"] = [{"required": [key.name]}, {"required": [key.unless]}]
+    return {**words, "required": shape.required} if shape.required else words
+
+
+def _key(key: KeyShape) -> Words:
+    words = {"description": key.description, **_shape(key.shape), **key.limits}
+    if key.default is not None:
+        words["default"] = key.default
+    if key.examples:
+        words["examples"] = list(key.examples)
+    return words if key.required else _optional(words)
+
+
+def _optional(words: Words) -> Words:
+    """An optional key without a value is not given."""
+    if "anyOf" in words:
+        return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
+    if "$ref" in words:
+        reference = {"$ref": words.pop("$ref")}
+        return {**words, "anyOf": [reference, {"type": "null"}]}
+    if "enum" in words:
+        return {**words, "enum": [*words["enum"], None]}
+    types = words["type"] if isinstance(words["type"], list) else [words["type"]]
+    return {**words, "type": [*dict.fromkeys([*types, "null"])]}
+
+
+def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
+    link = _reference("link")
+    match shape:
+        case ByKey():
+            return _record(shape)
+        case ByName():
+            return _by_name(_shape(shape.item))
+        case Links():
+            number: Words = {"type": ["integer", "string", "array"], "minimum": 1}
+            names: Words = {"items": _NAME, "minItems": 1, "uniqueItems": True}
+            return {**number, "pattern": LINK_NUMBER, **names}
+        case Ends():
+            return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
+        case Either() if shape is DAMPING:
+            return _reference(_DAMPING)  # it stands in many places
+        case Either():
+            return {"anyOf": [_shape(shape.short), _record(shape.record)]}
+        case ListOf():
+            unique = {"uniqueItems": True} if shape.kind and shape.unique else {}
+            return {"type": "array", "items": _shape(shape.item), **unique}
+        case Pair():
+            return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
+        case RowOf():
+            known = (*shape.items, *shape.optional)
+            return {
+                "type": "array",
+                "prefixItems": list(map(_shape, known)),
+                "minItems": len(shape.items),
+                "maxItems": len(known),
+            }
+        case ByPoints():
+            points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
+            return {"anyOf": [_shape(shape.row.items[-1]), points, _record(shape.mapping)]}
+        case ByLaw() if shape is EFFICIENCY:
+            return _reference(_EFFICIENCY)
+        case Balances() | ByLaw():
+            return _of_law(shape)
+        case Parsed():
+            return {"type": ["number", "string"]}
+        case ByForm():
+            forms = (shape.scalar, shape.listing, shape.mapping)
+            return {"anyOf": [_shape(form) for form in forms if form is not None]}
+        case OneOrMany():
+            one = _shape(shape.item)
+            return {"anyOf": [*one["anyOf"], {"type": "array", "items": one, "minItems": 1}]}
+        case ByKind():
+            return {"oneOf": [_of_kind(shape, kind) for kind in shape.records]}
+        case Numbers():
+            return _by_name({**_shape(shape.item), **shape.limits})
+        case Shares():
+            return _by_name(_leaf(Leaf("share")))
+        case Leaf():
+            return _leaf(shape)
+
+
+def _of_law(shape: Balances | ByLaw) -> Words:
+    """A number or a law; efficiencies of machines and the power of their battery."""
+    if isinstance(shape, Balances):
+        words = _by_name(_shape(shape.links.item))
+        return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
+    rows = [] if shape.row is None else [_shape(ListOf(shape.row))]
+    return {"anyOf": [_shape(shape.scalar), *rows, _shape(shape.mapping)]}
+
+
+def _of_kind(shape: ByKind, kind: str) -> Words:
+    record = shape.records[kind]
+    words = _record(record)
+    words["properties"][shape.key] = {"const": kind}
+    return {**words, "type": "object", "required": [*dict.fromkeys([shape.key, *record.required])]}
+
+
+def _by_name(item: Words) -> Words:
+    return {
+        "type": "object",
+        "propertyNames": {"minLength": 1},
+        "additionalProperties": item,
+    }
+
+
+def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
+    match shape.kind:
+        case "share":
+            return {**_reference("number"), "minimum": 0}
+        case "count":
+            return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
+        case "relative_speed":
+            return {"type": ["number", "string"]}  # also the name of a link, with a factor
+        case "relative_torque":
+            return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
+        case "drag":
+            return {"type": ["number", "string"]}  # also a formula
+        case "speed" | "torque" | "power":
+            return {"type": "string", "pattern": QUANTITY}
+        case "flag":
+            return {"type": "boolean"}
+        case "choice":
+            return {"enum": list(shape.choices)}
+        case "element":
+            return dict(_NAME)
+        case "text":
+            return {"type": ["string", "number", "boolean"]}
+    return _reference(shape.kind)  # a number, a link, a measure

@@ -1,0 +1,280 @@
+"""Units of inertias, stiffnesses, pressures and whatever else is in SI, with any exponents."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+from typing import NamedTuple
+
+from vstatics.core.errors import spoken
+from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
+from vstatics.core.readers.named.arithmetic import ARITHMETIC, calculated, slip
+from vstatics.core.readers.named.units import (
+    LONGEST_UNIT,
+    Quantity,
+    factors,
+    unit,
+    usual,
+    with_article,
+)
+
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
+"""A number with its unit, as a pattern for ECMAScript."""
+
+_Dimension = tuple[int, int, int, int, int]
+"""Exponents of kg, m, s, rad, K."""
+
+_FORMS: dict[str, tuple[str, ...]] = {
+    "power": ("W",),
+    **{measure: (unit,) for measure, unit in UNIT_OF.items()},
+    "compliance": ("rad/(N*m)", "1/(N*m)"),
+    "damping": ("N*m*s/rad", "N*m*s"),
+    "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
+}
+"""With the radian, or without where nothing else is meant; N*m alone is a torque."""
+
+
+class _Base(NamedTuple):
+    dimension: _Dimension
+    above: float
+    below: float = 1.0
+    """Its size in SI is their ratio."""
+
+
+_NOTHING: _Dimension = (99, 99, 99, 99, 99)
+_MASS, _TIME = (1, 0, 0, 0, 0), (0, 0, 1, 0, 0)
+_BASES: dict[str, tuple[_Dimension, float]] = {
+    "force": ((1, 1, -2, 0, 0), 1),
+    "length": ((0, 1, 0, 0, 0), 1),
+    "angle": ((0, 0, 0, 1, 0), 2 * math.pi),
+    "time": ((0, 0, 1, 0, 0), 60),
+    "speed": ((0, 0, -1, 1, 0), math.pi / 30),
+    "power": ((1, 2, -3, 0, 0), 1000),
+}
+"""By what `units` knows: its dimension, and its unit there in SI."""
+_STANDARD_GRAVITY = 9.80665
+_GRAMS = {
+    "g": _Base(_MASS, 1, 1000),
+    "г": _Base(_MASS, 1, 1000),
+    "kg": _Base(_MASS, 1),
+    "кг": _Base(_MASS, 1),
+    "t": _Base(_MASS, 1000),
+    "т": _Base(_MASS, 1000),
+}
+_OTHERS = {
+    "K": _Base((0, 0, 0, 0, 1), 1),
+    "J": _Base((1, 2, -2, 0, 0), 1),
+    "kJ": _Base((1, 2, -2, 0, 0), 1000),
+} | {
+    word: _Base((1, -1, -2, 0, 0), above, below)
+    for words, above, below in (
+        ("Pa Па", 1, 1),
+        ("hPa гПа mbar мбар", 100, 1),
+        ("kPa кПа", 1000, 1),
+        ("MPa МПа", 10**6, 1),
+        ("bar бар", 10**5, 1),
+        ("at ат", 980665, 10),  # kgf/cm^2
+        ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf by an inch squared
+    )
+    for word in words.split()
+}
+_VELOCITIES = {
+    "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m in an hour
+    "mps": _Base((0, 1, -1, 0, 0), 1),
+    **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
+}
+"""Speeds of vehicles in one word, in letters of any size."""
+_POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
+"""Units of force to `units`, of mass here where that gives what is asked for."""
+_MILLISECONDS = frozenset(("ms", "msec", "мс"))
+"""Metre by second to `units`, a time here where that gives what is asked for."""
+_QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
+"""As `units` knows them, with other ways to write their units."""
+_TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
+_EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
+_SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
+
+
+def measured(text: str, measure: Measure) -> float:
+    """A number in SI, bare or with its unit.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> measured("84e-5", "compliance"), measured("150 kg*cm^2", "inertia")
+    (0.00084, 0.015)
+    >>> measured("1 N*m/deg", "stiffness"), measured("2 rad/(kN*m)", "compliance")
+    (57.2957..., 0.002)
+    >>> measured("30 1/min", "si_speed") == measured("30 rpm", "si_speed")
+    True
+    >>> measured("10 mph", "velocity"), measured("10 mi/h", "velocity").__round__(12)
+    (4.4704, 4.4704)
+    """
+    in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
+    if not any(sign in "0123456789" for sign in text):
+        raise ValueError(in_unit)
+    value, behind = calculated(text)
+    if not behind:
+        return value
+    for of_words in (True, False):
+        dimension, above, below = _unit(behind, of_words=of_words)
+        if dimension in _dimensions()[measure]:
+            value = value * above / below
+            if not math.isfinite(value):
+                raise ValueError(f"expected {with_article(measure)} that is not so large")
+            return value
+    other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
+    if other:
+        raise ValueError(f"{in_unit}; this is {with_article(other)}")
+    raise ValueError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
+
+
+def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
+    """A number in SI, bare or with a unit of one of several measures.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> in_any_unit("4 bar", ["si_torque", "pressure"]).measure, in_any_unit("4", ["time"]).measure
+    ('pressure', None)
+    """
+    units = spoken((UNIT_OF[measure] for measure in measures), "or")
+    fault = f"expected a number in {units}, bare or with its unit"
+    for measure in measures:
+        try:
+            value = measured(text, measure)
+        except ValueError as error:
+            fault = str(error) if len(measures) == 1 else fault
+            continue
+        return InUnit(value, measure if calculated(text).behind else None)
+    raise ValueError(fault)
+
+
+def of_either(text: str, measure: Measure) -> InUnit:
+    """The same of a measure, or of that of what moves straight in its place.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> of_either("184 N/mm", "stiffness").measure
+    'straight_stiffness'
+    """
+    try:
+        return in_any_unit(text, (measure,))
+    except ValueError as error:
+        try:
+            return in_any_unit(text, (STRAIGHT[measure],))
+        except ValueError:
+            raise error from None
+
+
+@cache
+def _dimensions() -> dict[str, list[_Dimension]]:
+    """What is measured, as its units are made of; the first form tells it from others."""
+    return {
+        kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
+    }
+
+
+def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
+    """What a unit is made of, and its size in SI as a ratio; nothing known if it is not read.
+
+    Parameters
+    ----------
+    text : str
+    of_words : bool
+        Whether ``lb`` is a mass and ``ms`` a time, not a force and metre by second.
+    """
+    total, above, below = [0] * 5, 1.0, 1.0
+    try:
+        for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
+            for place, base in enumerate(_bases(word, of_words=of_words)):
+                times = exponent if place == 0 else math.copysign(1, exponent)
+                total = [a + int(times) * b for a, b in zip(total, base.dimension, strict=True)]
+                up, down = (base.above, base.below)[:: 1 if times > 0 else -1]
+                above, below = above * up ** abs(times), below * down ** abs(times)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return _NOTHING, 1.0, 1.0
+    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # turns: 1/min is rpm, as there
+        return _unit("rpm", of_words=of_words)
+    return (total[0], total[1], total[2], total[3], total[4]), above, below
+
+
+def _powers(text: str) -> Iterator[tuple[str, int]]:
+    """Words of a unit with their exponents; what stands in brackets behind `/` divides."""
+    if len(text) > LONGEST_UNIT:
+        raise ValueError
+    at, signs, sign = 0, [1], 1
+    while at < len(text):
+        token = _TOKEN.match(text, at)
+        if not token:
+            raise ValueError
+        at = token.end()
+        match token[1]:
+            case "/":
+                sign = -1
+            case "(":
+                signs.append(signs[-1] * sign)
+                sign = 1
+            case ")":
+                if len(signs) == 1:
+                    raise ValueError
+                signs.pop()
+                sign = 1
+            case None:
+                power = _EXPONENT.match(text, at)
+                at = power.end() if power else at
+                yield token[2], signs[-1] * sign * (int(power[2]) if power else 1)
+                sign = 1
+    if len(signs) > 1:
+        raise ValueError
+
+
+def _bases(word: str, *, of_words: bool) -> list[_Base]:
+    """What a word is made of, the last first, to which an exponent belongs: m and N for `Nm`."""
+    if of_words and word.casefold() in _POUNDS:
+        [(_, above, below)] = factors(word)
+        return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
+    if of_words and word in _MILLISECONDS:
+        return [_Base(_TIME, 1, 1000)]
+    if known := _OTHERS.get(word) or _VELOCITIES.get(word.casefold()):
+        return [known]
+    whole = factors(word)
+    if not _known(whole):
+        for end in range(len(word), 0, -1):
+            head, tail = word[:end], word[end:]
+            rest = factors(tail) if tail else []
+            if not _known(rest):
+                continue
+            if head in _GRAMS:
+                return [*map(_base, reversed(rest)), _GRAMS[head]]
+            if _known(factors(head)):
+                whole = [*factors(head), *rest]
+                break
+    return list(map(_base, reversed(whole)))
+
+
+def _known(parts: Sequence[tuple[str, float, float]]) -> bool:
+    return all(kind != "?" for kind, _, _ in parts)
+
+
+def _base(factor: tuple[str, float, float]) -> _Base:
+    kind, above, below = factor
+    dimension, times = _BASES.get(kind, (_NOTHING, 1.0))
+    if (below / times).is_integer():  # so rad, s and W are exactly 1
+        return _Base(dimension, above, below / times)
+    return _Base(dimension, above * times, below)

@@ -1,0 +1,267 @@
+"""Units of speeds, torques and powers as the trade writes them, and numbers with a unit."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Literal, Self
+
+from vstatics.core.errors import mixed_letters, nearest
+from vstatics.core.model.shape import UNITS
+from vstatics.core.readers.named.arithmetic import (
+    ARITHMETIC,
+    calculated,
+    dimensionless,
+    expected,
+    slip,
+)
+
+Quantity = Literal["speed", "torque", "power"]
+
+_Factor = tuple[str, int, float]
+"""What a unit is made of, and its size as a ratio: in N, m, turns, minutes, kW."""
+_LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
+"""The pound in kg and the foot in m (International Yard and Pound, 1959), standard gravity in
+m/s^2 (3rd CGPM, 1901): exact."""
+_LBF = (_LB[0] * _G[0], _LB[1] * _G[1])
+
+_PREFIXED: dict[str, _Factor] = {
+    **dict.fromkeys(("N", "Н", "newton", "newtons"), ("force", 1, 1)),
+    **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
+    **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
+}
+"""By their exact letters, with a prefix or without."""
+_PREFIXES = {
+    prefix: (above, below)
+    for prefixes, above, below in (
+        ("M М mega", 10**6, 1),
+        ("k к kilo", 1000, 1),
+        ("da да deca", 10, 1),
+        ("d д deci", 1, 10),
+        ("c с centi", 1, 100),
+        ("m м milli", 1, 1000),
+    )
+    for prefix in prefixes.split()
+} | {"": (1, 1)}
+_WORDS_OF_UNITS: dict[str, _Factor] = {
+    word: (kind, above, below)
+    for words, kind, above, below in (
+        ("lb lbs lbf pound pounds", "force", *_LBF),
+        ("oz ozf ounce ounces", "force", _LBF[0], _LBF[1] * 16),
+        ("kip kips", "force", _LBF[0] * 1000, _LBF[1]),
+        ("kgf kp kilopond кгс", "force", *_G),
+        ("gf pond гс", "force", _G[0], _G[1] * 1000),
+        ("tf тс", "force", _G[0] * 1000, _G[1]),
+        ("dyn dyne", "force", 1, 10**5),
+        ("ft foot feet", "length", *_FT),
+        ("in inch inches", "length", _FT[0], _FT[1] * 12),
+        ("yd yard yards", "length", _FT[0] * 3, _FT[1]),
+        ("mi mile miles", "length", _FT[0] * 5280, _FT[1]),
+        ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
+        ("rad radian radians рад", "angle", 1, 2 * math.pi),
+        ("deg degree degrees °", "angle", 1, 360),
+        ("min mins minute minutes мин", "time", 1, 1),
+        ("s sec secs second seconds с сек", "time", 1, 60),
+        ("h hr hour hours ч", "time", 60, 1),
+        ("rpm", "speed", 1, 1),
+        ("rps", "speed", 60, 1),
+        ("krpm", "speed", 1000, 1),
+        # SAE J245; DIN 66036
+        ("hp bhp horsepower", "power", 550 * _LBF[0] * _FT[0], _LBF[1] * _FT[1] * 1000),
+        ("ps cv ch лс", "power", 75 * _G[0], _G[1] * 1000),
+    )
+    for word in words.split()
+}
+"""In letters of any size."""
+
+_KINDS: dict[str, tuple[Quantity, int]] = {
+    "speed": ("speed", 1),
+    "/time angle": ("speed", 1),
+    "force length": ("torque", 1),
+    "power": ("power", 1),
+    "/time force length": ("power", 60_000),  # N*m/min
+}
+"""Kinds of factors -> what they are together, and by what they are divided."""
+
+_SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
+_FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
+LONGEST_UNIT = 40
+"""Characters of a unit."""
+
+
+def unit(text: str) -> tuple[Quantity | None, float]:
+    """What a unit measures, and its size in rpm, N*m or kW; none if it is not understood.
+
+    Parameters
+    ----------
+    text : str
+        Factors with `*`, `.`, `-`, a blank or nothing between them, or `/`; exponents 1 and -1.
+
+    Examples
+    --------
+    >>> unit("kNm"), unit("min^-1"), unit("furlong/fortnight")
+    (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
+    """
+    text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
+    kinds: list[str] = []
+    above: float = 1
+    below: float = 1
+    at = 0
+    while at < len(text) <= LONGEST_UNIT:
+        factor = _FACTOR.match(text, at)
+        if not factor or (at == 0 and factor[1] in ("-", ".")):
+            return None, 1.0
+        inverse = (factor[1] == "/") != (factor[3] == "-1")
+        for kind, up, down in factors(factor[2]):
+            kinds += [f"/{kind}" if inverse else kind]
+            above, below = (above * down, below * up) if inverse else (above * up, below * down)
+        at = factor.end()
+    together = " ".join(sorted(kinds))
+    if together == "/time" and above == below:  # 1/min is rpm; 1/s could be rad/s
+        return "speed", 1.0
+    if at < len(text) or together not in _KINDS:
+        return None, 1.0
+    quantity, divisor = _KINDS[together]
+    return quantity, above / (below * divisor)
+
+
+def factors(word: str) -> list[_Factor]:
+    """What a word without signs is made of: N and m for `Nm`, nothing known for `Mm2`."""
+    for end in range(len(word), 0, -1) if word != "1" else ():
+        parts = [_factor(part) for part in (word[:end], word[end:]) if part]
+        known = [part for part in parts if part]
+        if len(known) == len(parts):
+            return known
+    return [] if word == "1" else [("?", 1, 1)]
+
+
+def _factor(word: str) -> _Factor | None:
+    for prefix, (up, down) in _PREFIXES.items():
+        if word.startswith(prefix) and (known := _PREFIXED.get(word[len(prefix) :])):
+            kind, above, below = known
+            return kind, above * up, below * down
+    return _WORDS_OF_UNITS.get(word.casefold())
+
+
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
+"""A number with a unit, as a pattern for ECMAScript."""
+
+EXAMPLES: dict[Quantity, str] = {
+    "speed": "`2100 rpm` or `220 rad/s`",
+    "torque": "`1200 N*m` or `885 lbf*ft`",
+    "power": "`120 kW` or `160 hp`",
+}
+_USUAL: dict[Quantity, tuple[str, ...]] = {
+    "speed": ("rpm", "rad/s", "rev/min", "rev/s", "1/min", "deg/s"),
+    "torque": ("N*m", "kN*m", "MN*m", "N*mm", "N*cm", "lbf*ft", "lbf*in", "kgf*m", "kgf*cm"),
+    "power": ("kW", "W", "MW", "hp", "PS"),
+}
+_MEANT = {
+    **dict.fromkeys(("1s", "s1", "s", "hz"), "rev/s` or `rad/s"),
+    "kgm": "kgf*m",
+    "kgcm": "kgf*cm",
+}
+"""What is meant by units that are no speed or torque, without the signs in them."""
+
+
+def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
+    """A speed in rpm, a torque in N*m or a power in kW.
+
+    Parameters
+    ----------
+    text : str
+        A number, or a calculation, and its unit.
+    kind : {"speed", "torque", "power"}
+    or_else : str
+        What could stand there besides, for the message.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> quantity("3000 1/min", "speed"), quantity("1.3*400 Nm", "torque")
+    (3000.0, 520.0)
+    >>> quantity("100 lbf*ft", "torque"), quantity("75 PS", "power")
+    (135.58179483314004, 55.1624062...)
+    """
+    number, behind = calculated(text) if _has_digits(text) else (0.0, "")
+    found, size = unit(behind)
+    if found != kind:
+        other = f"; this is a {found}" if found else slip(text) or usual(behind, kind)
+        such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
+        raise ValueError(f"{such}{or_else}{other}")
+    value = number * size
+    if not math.isfinite(value):
+        raise ValueError(f"expected a {kind} that is not so large")
+    return value
+
+
+def _has_digits(text: str) -> bool:
+    return any(sign in "0123456789" for sign in text)
+
+
+def usual(read: str, kind: Quantity | None) -> str:
+    """The usual unit, where another way to write it was read.
+
+    >>> usual("Hz", "speed"), usual(",5", None)
+    ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
+    """
+    told = slip(read)
+    if told or kind is None:
+        return told or mixed_letters(read)
+    letters = _letters(read)
+    alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
+    meant = next(alike, _MEANT.get(letters))
+    if meant:
+        return f"; did you mean `{meant}`?"
+    return nearest(read[:LONGEST_UNIT], _USUAL[kind]) or mixed_letters(read)
+
+
+def _letters(text: str) -> str:
+    return re.sub(r"[\W_]", "", text).casefold()
+
+
+def with_article(kind: str) -> str:
+    """The words for what is measured: `an inertia`."""
+    noun = kind.removeprefix("si_").replace("_", " ")
+    return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
+
+
+class WithUnit(float):
+    """A speed in rpm or a torque in N*m, where others are relative to the input's."""
+
+    quantity: Quantity
+
+    def __new__(cls, value: float, quantity: Quantity) -> Self:
+        """Keep what it is the value of."""
+        made = super().__new__(cls, value)
+        made.quantity = quantity
+        return made
+
+    def __format__(self, spec: str) -> str:
+        return f"{super().__format__(spec)} {UNITS[self.quantity]}"
+
+
+def relative(text: str, kind: Quantity) -> float:
+    """A speed or torque relative to that of the input, or one with its unit.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> relative("1/500", "torque"), relative("3 N*m", "torque")
+    (0.002, 3.0)
+    """
+    if _has_digits(text):
+        _, behind = calculated(text)
+        if not behind or behind[0] in "%:":
+            return dimensionless(text)
+    if not any(sign.isalpha() for sign in text):
+        raise ValueError(expected(text))
+    return WithUnit(quantity(text, kind, f", or one relative to the input {kind}"), kind)

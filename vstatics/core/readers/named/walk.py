@@ -1,0 +1,316 @@
+"""The walk through a tree of nodes along the declared shape of a case.
+
+It gives parts of the model and plain values, remembers where each of the model's paths
+stands in the document, and leaves a stand-in where nothing can be read.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from vstatics.core.errors import quoted, spoken
+from vstatics.core.model.parts import HOUSING
+from vstatics.core.model.shape import (
+    TEXT,
+    Balances,
+    ByForm,
+    ByKey,
+    ByKind,
+    ByLaw,
+    ByName,
+    ByPoints,
+    Either,
+    Ends,
+    Leaf,
+    Links,
+    ListOf,
+    Numbers,
+    OneOrMany,
+    Pair,
+    Parsed,
+    RowOf,
+    Shape,
+    Shares,
+)
+from vstatics.core.readers.named import compounds, laws, scalars
+from vstatics.core.readers.named.compounds import (
+    NO_COMMA,
+    NO_MERGE,
+    entries,
+    is_behind_comma,
+    is_merge,
+    known_entries,
+)
+from vstatics.core.readers.named.leaves import LEAVES, either_way, parsed, stand_in, values_before
+from vstatics.core.readers.named.nodes import (
+    Listing,
+    Mapping,
+    Node,
+    Scalar,
+    Spot,
+    Spots,
+    is_null,
+    length,
+    shown,
+    what,
+)
+from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK, References
+
+_ENDS = ("first", "second")
+_SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
+"""What stands in place of a record, so that it is not the record that is missed."""
+
+
+class Walk:
+    """Reads nodes by their shapes."""
+
+    def __init__(self, spots: Spots) -> None:
+        self.spots = spots
+        self.references = References(spots.found)
+        self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
+            ByKey: self._by_key,
+            ByName: self._by_name,
+            Links: self._links,
+            Ends: self._ends,
+            Either: self._either,
+            Numbers: self._numbers,
+            Shares: self._shares,
+            Leaf: self._leaf,
+            ListOf: self._list_of,
+            Pair: self._pair,
+            RowOf: partial(compounds.read_row, self),
+            ByPoints: partial(compounds.read_points, self),
+            Balances: partial(laws.read_balance, self),
+            ByLaw: partial(laws.read_law, self),
+            Parsed: partial(compounds.read_parsed, self),
+            ByForm: partial(compounds.read_form, self),
+            OneOrMany: partial(compounds.read_one_or_many, self),
+            ByKind: self._by_kind,
+        }
+
+    def read(self, spot: Spot, shape: Shape) -> Any:
+        """The value at a spot, or a stand-in after a problem."""
+        self.spots.keep(spot)
+        return self._readers[type(shape)](spot, shape)
+
+    def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
+        """The items of a list, all of one shape."""
+        return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
+
+    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+        """A stand-in for what cannot be read, after the problem."""
+        self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
+        return stand_in(shape)
+
+    def _by_key(self, spot: Spot, shape: ByKey) -> Any:
+        node = spot.node
+        given: dict[str, Node] = {}
+        if isinstance(node, Mapping):
+            given = known_entries(self.spots, spot, shape.keys)
+        elif not is_null(node) or shape.required:
+            expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
+            return self.refuse(spot, shape, expected)
+        values = values_before(shape)
+        for key in shape.keys:
+            if key.name in given:
+                inner = spot.key(key.name, key.name, given[key.name])
+                values[key.name] = self.read(inner, key.shape)
+            elif key.required and key.unless not in given:
+                self.spots.missing(spot, key.name)
+            elif key.required:
+                del values[key.name]
+        if fault := shape.fault(**values):
+            self.spots.refuse(spot, fault)
+            return stand_in(shape)
+        return shape.make(**values)
+
+    def _by_name(self, spot: Spot, shape: ByName) -> Any:
+        elements = shape.kind == "shift element"
+        if not isinstance(spot.node, Mapping):
+            self.references.elements_known &= not elements
+            return self.refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
+        given = list(entries(self.spots, spot))
+        if elements:
+            self.references.set_elements(key.text for key, _ in given)
+        if shape.kind == "mechanism":
+            self.references.set_others("mechanism", (key.text for key, _ in given))
+        if shape.kind == "converter":
+            self.references.add_converters(key.text for key, _ in given)
+        items: dict[str, Any] = {}
+        for number, (key, value) in enumerate(given, 1):
+            inner = spot.key(number, key.text, value)
+            self.spots.keep(inner, key)
+            items[key.text] = self.read(inner, shape.item)
+        return items
+
+    def _links(self, spot: Spot, shape: Links) -> Any:
+        node = spot.node
+        if isinstance(node, Listing):
+            named = spot._replace(path=("link_names",))
+            self.spots.keep(named)
+            self.references.set_link_names(self.items(named, node.items, TEXT))
+            return len(node.items)
+        try:
+            links = scalars.link_number(node.text) if isinstance(node, Scalar) else None
+        except ValueError as error:
+            return self.refuse(spot, shape, error)
+        if links is None:
+            return self.refuse(spot, shape, "expected the number of links or a list of their names")
+        self.references.set_links(links)
+        return links
+
+    def _ends(self, spot: Spot, shape: Ends) -> Any:
+        node = spot.node
+        if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
+            one = " or one: [first]" if shape.least == 1 else ""
+            self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
+            expected = f"expected two links: [first, second]{one}"
+            return self.refuse(spot, shape, expected, length(node))
+        inner = [
+            spot.item(member, number, item)
+            for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
+        ]
+        if spot.path[-1] == "links":  # in a record; the model has no such part
+            inner = [one._replace(path=(*spot.path[:-1], one.path[-1])) for one in inner]
+        first, *second = [self.read(one, Leaf("link")) for one in inner]
+        return first, *(second or [HOUSING])
+
+    def _either(self, spot: Spot, shape: Either) -> Any:
+        """A record, or a list for its one key; of what can't be read the model says no more."""
+        inner = spot._replace(path=(*spot.path, shape.key))
+        if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
+            made = self._by_key(spot, shape.record)
+        elif isinstance(shape.short, Ends) or isinstance(spot.node, _SHORT[type(shape.short)]):
+            made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
+        else:
+            keys = spoken(quoted(key.name) for key in shape.record.keys)
+            short = shape.short
+            one = (
+                LEAVES[short.kind].expected
+                if isinstance(short, Leaf)
+                else f"a list of {short.kind}"
+            )
+            return self.refuse(spot, shape, f"expected {one}, or a mapping with {keys}")
+        if inner.path in self.spots.unreadable:
+            self.spots.unreadable.append(spot.path)
+        return made
+
+    def _numbers(self, spot: Spot, shape: Numbers) -> Any:
+        """Numbers by that which their keys refer to."""
+        node = spot.node
+        if not isinstance(node, Mapping):
+            return self.refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
+        refer, nobody = self.references.link, NO_LINK
+        if shape.by == "shift element":
+            refer, nobody = self.references.element, NO_ELEMENT
+        elif shape.by != "link":
+            refer, nobody = partial(self.references.other, shape.by), NO_ELEMENT
+        values: dict[int, float] = {}
+        for key, value in entries(self.spots, spot):
+            if self._is_behind_comma(spot, key, value):
+                continue
+            try:
+                place = refer(key.text)
+            except ValueError as error:
+                self.spots.complain(spot, f"read {what(key)}, {error}", key)
+                place = nobody
+            inner = spot.key(place, key.text, value)
+            self.spots.keep(inner, key)
+            if place in values:
+                self.spots.complain(inner, f"{shape.by} {place} is given twice", key)
+            number = self.read(inner, shape.item)
+            if place != nobody:
+                values[place] = number
+        if node.entries and not values:
+            self.spots.unreadable.append(spot.path)
+        return values
+
+    def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
+        """Whether a key is the end of a number with a decimal comma, which is told then."""
+        if not is_behind_comma(key, value):
+            return False
+        self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
+        return True
+
+    def _shares(self, spot: Spot, shape: Shares) -> Any:
+        """Shares by names of gears, which no document can look up."""
+        if not isinstance(spot.node, Mapping):
+            return self.refuse(spot, shape, "expected a share for each gear")
+        shares: dict[str, float] = {}
+        for key, value in spot.node.entries:
+            if self._is_behind_comma(spot, key, value):
+                continue
+            gear = spot._replace(
+                path=(*spot.path, key.text), label=f"gear {shown(key.text)}", node=value
+            )
+            if key.text in shares:
+                self.spots.complain(spot, f"{gear.label} is given twice", key)
+            self.spots.keep(gear, key)
+            shares[key.text] = self.read(gear, Leaf("share"))
+        return shares
+
+    def _list_of(self, spot: Spot, shape: ListOf) -> Any:
+        if not isinstance(spot.node, Listing):
+            of = f" of {shape.kind}" if shape.kind else ""
+            return self.refuse(spot, shape, f"expected a list{of}")
+        return self.items(spot, spot.node.items, shape.item)
+
+    def _pair(self, spot: Spot, shape: Pair) -> Any:
+        node = spot.node
+        if not isinstance(node, Listing) or len(node.items) != 2:
+            expected = f"expected two: [{shape.kind}, {shape.kind}]"
+            return self.refuse(spot, shape, expected, length(node))
+        return self.items(spot, node.items, TEXT)
+
+    def _by_kind(self, spot: Spot, shape: ByKind) -> Any:
+        node = spot.node
+        known = tuple(shape.records)
+        if not isinstance(node, Mapping):
+            return self.refuse(spot, shape, "expected a mapping with `kind` and members")
+        given = [value for key, value in node.entries if key.text == shape.key]
+        if not given:
+            merged = next((key for key, _ in node.entries if is_merge(key)), None)
+            kinds = spoken(map(quoted, known), "or")
+            missing = f"{quoted(shape.key)} is missing; expected one of {kinds}"
+            self.spots.complain(spot, NO_MERGE if merged else missing, merged)
+            self.spots.unreadable.append(spot.path)
+            return {}
+        kind = self.read(spot.key(shape.key, shape.key, given[0]), Leaf("choice", known))
+        if (*spot.path, shape.key) in self.spots.unreadable:
+            return {}
+        return self._by_key(spot, shape.records[kind])
+
+    def _leaf(self, spot: Spot, shape: Leaf) -> Any:
+        node = spot.node
+        if not isinstance(node, Scalar) or is_null(node):
+            return self.refuse(spot, shape, f"expected {LEAVES[shape.kind].expected}")
+        try:
+            value = self._scalar(node, shape)
+        except ValueError as error:
+            return self.refuse(spot, shape, error)
+        if value == stand_in(shape) and shape.kind in ("link", "element"):
+            self.spots.unreadable.append(spot.path)
+        return value
+
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
+        match shape.kind:
+            case "link":
+                return self.references.link(node.text)
+            case "element":
+                return self.references.element(node.text)
+            case "relative_speed":
+                speed = self.references.speed_of(node.text)
+                return LEAVES[shape.kind].parse(node.text) if speed is None else speed
+            case "flag":
+                return scalars.flag(node.text, plain=node.plain)
+            case "choice":
+                if node.text not in shape.choices:
+                    hint = self.spots.found.hint(node.text, shape.choices)
+                    raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
+                return node.text
+        infinite = shape.infinite and node.plain and node.text in scalars.INFINITE
+        read = either_way if shape.straight else parsed
+        return math.inf if infinite else read(node.text, shape.kind)

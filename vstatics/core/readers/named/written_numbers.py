@@ -1,0 +1,130 @@
+"""Numbers where they stand in the text of a document, and other numbers in their places.
+
+All else of the text stays as it is: comments, blanks, ends of lines, units behind the numbers.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from vstatics.core.readers.named.node_paths import Keys, number_of, number_text
+from vstatics.core.readers.named.nodes import Listing, Node, Scalar, encoding_of
+from vstatics.core.readers.named.nodes import Mapping as MappingNode
+
+_ENDS = re.compile(r"\r\n|\r|\n")
+_PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
+"""An anchor and a tag, which stand before a value of YAML."""
+
+_MARKED = (  # with the order of bytes, which an encoding that looks for a mark does not keep
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+
+
+class NumberSpot(NamedTuple):
+    """A number of a document, and from where to where it stands in its text."""
+
+    value: float
+    unit: str
+    start: int
+    end: int
+
+
+def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
+    r"""Where the numbers of a document stand, by the keys that lead there.
+
+    A number whose value is not written as it is read, by escapes or over several lines, is left
+    out.
+
+    Parameters
+    ----------
+    text : str
+        With the ends of lines as they are.
+    root : Node
+        What was read of it.
+
+    Examples
+    --------
+    >>> from vstatics.core.readers.named.nodes import decode
+    >>> from vstatics.core.readers.named.yaml_nodes import yaml_tree
+    >>> text = "load:\r\n  speed: 2*500 rpm # fast\r\n"
+    >>> number_spots(text, yaml_tree(decode(text.encode(), "a.yaml")))
+    {('load', 'speed'): NumberSpot(value=1000.0, unit='rpm', start=16, end=21)}
+    """
+    starts = [0, *(found.end() for found in _ENDS.finditer(text))]
+    spots = {}
+    for keys, node in _scalars(root, ()):
+        try:
+            value, unit = number_of(node)
+        except ValueError:
+            continue
+        start = _start(text, starts[node.line - 1] + node.column - 1, node)
+        end = start + len(node.text.rstrip().removesuffix(unit).rstrip())
+        if start >= 0:
+            spots[keys] = NumberSpot(value, unit, start, end)
+    return spots
+
+
+def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
+    match node:
+        case Scalar():
+            yield keys, node
+        case Listing(items=items):
+            for number, one in enumerate(items, 1):
+                yield from _scalars(one, (*keys, str(number)))
+        case MappingNode(entries=entries):
+            for key, one in entries:
+                yield from _scalars(one, (*keys, key.text))
+
+
+def _start(text: str, at: int, node: Scalar) -> int:
+    """Where the text of a value begins; -1 where it is written otherwise."""
+    found = _PROPERTIES.match(text, at)
+    at = found.end() if found else at
+    at += not node.plain and text[at : at + 1] in ("'", '"')
+    return at if node.text and text.startswith(node.text, at) else -1
+
+
+def with_written(
+    data: bytes, spots: Mapping[Keys, NumberSpot], values: Mapping[Keys, float]
+) -> bytes:
+    """A document with other numbers in its text; one that has its value already stays as written.
+
+    Parameters
+    ----------
+    data : bytes
+        The document.
+    spots : mapping
+        Its numbers, of `number_spots`.
+    values : mapping of Keys to float
+        In the units that stand behind the numbers.
+
+    Raises
+    ------
+    ValueError
+        If one place would get two numbers, as two names may stand for one by an alias.
+
+    Examples
+    --------
+    >>> spots = {("speed",): NumberSpot(1000.0, "rpm", 7, 12)}
+    >>> with_written(b"speed: 2*500 rpm # fast", spots, {("speed",): 1200.0})
+    b'speed: 1200 rpm # fast'
+    """
+    text = data.decode(encoding_of(data))
+    changed: dict[int, tuple[int, str]] = {}
+    for keys, value in values.items():
+        spot = spots[keys]
+        new = text[spot.start : spot.end] if value == spot.value else number_text(value)
+        if changed.setdefault(spot.start, (spot.end, new)) != (spot.end, new):
+            raise ValueError(f"{'.'.join(keys)} stands where another number stands, too")
+    for start in sorted(changed, reverse=True):
+        end, new = changed[start]
+        text = text[:start] + new + text[end:]
+    mark, encoding = next((one for one in _MARKED if data.startswith(one[0])), (b"", "utf-8"))
+    return mark + text.encode(encoding)

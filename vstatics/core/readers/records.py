@@ -1,0 +1,132 @@
+"""What was recorded over time: some columns of a CSV file, as `vstatics simulate` writes them."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Container, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import Place, Problem, ReadError, listed, nearest, quoted
+from vstatics.core.model.shape import Measure
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
+from vstatics.core.readers.named.headings import TableColumn, with_unit, without_titles
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
+from vstatics.core.readers.reading import Source
+from vstatics.core.tables.csv import unguarded
+
+
+class RecordedColumns(NamedTuple):
+    """Columns that were found, in SI, by their names."""
+
+    columns: Mapping[str, Floats]
+    headings: tuple[str, ...]
+    """All that there are."""
+    lines: Sequence[int]
+    """Of the rows."""
+    source: Source
+
+    def place(self, row: int) -> Place:
+        """Where a row stands, counted from 0."""
+        return self.source.place(self.lines[row])
+
+    def lacks(self, identity: str, heading: str) -> Problem:
+        """The problem that a column is missing; those of its kind are told, if there are some."""
+        kind, bracket, _ = heading.partition("[")
+        such = [one for one in self.headings if bracket and one.startswith(kind + bracket)]
+        known = such or self.headings
+        there = f"columns {f'of {kind} ' * bool(such)}are {listed(known)}"
+        message = f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
+        return self.problem(identity, message)
+
+    def problem(self, identity: str, message: str) -> Problem:
+        """A problem of the columns as such."""
+        return Problem(identity, message, (), self.source.place(1))
+
+
+def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
+    """Read those of the wanted columns that there are.
+
+    Parameters
+    ----------
+    data : bytes
+        A line of headings, then a line for each instant.
+    file : str
+        Its name, for messages.
+    wanted : mapping of str to str
+        Headings, behind which a unit may stand in brackets or parentheses, with what they measure;
+        None: whatever their unit is.
+
+    Raises
+    ------
+    ReadError
+        With every cell of these that is no finite number, and its line, or a column that is there
+        twice.
+
+    Examples
+    --------
+    >>> data = b"time,torques[shaft] [kN*m],note\\n0,1.5,on\\n.1,-2,off"
+    >>> record = read_record(data, "a.csv", {"torques[shaft]": "si_torque"})
+    >>> record.columns["torques[shaft]"]
+    array([ 1500., -2000.])
+    """
+    source = decode(data, file, "a record").source
+    rows = numbered_rows(without_titles(source.lines, lambda cell: _wanted(cell, wanted) in wanted))
+    problems: list[Problem] = []
+    lines = array("q")
+    try:
+        head, first = next(rows, (1, []))
+        headings = tuple(unguarded(cell.strip()) for cell in first)
+        places = _places(headings, wanted, source.place(head))
+        columns = {name: array("d") for name in places}
+        for line, row in rows:
+            lines.append(line)
+            for name, (place, size) in places.items():
+                cell = row[place] if place < len(row) else ""
+                try:
+                    columns[name].append(decimal(cell) * size)
+                except ValueError as error:
+                    message = f"{name}: read {cell.strip()[:40]!r}, {error}"
+                    problems.append(Problem("E121", message, (), source.place(line)))
+            if len(problems) >= MOST_PROBLEMS:
+                break
+    except ValueError as error:
+        raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
+    if problems:
+        raise ReadError(problems)
+    return RecordedColumns(
+        {name: np.array(column) for name, column in columns.items()}, headings, lines, source
+    )
+
+
+def _places(
+    headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
+) -> dict[str, tuple[int, float]]:
+    """The wanted columns by their names: index, and size of the unit in SI."""
+    places: dict[str, tuple[int, float]] = {}
+    for place, heading in enumerate(headings):
+        name = _wanted(heading, wanted)
+        if name in places:
+            message = f"{name}: read two columns of this name, expected one"
+            raise ReadError([Problem("E121", message, (), head)])
+        if name in wanted:
+            places[name] = place, _size(heading, name, wanted[name], head)
+    return places
+
+
+def _wanted(heading: str, wanted: Container[str]) -> str:
+    """The name of a heading, without its unit if only that makes it a wanted column."""
+    name, _ = with_unit(heading)
+    return name if name in wanted and heading not in wanted else heading
+
+
+def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
+    _, unit = with_unit(heading)
+    if heading == name or measure is None:
+        return 1.0
+    try:
+        return TableColumn(name, measure, may_be_bare=True).size(unit or None)
+    except ValueError as error:
+        raise ReadError([Problem("E121", str(error), (), head)]) from None

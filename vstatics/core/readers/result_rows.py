@@ -1,0 +1,165 @@
+"""Written results as rows, a number each: CSV, and Parquet of many cases."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterator, Sequence
+
+from vstatics.core.errors import ReadError, of_file
+from vstatics.core.extras import missing
+from vstatics.core.readers.reading import Source
+from vstatics.core.readers.sweep_tables import expect_parquet_size
+from vstatics.core.tables.csv import unguarded
+from vstatics.core.tables.quantities import BY_NAME
+from vstatics.core.tables.written_results import Figure, WrittenResult
+
+
+def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
+    """The error that a file holds no result, at a place of it."""
+    return ReadError("E110", message, place=Source(file, "").place(line, column))
+
+
+COLUMNS = ["table", "row", "gear", "value"]
+PARQUET = b"PAR1"
+_Cells = dict[str, dict[str, dict[str, Figure]]]
+"""Of a result: table, row, and gear or device."""
+
+
+def is_csv(text: str) -> bool:
+    """Whether a text begins as such a file does."""
+    return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
+
+
+def read_csv(text: str, file: str) -> list[WrittenResult]:
+    """The results of a file in their order.
+
+    Raises
+    ------
+    ReadError
+        If a line has no number, or belongs to no table.
+    """
+    lines = _csv_lines(text, file)
+    has_case = next(lines)[1][0] == "case"
+    results: dict[str, _Cells] = {}
+    for number, row in lines:
+        cells = [unguarded(cell) for cell in row]
+        case = cells.pop(0) if has_case and cells else ""
+        if not cells or cells[0] == "conventions":
+            continue
+        if len(cells) != len(COLUMNS) or cells[0] not in BY_NAME:
+            message = "no row of a result in CSV: expected table,row,gear,value"
+            raise no_result(message, file, number)
+        table, name, gear, value = cells
+        try:
+            figure = Figure(_finite(value) if value else math.nan)
+        except ValueError:
+            raise no_result(f"read {value!r}, expected a finite number", file, number) from None
+        _put(results, case, (table, name, gear), figure)
+    return _made(results, file)
+
+
+def _finite(value: str | float) -> float:
+    """A number, or NaN.
+
+    Raises
+    ------
+    ValueError
+    """
+    number = float(value)
+    if math.isinf(number):
+        raise ValueError("expected a finite number")
+    return number
+
+
+def is_parquet(data: bytes) -> bool:
+    """Whether a file is Parquet with the columns of results: a sweep has others."""
+    footer = data[-8 - int.from_bytes(data[-8:-4], "little") :]
+    return data.startswith(PARQUET) and all(name.encode() in footer for name in ("case", *COLUMNS))
+
+
+def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
+    """The results of such a file in their order.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read, or the package is missing.
+    """
+    if message := missing("parquet", "Parquet"):
+        raise ReadError([of_file("E014", file, message)])
+    import pyarrow as pa  # type: ignore[import-untyped]
+    import pyarrow.parquet as pq  # type: ignore[import-untyped]
+
+    results: dict[str, _Cells] = {}
+    try:
+        opened = pq.ParquetFile(pa.BufferReader(data))
+        expect_parquet_size(opened)
+        for batch in opened.iter_batches(columns=["case", *COLUMNS], use_threads=False):
+            for case, table, name, gear, value in zip(
+                *(column.to_pylist() for column in batch.columns), strict=True
+            ):
+                figure = Figure(math.nan if value is None else _finite(value))
+                _put(
+                    results, str(case or ""), (str(table), str(name or ""), str(gear or "")), figure
+                )
+    except Exception as error:  # noqa: BLE001 - of a library with errors of its own
+        text = " ".join(str(error).split())
+        raise no_result(f"no results in Parquet: {text[:200]}", file) from None
+    return _made(results, file)
+
+
+def _put(
+    results: dict[str, _Cells], case: str, place: tuple[str, str, str], figure: Figure
+) -> None:
+    table, name, gear = place
+    if BY_NAME[table].columns == "devices":
+        name, _, gear = name.rpartition(":")
+    results.setdefault(case, {}).setdefault(table, {}).setdefault(name, {})[gear] = figure
+
+
+def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
+    if not results:
+        raise no_result("no result in it", file)
+    return [checked(_result(case, cells), file) for case, cells in results.items()]
+
+
+def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
+    """The same result, unless a list over gears has several rows.
+
+    Raises
+    ------
+    ReadError
+    """
+    for key, rows in result.tables.items():
+        if BY_NAME[key].rows == "one" and len(rows) != 1:
+            raise no_result(f"{key} has {len(rows)} rows, expected one", file, line)
+    return result
+
+
+def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
+    """Lines of CSV, which a carriage return alone ends, too, each with its number."""
+    lines = csv.reader(io.StringIO(text, newline=None))
+    try:
+        for row in lines:
+            yield lines.line_num, row
+    except csv.Error as error:
+        raise no_result(f"no CSV: {error}", file, lines.line_num) from None
+
+
+def _result(file: str, tables: _Cells) -> WrittenResult:
+    figures, rows = {}, {}
+    gears: Sequence[str] = ()
+    devices: Sequence[str] = ()
+    for key, table in tables.items():
+        figures[key] = [list(row.values()) for row in table.values()]
+        if BY_NAME[key].rows != "one":
+            rows[key] = list(table)
+        columns = list(next(iter(table.values())))
+        if BY_NAME[key].columns == "devices":
+            devices = columns
+        else:
+            gears = max(gears, columns, key=len)
+    told = WrittenResult(figures, None, printed=False, rows=rows, file=file)
+    return told._replace(gears=gears, devices=devices)

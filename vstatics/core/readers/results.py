@@ -1,0 +1,249 @@
+"""Written results, a listing, JSON or rows, back to tables of numbers, for comparison."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vstatics.core.errors import ReadError, plural, quoted
+from vstatics.core.model.parts import mechanism_name
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers import Format, read
+from vstatics.core.readers.deck.text import SPRING, decode, head, scan
+from vstatics.core.readers.reading import Source
+from vstatics.core.readers.result_rows import (
+    checked,
+    is_csv,
+    is_parquet,
+    no_result,
+    read_csv,
+    read_parquet,
+)
+from vstatics.core.tables.names import BEFORE_NAME
+from vstatics.core.tables.quantities import PRINTED, QUANTITIES
+from vstatics.core.tables.written_results import Figure, Figures, WrittenResult
+
+FORMAT = "vstatics-result"
+TAKEN = (
+    "expected a result of `vstatics run` (listing, JSON, JSON lines, CSV, Parquet) or a sweep "
+    "(CSV, JSON lines, NPZ, Parquet)"
+)
+CASE = "a case, of which `vstatics run CASE -f json -o RESULT.json` makes a result"
+OTHERS = {
+    "cure": "a message that check explains",
+    "severity": "a problem that check tells",
+    "changed": "what compare told",
+    "gears": CASE,
+}
+"""What has no format in it, by a key that a result has not."""
+NAMED_FILE = re.compile(r"==> (.+) <==$")
+"""The line above each of several listings in one text."""
+
+
+def read_results(data: bytes, file: str) -> list[WrittenResult]:
+    """Read a listing, JSON, JSON lines, CSV or Parquet; several in one file come in their order.
+
+    Raises
+    ------
+    ReadError
+        If the text is no result.
+    """
+    if is_parquet(data):
+        return read_parquet(data, file)
+    text = decode(data, file)
+    if text.lstrip()[:1] in ("{", "["):
+        return _read_json(text, file)
+    if is_csv(text):
+        return read_csv(text, file)
+    return _read_listing(text, file)
+
+
+def _read_json(text: str, file: str) -> list[WrittenResult]:
+    try:
+        content = json.loads(text)
+    except (RecursionError, ValueError) as error:
+        if isinstance(error, json.JSONDecodeError) and _is_lines(text, error):
+            return _read_lines(text, file)
+        raise _no_json(error, file) from None
+    documents = content if isinstance(content, list) else [content]
+    if not documents:
+        raise no_result(f"an empty array, as of check where all is well; {TAKEN}", file)
+    return [_report(document, file, number) for number, document in enumerate(documents, 1)]
+
+
+def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
+    """Whether what is no JSON is JSON lines, of which one may be broken.
+
+    The first object ends in its line, or objects begin in more lines than one.
+    """
+    if text.lstrip()[:1] != "{":
+        return False
+    ended = error.msg == "Extra data" and "\n" not in text[: error.pos].strip()
+    begun = [line for line in text.split("\n") if line[:1] == "{" != line.strip()]
+    return ended or len(begun) > 1
+
+
+def _read_lines(text: str, file: str) -> list[WrittenResult]:
+    """JSON lines: a result each; empty lines do not count as results."""
+    results: list[WrittenResult] = []
+    for number, line in enumerate(text.split("\n"), 1):
+        if not line.strip():
+            continue
+        try:
+            results.append(_report(json.loads(line), file, len(results) + 1, number))
+        except (RecursionError, ValueError) as error:
+            raise _no_json(error, file, number) from None
+    return results
+
+
+def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
+    if isinstance(error, json.JSONDecodeError):
+        return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
+    told = "nested too deeply" if isinstance(error, RecursionError) else error
+    return no_result(f"no JSON that can be read: {told}", file, line)
+
+
+def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
+    if not isinstance(document, dict):
+        message = f"result {number} is no JSON object; {TAKEN}"
+        raise no_result(message, file, line)
+    if "errors" in document:
+        return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
+    tables = {}
+    for quantity in QUANTITIES:
+        key = quantity.key
+        if key in document:
+            rows = document[key]
+            try:
+                rows_of_table = [rows] if quantity.rows == "one" else rows
+                tables[key] = [[_from_json(value) for value in row] for row in rows_of_table]
+            except (TypeError, ValueError, OverflowError):
+                message = f"{key} of result {number} is no table of numbers"
+                raise no_result(message, file, line) from None
+    if not tables:
+        raise no_result(_no_tables(document, number), file, line)
+    case = _case(json.dumps(document.get("case")), "json")
+    rows = _row_names(document.get("rows"), tables)
+    return WrittenResult(tables, case, printed=False, rows=rows, file=_file(document))
+
+
+def _no_tables(document: Mapping[str, Any], number: int) -> str:
+    """What is said of a document without tables, which may be one of another command."""
+    form = document.get("format")
+    if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
+        what = f"one of {form.removeprefix('vstatics-')}"
+    else:
+        what = next((told for key, told in OTHERS.items() if key in document), "")
+    if what:
+        return f"result {number} is {what}; {TAKEN}"
+    known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
+    keys = ", ".join(map(quoted, [*document][:3])) + ", ..." * (len(document) > 3)
+    has = f"has {plural('key', len(document))} {keys}, none" if keys else "has none"
+    return f"result {number} {has} of the tables {known}, ...; {TAKEN}"
+
+
+def _file(document: Mapping[str, Any]) -> str:
+    """The file of a result, if it tells; of a case in error with its folders."""
+    file = document.get("case" if "errors" in document else "file")
+    return file if isinstance(file, str) else ""
+
+
+def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
+    """The names of the rows of each table that has as many."""
+    return {
+        table: [str(name) for name in names]
+        for table, names in (given.items() if isinstance(given, dict) else ())
+        if table in tables and isinstance(names, list) and len(names) == len(tables[table])
+    }
+
+
+def _from_json(value: Any) -> Figure:
+    if isinstance(value, str):
+        raise TypeError(value)
+    number = math.nan if value is None else float(value)
+    if math.isinf(number):
+        raise ValueError(value)
+    return Figure(number)
+
+
+def _case(text: str, kind: Format) -> Transmission | None:
+    """The case that a result tells of, if it does."""
+    try:
+        return read(text.encode(), "", format=kind).case
+    except ReadError:
+        return None
+
+
+def _read_listing(text: str, file: str) -> list[WrittenResult]:
+    """A report begins at each KJG= that follows a table, below the name of its file."""
+    reports: list[WrittenResult] = []
+    tables: dict[str, Figures] = {}
+    names: dict[str, list[str]] = {}
+    first, table, of_case, coming = 0, "", "", ""
+    lines = Source(file, text).lines
+    for number, line in enumerate([*lines, "KJG="]):
+        field = head(line)
+        if field == "KJG":
+            if tables:
+                named = _row_names(names, tables)
+                made = WrittenResult(tables, None, printed=True, rows=named, file=of_case)
+                reports.append(_with_case(checked(made, file, number), lines[first:number]))
+                tables, names, first, table, of_case = {}, {}, number, "", ""
+            of_case, coming = coming or of_case, ""
+        elif named_file := NAMED_FILE.match(line):
+            coming, table = named_file[1], ""
+        elif field in PRINTED:
+            table = PRINTED[field].key
+            tables.setdefault(table, [])
+        elif table and line.strip():
+            numbers, is_named, name = line.partition(BEFORE_NAME)
+            figures = _figures(numbers.split())
+            if figures is None:
+                table = ""
+            else:
+                tables[table].append(figures)
+                names.setdefault(table, []).extend([name.strip()] * bool(is_named))
+    if not reports:
+        is_case = any(head(line) or line.startswith("gears:") for line in lines)
+        raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
+    return reports
+
+
+def _with_case(made: WrittenResult, lines: Sequence[str]) -> WrittenResult:
+    """A listing with the case at its head; of one with springs, which no deck has, the names."""
+    springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
+    if not springs:
+        return made._replace(case=_case("\n".join(lines), "deck"))
+    given = {one[:2]: one[2] for one in scan(Source("", "\n".join(lines))).names}
+    elements = made.rows.get("WFRI", ())
+    columns, gears = (max(map(len, made.tables.get(key, ())), default=0) for key in ("AJK", "W"))
+    sets = range(1, columns - len(elements) - len(springs) + 1)
+    mechanisms = [given.get(("D", str(number)), mechanism_name(number)) for number in sets]
+    return made._replace(
+        gears=[given.get(("P", str(number)), str(number)) for number in range(1, gears + 1)],
+        devices=[*elements, *mechanisms, *springs],
+    )
+
+
+def _figures(words: Sequence[str]) -> list[Figure] | None:
+    """The numbers of a printed row, or None if it is something else."""
+    figures = []
+    for word in words:
+        if set(word) == {"*"}:
+            figures.append(Figure(math.nan))
+            continue
+        mantissa, _, exponent = word.upper().replace("D", "E").partition("E")
+        _, point, decimals = mantissa.partition(".")
+        try:
+            value = float(word.upper().replace("D", "E"))
+            scale = int(exponent or 0) - len(decimals)
+            slack = 0.5 * 10.0**scale if point else 0.0
+        except (ValueError, OverflowError):
+            return None
+        if math.isinf(value):
+            return None
+        figures.append(Figure(value, slack))
+    return figures

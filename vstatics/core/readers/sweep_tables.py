@@ -1,0 +1,324 @@
+"""Written sweeps, back to columns of numbers: CSV, JSON lines, NPZ, Parquet, a workbook."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from vstatics.core.errors import Problem, ReadError, of_file, quoted
+from vstatics.core.extras import missing
+from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.core.readers.reading import Source
+from vstatics.core.tables.csv import unguarded
+from vstatics.core.tables.written_results import GEAR, WrittenSweep
+
+if TYPE_CHECKING:
+    from zipfile import ZipFile
+
+    from vstatics.core.numerics.arrays import Floats
+
+    Column: TypeAlias = list[Any] | Floats
+
+MOST_TABLE_CELLS = 20_000_000
+"""Bound of the cells of a table: as Python's numbers they take 640 MB."""
+TOO_DEEP = "nested too deeply, expected numbers and texts"
+NUMBER, STATUS = "variant", "status"
+SHEET = "Variants"
+WORKBOOK = b"xl/workbook.xml"
+"""In every XLSX, which is an archive like NPZ."""
+
+
+def is_sweep(data: bytes) -> bool:
+    """Whether a file begins as a table of variants does."""
+    return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
+
+
+def is_workbook(data: bytes) -> bool:
+    """Whether a file is XLSX, of whatever."""
+    return data.startswith(b"PK") and WORKBOOK in data
+
+
+def read(data: bytes, file: str) -> WrittenSweep:
+    """The columns of a sweep.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read, or a package is missing.
+    """
+    found = columns(data, file)
+    try:
+        return _of_columns(found)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise _none(file, error) from None
+
+
+def columns(data: bytes, file: str) -> dict[str, Column]:
+    """The columns of a table, whatever they hold, by their names; all are of one length.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read, or a package is missing.
+    """
+    try:
+        if data.startswith(b"PK"):
+            return _workbook(data, file) if is_workbook(data) else read_npz(data)
+        if data.startswith(b"PAR1"):
+            return _parquet(data, file)
+        text = data.decode()
+        return _json_lines(text, file) if text.startswith("{") else _csv(text, file)
+    except ReadError:
+        raise
+    except Exception as error:  # noqa: BLE001 - four libraries with errors of their own
+        raise _none(file, error) from None
+
+
+def _none(file: str, error: Exception, line: int = 0) -> ReadError:
+    text = " ".join(str(error).split()) or type(error).__name__
+    message = f"no table of variants: {text[:200]}"
+    return ReadError([Problem("E111", message, (), Source(file, "").place(line))])
+
+
+def expect_size(cells: int, size: int = 0) -> None:
+    """Refuse a table that is larger than memory should hold, before it is read.
+
+    Raises
+    ------
+    ValueError
+
+    Examples
+    --------
+    >>> expect_size(30_000_000)
+    Traceback (most recent call last):
+    ValueError: it has 30,000,000 cells, expected at most 20,000,000
+    """
+    if cells > MOST_TABLE_CELLS:
+        raise ValueError(f"it has {cells:,} cells, expected at most {MOST_TABLE_CELLS:,}")
+    if size > TABLE_BYTES:
+        most = f"{TABLE_BYTES / 1e6:g} MB"
+        raise ValueError(f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {most}")
+
+
+def _csv(text: str, file: str) -> dict[str, Column]:
+    lines = csv.reader(io.StringIO(text))
+    names = [unguarded(head) for head in next(lines)]
+    _expect_different(names)
+    rows: list[list[str]] = []
+    for line in lines:
+        if line and len(line) != len(names):
+            error = ValueError(f"read {len(line)} cells, expected {len(names)}, as in the heading")
+            raise _none(file, error, lines.line_num)
+        rows += [line] * bool(line)
+        expect_size(len(rows) * len(names))
+    return {name: [row[place] for row in rows] for place, name in enumerate(names)}
+
+
+def _json_lines(text: str, file: str) -> dict[str, Column]:
+    """The columns of objects that have the keys of the first one."""
+    read: dict[str, list[Any]] = {}
+    for number, line in enumerate(text.split("\n"), 1):
+        if not line.strip():
+            continue
+        try:
+            row = _row(line)
+            read = read or {name: [] for name in row}
+            for name in read:
+                if name not in row:
+                    raise ValueError(f"the key {quoted(name)} is missing")  # noqa: TRY301
+                read[name].append(row[name])
+            if len(row) > len(read):
+                other = next(name for name in row if name not in read)
+                raise ValueError(f"the key {quoted(other)} is not in the first line")  # noqa: TRY301
+            expect_size(len(read) * len(next(iter(read.values()), ())))
+        except (RecursionError, ValueError) as error:
+            deep = isinstance(error, RecursionError)
+            raise _none(file, ValueError(TOO_DEEP) if deep else error, number) from None
+    return dict(read)
+
+
+def _row(line: str) -> dict[str, Any]:
+    """The object of a line, whose keys are there once.
+
+    Raises
+    ------
+    ValueError, RecursionError
+    """
+    row = json.loads(line, object_pairs_hook=_different_keys)
+    if not isinstance(row, dict):
+        raise ValueError("read no JSON object")  # noqa: TRY004 - of a text, not of an argument
+    return row
+
+
+def _different_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    _expect_different([name for name, _ in pairs])
+    return dict(pairs)
+
+
+def _expect_different(names: Sequence[str]) -> None:
+    """Refuse a name that two columns, or two keys of a line, have.
+
+    Raises
+    ------
+    ValueError
+    """
+    if len({*names}) < len(names):
+        twice = next(name for name, number in Counter(names).items() if number > 1)
+        raise ValueError(f"{quoted(twice)} is given twice, expected each name once")
+
+
+def _workbook(data: bytes, file: str) -> dict[str, Column]:
+    """The columns of the sheet of a sweep, or of the only one."""
+    from vstatics.core.readers.workbook.cells import read_sheets
+
+    names = [sheet.name for sheet in read_sheets(data, file, ())]
+    wanted = SHEET if SHEET in names else names[0]
+    if wanted != SHEET and len(names) > 1:
+        raise ValueError(
+            f"a workbook of {len(names)} sheets, expected one, or one called `{SHEET}`"
+        )
+    [rows] = (sheet.rows for sheet in read_sheets(data, file, [wanted]) if sheet.name == wanted)
+    if not rows:
+        raise ValueError("its sheet is empty")
+    heads = {cell.column: cell.text for cell in rows[0]}
+    _expect_different([*heads.values()])
+    found = [{cell.column: cell.text for cell in row} for row in rows[1:]]
+    return {name: [row.get(column) for row in found] for column, name in heads.items()}
+
+
+def read_npz(data: bytes) -> dict[str, Column]:
+    """The arrays of an NPZ; codes of statuses and gears become the texts for which they stand.
+
+    Raises
+    ------
+    Exception
+        Of another kind each, if it is damaged; a ValueError if it is not a table.
+    """
+    import numpy as np
+
+    with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+        _expect_declared(archive.zip)
+        arrays = {name: archive[name] for name in archive.files}
+    words = [(STATUS, "statuses"), (GEAR, "gears")]
+    texts = {name: arrays.pop(key) for name, key in words if {name, key} <= arrays.keys()}
+    length = next((array.size for array in arrays.values()), 0)
+    for name, array in arrays.items():
+        if array.ndim != 1 or array.dtype.kind not in "biufUS":
+            raise ValueError(f"{quoted(name)} is not a row of numbers")
+        if len(array) != length:
+            message = f"{quoted(name)} has {len(array)} numbers, expected {length}, as the others"
+            raise ValueError(message)
+    for name, words_of_codes in texts.items():
+        codes = arrays[name]
+        if codes.dtype.kind not in "iu" or not np.isin(codes, np.arange(len(words_of_codes))).all():
+            raise ValueError(f"{quoted(name)} has other numbers than those of its texts")
+    return {
+        name: texts[name][array].tolist() if name in texts else array
+        for name, array in arrays.items()
+    }
+
+
+def _expect_declared(packed: ZipFile) -> None:
+    """Refuse arrays that are too large, or larger than what the archive has of them.
+
+    Raises
+    ------
+    ValueError
+    """
+    from numpy.lib import format as npy
+
+    cells = size = 0
+    for member in packed.infolist():
+        with packed.open(member) as opened:
+            version = npy.read_magic(opened)
+            reader = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+            shape, _, dtype = reader(opened)
+            declared = math.prod(shape) * dtype.itemsize
+            if declared > member.file_size - opened.tell():
+                raise ValueError(f"{quoted(member.filename)} is cut off")
+        cells, size = cells + math.prod(shape), size + declared
+        expect_size(cells, size)
+
+
+def _parquet(data: bytes, file: str) -> dict[str, Column]:
+    if message := missing("parquet", "Parquet"):
+        raise ReadError([of_file("E014", file, message)])
+    import pyarrow as pa  # type: ignore[import-untyped]
+    import pyarrow.parquet as pq  # type: ignore[import-untyped]
+
+    opened = pq.ParquetFile(pa.BufferReader(data))
+    expect_parquet_size(opened)
+    table = opened.read(use_threads=False)
+    _expect_different(table.column_names)
+    return {
+        name: column.to_numpy() if pa.types.is_floating(column.type) else column.to_pylist()
+        for name, column in zip(table.column_names, table.columns, strict=True)
+    }
+
+
+def expect_parquet_size(opened: Any) -> None:
+    """Refuse a Parquet file by the sizes that it declares.
+
+    Raises
+    ------
+    ValueError
+    """
+    about = opened.metadata
+    groups = [about.row_group(number) for number in range(about.num_row_groups)]
+    rows = sum(group.num_rows for group in groups)
+    expect_size(rows * about.num_columns, sum(group.total_byte_size for group in groups))
+
+
+def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
+    """Numbers, of which NaN is none, under the names of their columns.
+
+    Raises
+    ------
+    TypeError, ValueError, OverflowError
+    """
+    names = list(columns)
+    if not names:
+        raise ValueError("it is empty")
+    for name in (NUMBER, STATUS):
+        if name not in columns:
+            raise ValueError(f"the column `{name}` is missing, which every sweep has")
+    place = names.index(STATUS)
+    by_gear = names[place + 1 : place + 2] == [GEAR]
+    numbers = {
+        name: _numbers(name, column)
+        for at, (name, column) in enumerate(columns.items())
+        if name not in (NUMBER, STATUS) and not (by_gear and at == place + 1)
+    }
+    return WrittenSweep(
+        [int(number) for number in columns[NUMBER]],
+        list(map(str, columns[STATUS])),
+        numbers,
+        tuple(name for name in names[:place] if name != NUMBER),
+        [str(one) for one in columns[GEAR]] if by_gear else (),
+    )
+
+
+def _numbers(name: str, column: Column) -> list[float]:
+    """The numbers of a column; NaN where a cell is empty.
+
+    Raises
+    ------
+    ValueError
+        At the first cell that is not a finite number.
+    """
+    numbers = []
+    for row, cell in enumerate(column, 1):
+        try:
+            number = math.nan if cell in (None, "") else float(cell)
+        except (TypeError, ValueError, OverflowError):
+            number = math.inf
+        if math.isinf(number):
+            read = quoted(str(cell)[:40])
+            raise ValueError(f"{name}: read {read} in row {row}, expected a finite number")
+        numbers.append(number)
+    return numbers

@@ -1,0 +1,211 @@
+"""Tables in CSV whose headings have units: `speed [rpm],torque [N*m]`."""
+
+from __future__ import annotations
+
+import re
+import sys
+from array import array
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.readers.named.csv_rows import (
+    Decimals,
+    cells_of,
+    decimal,
+    expect_cells,
+    has_cells,
+)
+from vstatics.core.readers.named.headings import (
+    COMMENT_SIGNS,
+    HeadingError,
+    HeadingLine,
+    TableColumn,
+    read_headings,
+)
+from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
+from vstatics.core.readers.reading import Source
+
+_PLAIN = re.compile(r"[-+0-9.eE, \t]+")
+_BLOCK_LINES = 5000
+MOST_TABLE_ROWS = 1_000_000
+"""Rows of a table; a day in tenths of a second has 864,000."""
+
+
+class UnitTable(NamedTuple):
+    """A table that was read: numbers in SI, and the line of each row."""
+
+    numbers: Mapping[str, Sequence[float]]
+    texts: Mapping[str, Sequence[str]]
+    lines: Sequence[int]
+    source: Source
+    head: HeadingLine
+
+    def place(self, row: int) -> Place:
+        """Where a row stands, counted from 0."""
+        return self.source.place(self.lines[row])
+
+    @property
+    def head_place(self) -> Place:
+        """The line of the headings."""
+        return self.source.place(self.head.number)
+
+
+def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
+    data: bytes,
+    file: str,
+    what: str,
+    columns: Sequence[TableColumn],
+    id: str,  # noqa: A002
+    *,
+    skips: bool = False,
+) -> UnitTable:
+    """Read a table.
+
+    Parameters
+    ----------
+    data : bytes
+        A line of headings, then a line for each row, with commas, or with semicolons or tabs and
+        decimal commas. Lines above the headings are titles.
+    file : str
+        Its name, for messages.
+    what : str
+        What it is, in words: ``a duty cycle``.
+    columns : sequence of TableColumn
+        Those that it may have, in any order.
+    id : str
+        Of what is wrong in it.
+    skips : bool
+        Whether columns with other headings are skipped.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> columns = [TableColumn("speed", "si_speed"), TableColumn("gear", is_text=True)]
+    >>> data = b"gear,speed [rpm]\\n1,30\\nR,60"
+    >>> table = read_unit_table(data, "a.csv", "a cycle", columns, "E121")
+    >>> table.numbers["speed"][0].__round__(6), table.texts["gear"]
+    (3.141593, ['1', 'R'])
+    """
+    source = decode(data, file, what).source
+    try:
+        head = read_headings(_filled(source.lines, 1), what, columns, skips=skips)
+    except HeadingError as error:
+        raise ReadError([Problem(id, str(error), (), source.place(error.line))]) from None
+    rows = _ColumnsRead(head)
+    problems = [
+        Problem(id, message, (), source.place(line))
+        for line, message in rows.read(source.lines, head.number + 1)
+    ]
+    if len(rows.lines) > MOST_TABLE_ROWS:
+        message = f"read more rows, expected {MOST_TABLE_ROWS} at most"
+        raise ReadError([Problem(id, message, (), source.place(head.number))])
+    if not (rows.lines or problems):
+        message = f"there is no row below the headings, expected {what}"
+        problems.append(Problem(id, message, (), source.place(head.number)))
+    if rows.decimals.doubt:
+        line_in_doubt, message = rows.decimals.doubt
+        problems.append(Problem(id, message, (), source.place(line_in_doubt)))
+    if problems:
+        raise ReadError(problems)
+    del source.lines  # they take more memory than the numbers
+    return UnitTable(rows.numbers, rows.texts, rows.lines, source, head)
+
+
+def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
+    return ((number, line) for number, line in enumerate(lines, first) if has_cells(line))
+
+
+class _ColumnsRead:
+    """The rows of a table, column by column."""
+
+    def __init__(self, head: HeadingLine) -> None:
+        self.head = head
+        self.decimals = Decimals(head.separator)
+        self.lines = array("q")
+        self.numbers = {
+            heading.column.name: array("d")
+            for heading in head.headings
+            if not heading.column.is_text
+        }
+        self.texts: dict[str, list[str]] = {
+            heading.column.name: [] for heading in head.headings if heading.column.is_text
+        }
+        self._sizes = [
+            (heading.place, heading.column.name, heading.size, self.numbers[heading.column.name])
+            for heading in head.headings
+            if not heading.column.is_text
+        ]
+        self._words = [
+            (heading.place, self.texts[heading.column.name])
+            for heading in head.headings
+            if heading.column.is_text
+        ]
+        self._has_comments = all(place for place, _ in self._words)
+
+    def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
+        """Add all rows; yield the faults with their lines, and end where these are many."""
+        faults = 0
+        for start in range(first, len(lines) + 1, _BLOCK_LINES):
+            block = lines[start - 1 : start - 1 + _BLOCK_LINES]
+            for number, line in _filled(block, start) if not self.add_plain(start, block) else ():
+                try:
+                    self.add(number, line)
+                except ValueError as error:
+                    yield number, str(error)
+                    faults += 1
+                    if faults == MOST_PROBLEMS:
+                        return
+            if len(self.lines) > MOST_TABLE_ROWS:
+                return
+
+    def add_plain(self, first: int, lines: Sequence[str]) -> bool:
+        """Add lines of numbers and commas at once; False if there is anything else in them."""
+        commas, text = self.head.width - 1, ",".join(lines)
+        if (
+            self._words
+            or self.head.separator != ","
+            or not _PLAIN.fullmatch(text)
+            or any(line.count(",") != commas for line in lines)
+        ):
+            return False
+        try:
+            flat = np.fromiter(map(float, text.split(",")), float)
+        except ValueError:
+            return False
+        cells = flat.reshape(len(lines), self.head.width)
+        if not np.isfinite(cells).all():
+            return False
+        self.lines.extend(range(first, first + len(lines)))
+        for place, _, size, column in self._sizes:
+            column.frombytes((cells[:, place] * size).tobytes())
+        return True
+
+    def add(self, number: int, line: str) -> None:
+        """Add a row.
+
+        Raises
+        ------
+        ValueError
+            With what cannot be read in it.
+        """
+        if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
+            return
+        separator = self.head.separator
+        cells = cells_of(line, separator) if '"' in line else line.split(separator)
+        expect_cells(cells, self.head.width, separator)
+        self.lines.append(number)
+        for place, name, size, column in self._sizes:
+            cell = cells[place]
+            try:
+                column.append(decimal(self.decimals.with_points(cell, number)) * size)
+            except ValueError as error:
+                raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}") from None
+        for place, words in self._words:
+            words.append(sys.intern(cells[place].strip()))

@@ -1,0 +1,604 @@
+"""What to say about a gear that is not regular: why a value does not exist, and what to do.
+
+`freedom` and `given_conditions` count the conditions for the speeds, `messages` speaks
+of what `Results` show. All look at one case, not at arrays of variants.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import not_allowed, path_text, spoken
+from vstatics.core.model.checks import doubts
+from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.numerics import elimination
+from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
+from vstatics.core.numerics.traced import Number, is_nan, plain
+from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
+from vstatics.core.statics.idling import coincidences
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.speeds import solve_speeds
+from vstatics.core.statics.state import GearState
+from vstatics.core.statics.status import CONFLICT, DRAGGED, LOCKED, NEUTRAL, TIED_UP
+
+NOTHING_HOLDS = "nothing holds the torque of the input"
+
+
+class Said(NamedTuple):
+    """The id and the text of a message about a gear."""
+
+    id: str
+    text: str
+
+
+def freedom(case: Transmission) -> int:
+    """Degrees of freedom of the train without its shift elements.
+
+    >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
+    >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
+    2
+    """
+    rows = matrix.speed_rows(case, Gear(), _rows(case, case.gears[0]))[:-1]
+    return elimination.solve(rows, case.links).missing
+
+
+def given_conditions(gear: Gear) -> int:
+    """Conditions that a gear gives: engaged elements, input speed, further given speeds."""
+    return len(gear.engaged) + 1 + len(gear.speeds)
+
+
+def messages(results: Results) -> list[Message]:
+    """What is worth saying about the results of one case, but for what it allows."""
+    return not_allowed(_messages(results), results.case.untold)
+
+
+def _messages(results: Results) -> Iterator[Message]:
+    case = results.case
+    for problem in doubts(case):
+        yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
+    if case.heavy and (untold := torques.without_load(case)):
+        text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
+        yield Message("W401", text)
+    wheels = case.freewheels
+    above = list(carried.overloads(results))
+    off = list(carried.out_of_balance(results))
+    for number, (given, is_usual) in enumerate(
+        zip(case.gears, regular_gears(results), strict=True)
+    ):
+        held = [element for element in wheels if results.holds[number, element - 1]]
+        gear = freewheels.with_engaged(given, held)
+        lost = tuple(_digit_messages(results, number)) if results.exact[number] else ()
+        said = (
+            *(_conflict(case, gear) if results.conflict[number] else ()),
+            *(_further_outputs(results, number, gear) if case.outputs else ()),
+            *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
+            *_idle_messages(results, number, gear),
+            *(_shared(case, given, held) if held else ()),
+            *(() if is_usual else _drag_messages(results, number, gear)),
+            *_outside_messages(results, number, gear),
+            *(Said("W430", text) for index, text in above if index == number),
+            *(Said("W431", text) for index, text in off if index == number),
+            *_open_converters(case, given),
+        )
+        for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
+            yield Message(identity, text, gear.name)
+
+
+def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
+    """Those that a gear does not bypass, each with its speed ratio [-]."""
+    bypassed = case.bypassed(gear)
+    for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
+        if pair[0].kind == "converter" and place not in bypassed:
+            yield pair
+
+
+def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Speed ratios of a gear that are those of `converters`, which are open in statics."""
+    last = len(case.mechanisms[case.own_mechanisms])
+    bodies = case.bodies(gear)
+    for number, ratio in gear.speed_ratios.items():
+        one = case.converters[number - last - 1] if number > last else None
+        if one and bodies[one.pump] != bodies[one.turbine]:
+            yield Said(
+                "N415",
+                f"converter {one.name} is open here, its speed ratio {ratio:g} counts in `torsion` "
+                "only: what statics is to take stands under `mechanisms`, as `kind: converter` "
+                "with `first` and `second`",
+            )
+
+
+def outside_message(names: Sequence[str]) -> Message:
+    """That what these have was asked outside its points."""
+    return Message("N414", f"outside the points of {spoken(names)} the last one counts")
+
+
+def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """That converters and laws are asked outside their points."""
+    case = results.case
+    names = [one.name for one, ratio in _converters(case, gear) if one.is_outside(ratio)]
+    laws = results.points.outside if results.points else {}
+    names += [name for name, at in laws.items() if at[number]]
+    if names:
+        yield Said(*outside_message(names)[:2])
+
+
+def _of_irregular_gear(
+    results: Results, number: int, gear: Gear, lost: Sequence[Said]
+) -> Iterator[Said]:
+    """What does not exist or does not agree; `lost` are the messages on lost digits."""
+    yield from _speed_messages(results, number, gear)
+    yield from lost
+    yield from _torque_messages(results, number, gear, is_told=bool(lost))
+    yield from _loss_messages(results, number)
+
+
+def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
+    """Freewheels that could hold as well as those that do."""
+    others = freewheels.alternatives(case, gear, held)
+    if others:
+        ones, twos = (
+            [case.shift_elements[number - 1].name for number in numbers]
+            for numbers in (held, others)
+        )
+        yield Said(
+            "W411",
+            f"freewheel{_s(len(twos))} {spoken(twos)} could hold in place of {spoken(ones)}: the "
+            f"torques that they share are not determined, those with {spoken(ones)} are given",
+        )
+
+
+def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Warn of what would drag, but with an unknown speed.
+
+    A single drag on links that nothing else loads brings them to rest, so it takes no power.
+    """
+    speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
+    unknown = torques.unknown_drag(results.case, gear, speeds, slips)
+    is_at_rest = len(unknown) == 1 and results.gear_at(number).unloaded
+    if unknown and results.calculable[number] and not is_at_rest:
+        yield Said(
+            "W412",
+            f"the drag of {spoken(unknown)} is left out, as statics does not determine a speed "
+            "there",
+        )
+
+
+def _named(case: Transmission, path: str, text: str) -> str:
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        path = path.replace(f"mechanisms[{number}]", f"mechanism {mechanism.name}")
+    return f"{path}: {text}"
+
+
+def _rows(case: Transmission, gear: Gear) -> list[matrix.Column]:
+    """The equations for speeds, with the speed ratios of a gear."""
+    return matrix.rows(case, case.gear_ratios(gear))
+
+
+def _s(count: int) -> str:
+    return "" if count == 1 else "s"
+
+
+def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
+    return [name for name, value in zip(names, values, strict=True) if math.isnan(plain(value))]
+
+
+def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
+    """Freewheels that the engaged elements drive backward."""
+    speeds = solve_speeds(case, gear, _rows(case, gear))
+    for number in freewheels.driven_backward(case, gear, speeds):
+        name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
+        side = "below 0" if slip < 0 else "above 0, with an input that turns backward"
+        yield Said(
+            "E451",
+            f"{CONFLICT.name}: freewheel {name} can neither overrun (its slip would be "
+            f"{slip:.4g}, {side}) nor hold (the gear would be {TIED_UP.english}); release one of "
+            "the engaged elements, or exchange the links of the freewheel if it stands the wrong "
+            "way round",
+        )
+
+
+def _missed(results: Results, number: int, gear: Gear) -> list[int]:
+    """Return the numbers of freewheels that would make the output turn if they held."""
+    case = results.case
+    output = case.gear_output(gear) - 1
+    free = [n for n in case.freewheels if n not in gear.engaged]
+
+    def drives(*held: int) -> bool:
+        speeds = solve_speeds(case, freewheels.with_engaged(gear, held), _rows(case, gear))
+        return speeds.consistent and not is_nan(speeds.links[output])
+
+    chosen = [n for n in free if math.isnan(results.slip_speeds[number, n - 1]) and drives(n)]
+    return chosen or [*free] * drives(*free)
+
+
+def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Outputs of which nothing is given, so that they give no torque, or whose torque drives."""
+    case = results.case
+    given = {*gear.speeds, *gear.torques}
+    driving = [
+        case.link_name(link)
+        for link in case.further_outputs(gear)
+        if gear.torques.get(link, 0.0) * results.speeds[number, link - 1] > 0
+    ]
+    if driving and not case.coasts(gear):
+        yield Said(
+            "N416",
+            f"power enters at output{_s(len(driving))} {spoken(driving)}: a torque that is taken "
+            "there has the other sign than the speed",
+        )
+    unloaded = results.gear_at(number).unloaded
+    idle = [
+        link
+        for link in case.further_outputs(gear)
+        if link not in given and case.link_name(link) not in unloaded
+    ]
+    if not idle:
+        return
+    names = [case.link_name(link) for link in idle]
+    first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
+    expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
+    if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
+        side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
+        example = f"`torques: {{{first}: {torque}}}`"
+        expected = f"a given torque, {side} 0 where it takes some, such as {example}"
+    verb = "give" if names[1:] else "gives"
+    yield Said(
+        "W413", f"output{_s(len(idle))} {spoken(names)} {verb} no torque: expected {expected}"
+    )
+
+
+def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
+    """On which side of 0 a torque takes power at a link of a speed [-], and one that does.
+
+    It is a part of the input's, which in coasting is against its speed; where that is none it is
+    in N*m.
+    """
+    if case.input_torque(gear):
+        way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
+    else:
+        way, size = case.gear_load(gear).speed or 1.0, "20 N*m"
+    return ("above", size) if way * speed < 0 else ("below", f"-{size}")
+
+
+def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Too few conditions, too many, contradictions, an output that stands."""
+    case = results.case
+    if results.conflict[number]:
+        return  # said as an error already
+    missing, excess = int(results.missing[number]), int(results.excess[number])
+    if results.tied_up[number] or excess:
+        yield from _excess(results, number, gear)
+    if missing and (unloaded := results.gear_at(number).unloaded):
+        what = "turns freely and carries" if len(unloaded) == 1 else "turn freely and carry"
+        yield Said("N420", f"link{_s(len(unloaded))} {spoken(unloaded)} {what} no torque")
+    elif missing and _is_for_motion(case, gear):
+        free = _without_value(case.link_names, results.gear_at(number).speeds)
+        what = "turns" if len(free) == 1 else "turn"
+        named = f"link{_s(len(free))} {spoken(free)} {what} freely"
+        yield Said("N420", f"{named}: the case has no gears, so its speeds are those of a run")
+    elif missing:
+        yield _too_free(results, number, gear, missing)
+    output = case.gear_output(gear)
+    if results.speeds[number, output - 1] == 0:
+        name = case.link_name(output)
+        yield Said("W415", f"the output, link {name}, stands still: there is no ratio")
+
+
+def _is_for_motion(case: Transmission, gear: Gear) -> bool:
+    """Whether a case has bodies and only the gear that a case without `gears` has."""
+    alone = len(case.gears) == 1 and gear == Gear(name="1")
+    return alone and case.load is None and bool(case.inertias or case.masses)
+
+
+def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
+    """Say that a shift element is missing: the gear is neutral, or a loaded link is free."""
+    case = results.case
+    free = _without_value(case.link_names, results.gear_at(number).speeds)
+    named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
+    links = "" if results.tied_up[number] else named
+    neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
+    unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
+    over = _missed(results, number, gear) if neutral else []
+    why, exchange = _overrunning(case, results.gear_at(number), over)
+    advice = "; engage another shift element or give a speed" if neutral else ""
+    return Said(
+        "W414",
+        f"{missing} condition{_s(missing)} missing for the speeds"
+        f"{f' ({NEUTRAL.english}{why})' * bool(neutral)}{unheld}{links}{advice}{exchange}",
+    )
+
+
+def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
+    """Return a clause on freewheels that overrun, and advice where their links are exchanged."""
+    if not numbers:
+        return "", ""
+    names = [case.shift_elements[number - 1].name for number in numbers]
+    verb = "overruns" if len(names) == 1 else "overrun"
+    exchanged: list[tuple[str, str]] = []
+    for number in freewheels.in_wrong_order(state, numbers):
+        element = case.shift_elements[number - 1]
+        links = ", ".join(map(case.link_name, (element.second, element.first)))
+        exchanged.append((element.name, f"[{links}]"))
+    why = f", as freewheel{_s(len(names))} {spoken(names)} {verb}"
+    if not exchanged:
+        return why, ""
+    wrong, right = map(spoken, zip(*exchanged, strict=True))
+    return why, (
+        f"; the links of {wrong} may be in the wrong order: with {right} the gear would drive"
+    )
+
+
+def _is_adrift(results: Results, number: int) -> bool:
+    """Whether a gear is neutral, and so without torques, too."""
+    return bool(
+        results.missing[number]
+        and np.isnan(results.ratio[number])
+        and not results.tied_up[number]
+        and not results.balanced[number]
+    )
+
+
+def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """What is said of sets of conditions that repeat or contradict each other."""
+    case, repeated, same = results.case, list[str](), list[str]()
+    rows = matrix.speed_rows(case, gear, _rows(case, gear))
+    names = matrix.speed_row_names(case, gear)
+    always = len(matrix.always_loaded(case, gear))
+    at_ratios = _at_speed_ratios(case, gear)
+    for involved, agrees in elimination.dependencies(rows):
+        engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
+        others = [names[i] for i in involved if i >= always + len(gear.engaged)]
+        loaded = always - sum(not spring.is_damper for spring in case.springs)
+        springs = [names[i] for i in involved if loaded <= i < always]
+        free = [names[i] for i in involved if i < always and names[i] in at_ratios]
+        every = [names[i] for i in involved]
+        conditions = spoken(engaged + springs + others if engaged or others else every)
+        if not agrees:
+            given = [n for n in others if n != matrix.INPUT_SPEED]
+            cures = [
+                "release one of the engaged elements" * bool(engaged),
+                "leave out a given speed" * bool(given),
+                f"give {spoken(free)} another speed ratio" * bool(free),
+            ]
+            if free:
+                told = [f"{name} at the speed ratio {at_ratios[name]:g}" for name in free]
+                conditions = spoken([*engaged, *springs, *told, *others])
+            cure = " or ".join(filter(None, cures))
+            if not cure:
+                conditions, cure = spoken(every), "check which links these join and their ratios"
+            if springs:
+                cure += f"; {spoken(springs)} can't give way here, only in `vstatics torsion`"
+            yield Said(
+                "E452",
+                f"{TIED_UP.english}: {conditions} contradict each other, so the input can't "
+                f"turn as given; {cure}",
+            )
+        elif engaged:
+            repeated.append(spoken(engaged))
+        else:
+            same.append(f"{conditions} say the same of the speeds: 1 condition in excess")
+    if repeated:
+        count = len(repeated)
+        verb = "is" if count == 1 else "are"
+        what = f"{count} engaged element{_s(count)} {verb} in excess; the speeds agree"
+        same.insert(0, f"{'; '.join(repeated)}: {what}")
+    unknown = _unknown_torques(results, number)
+    shared = f", the torque of {spoken(unknown)} is not determined" if unknown else ""
+    for text in same:
+        yield Said("W416", text + shared)
+        shared = ""  # once is enough
+
+
+def _at_speed_ratios(case: Transmission, gear: Gear) -> dict[str, float]:
+    """Variators and converters by their names, with the speed ratios of a gear [-]."""
+    pairs = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
+    return {one.name: ratio for one, ratio in pairs if one.kind}
+
+
+def _digit_messages(results: Results, number: int) -> Iterator[Said]:
+    """What rounding shows in, near a singular train."""
+    lost = None if results.conflict[number] else digits.lost_digits(results.gear_at(number))
+    if lost is None:
+        return
+    of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
+    of += [f"the torque of {spoken(lost.devices)}"] * bool(lost.devices)
+    certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
+    verb = "are" if lost.digits > 1 else "is"
+    yield Said(
+        "W417",
+        "the ratios are so close to a singular train that rounding shows: "
+        f"{certain} of {spoken(of)} {verb} certain",
+    )
+
+
+def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool) -> Iterator[Said]:
+    """Torques that do not exist, or are not determined by statics.
+
+    And those that are not certain, unless it is told already.
+    """
+    case = results.case
+    if results.tied_up[number] or results.conflict[number]:
+        return  # said as an error already
+    output = case.gear_output(gear)
+    if not results.balanced[number]:
+        if _is_adrift(results, number) and output not in gear.speeds:
+            return  # said with the speeds
+        advice = _gaining(results, number) or _unheld(results, number)
+        if output in gear.speeds:
+            advice = (
+                f"a speed is given on the output, link {case.link_name(output)}; give the "
+                "speed of the reacting link instead"
+            )
+        yield Said("W418", f"there are no torques in balance: {advice}")
+    elif not (is_told or case.has_converter) and is_uncertain(
+        gear, float(results.speeds[number, output - 1]), float(results.torques[number, -1])
+    ):
+        yield Said(
+            "W419",
+            "the ratios are so close to a singular train that rounding shows: output torque "
+            "times output speed is not 1; few digits are certain",
+        )
+    elif not results.excess[number] and (  # else it is said already
+        np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
+    ):
+        unknown = _unknown_torques(results, number)
+        if unknown:
+            yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
+
+
+def _gaining(results: Results, number: int) -> str:
+    """Converters that would gain power at the speed ratio of the gear."""
+    if not results.case.has_converter:
+        return ""
+    state = results.gear_at(number)
+    variant = state.ideal.variant
+    torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
+    names = ideal.gaining(variant, state.gear, state.ideal.speeds, torques_)
+    return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
+
+
+def _unheld(results: Results, number: int) -> str:
+    """Which torques are not held; freewheels that overrun could hold them."""
+    case, state = results.case, results.gear_at(number)
+    gear, variant = state.gear, state.ideal.variant
+    own = case.gear_input(gear)
+
+    def is_held(link: int, columns: Sequence[matrix.Column]) -> bool:
+        alone = gear._replace(input=link, torques={})
+        return torques.solve_torques(case, alone, columns).consistent
+
+    unheld = [link for link in (own, *gear.torques) if not is_held(link, variant.columns)]
+    # a geared neutral: ratios of any losses do hold it
+    factors = [0.98 - 0.01 / place for place, _ in enumerate(variant.ratios, 1)]
+    lossy = [ratio * factor for ratio, factor in zip(variant.ratios, factors, strict=True)]
+    if (
+        results.speeds[number, case.gear_output(gear) - 1] == 0
+        and not case.has_converter
+        and all(is_held(link, matrix.columns(case, lossy)) for link in unheld)
+    ):
+        return (
+            "the output stands still and takes no power, so without losses torques have no bound; "
+            "for those with losses look a little to each side of this ratio"
+        )
+    links = ["the input" if link == own else case.link_name(link) for link in unheld]
+    what = "torque of " if len(links) == 1 else "torques of "
+    over = [n for n in case.freewheels if n not in gear.engaged]
+    why, exchange = _overrunning(case, state, over)
+    return f"nothing holds the {what}{' and of '.join(links)}{why}{exchange}"
+
+
+def _unknown_torques(results: Results, number: int) -> list[str]:
+    """What has no torque by statics in a gear that has torques in balance."""
+    if not results.calculable[number]:
+        return []
+    torques = results.gear_at(number).torques
+    return _without_value([*results.case.devices, "the output"], torques.on_first_link)
+
+
+def _loss_messages(results: Results, number: int) -> Iterator[Said]:
+    """Friction locks, and flows that losses turn round."""
+    case = results.case
+    if results.locked[number]:
+        way = " when coasting" if case.coasts(case.gears[number]) else ""
+        yield Said("W421", f"{LOCKED.english}{way}: no directions of power agree with the losses")
+    elif results.dragged[number]:
+        yield Said("W422", f"{DRAGGED.english}: {DRAGGED.meaning}")
+    elif results.undecided[number]:
+        yield Said(
+            "W423",
+            "the search for directions of power that agree with the losses was cut short: "
+            "torques with losses and efficiency are unknown",
+        )
+    elif not results.consistent[number] and results.calculable[number]:
+        yield Said(
+            "W424",
+            "statics leaves directions of power open: with losses only what does not depend on "
+            "them is given",
+        )
+    turns = zip(case.mechanisms, results.turned[number], strict=True)
+    turned = [mechanism.name for mechanism, mark in turns if mark]
+    if turned:
+        yield Said("N411", f"losses turn the flow of power through {spoken(turned)} round")
+    if results.choices[number] > 1:
+        yield Said(
+            "N412",
+            f"{results.choices[number]} sets of directions of power agree with the losses; "
+            "the one of the largest efficiency is taken",
+        )
+
+
+def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
+    """Mechanisms without flow of power that matter."""
+    idle = coincidences(results, number, gear)
+    if idle:
+        what = "torques with losses and efficiency depend"
+        if not any(idle.values()):
+            what = "torques with losses, but not the efficiency, depend"
+        yield Said(
+            "N413" if _is_straight_ahead(results, number, [*idle]) else "W425",
+            f"{spoken([*idle])}: no flow of power, by coincidence; {what} on the direction of "
+            "power assumed there",
+        )
+
+
+def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
+    """Whether idle mechanisms turn as one with differentials among them, as straight ahead."""
+    speeds = [0.0, *results.speeds[number].tolist()]
+    parts = [part for part in results.case.mechanisms if part.name in idle]
+    of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
+    return all(
+        any(math.isclose(speeds[link], speed, rel_tol=TIE) for speed in of_differentials)
+        for part in parts
+        for link in (part.first, part.third)
+    )
+
+
+REGULAR = {
+    "tied_up": False,
+    "conflict": False,
+    "missing": 0,
+    "excess": 0,
+    "balanced": True,
+    "consistent": True,
+    "dragged": False,
+    "locked": False,
+    "undecided": False,
+    "choices": 1,
+}
+"""What the arrays say of such a gear."""
+
+
+def regular_gears(results: Results) -> Iterator[bool]:
+    """By gear of one case: whether speeds and torques exist, agree, and are the only ones.
+
+    >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+    ...                     [Gear([1]), Gear([], name="N")])
+    >>> list(regular_gears(solve(case)))
+    [True, False]
+    """
+    case, usual = results.case, tuple(REGULAR.values())
+    marks = zip(*(getattr(results, name).tolist() for name in REGULAR), strict=True)
+    turned, speeds = results.turned.tolist(), results.speeds.tolist()
+    torques, of_meshes = results.torques.tolist(), results.mesh_torques.tolist()
+    for number, (gear, own) in enumerate(zip(case.gears, marks, strict=True)):
+        speed, torque = speeds[number][case.gear_output(gear) - 1], torques[number][-1]
+        yield (
+            own == usual
+            and True not in turned[number]
+            and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
+            and speed != 0
+            and (results.case.has_converter or not is_uncertain(gear, speed, torque))
+        )
+
+
+def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
+    """Whether speeds and torques, which check one another by ``Mx * w_output = 1``, do not."""
+    if gear.speeds or gear.torques:
+        return False
+    return abs(output_torque * output_speed - 1) > UNCERTAIN

@@ -1,0 +1,115 @@
+"""Mechanisms that are idle by coincidence, whose direction of power is assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+
+from vstatics.core.model.transmission import Gear
+from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.numerics.traced import Number, absolute
+from vstatics.core.statics.bodies import held_as_one
+from vstatics.core.statics.efficiency import lossy_ratios
+from vstatics.core.statics.matrix import columns, rows
+from vstatics.core.statics.power import power
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.speeds import solve_speeds
+from vstatics.core.statics.state import GearState
+from vstatics.core.statics.torques import solve_torques
+
+
+def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
+    """Names of the idle mechanisms whose direction of power, which is assumed, matters.
+
+    And whether it matters for the efficiency too.
+
+    Where engaged elements hold a mechanism as one piece only the split of torque depends
+    on it. Otherwise a torque at the ports does, and so the efficiency.
+
+    Parameters
+    ----------
+    number : int
+        Index of the gear in `results`.
+    gear : Gear
+        With the freewheels that hold among the engaged elements.
+    """
+    idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
+    if not idle or idle <= held_as_one(results.case, gear):
+        return {}
+    return _that_matter(results.gear_at(number))
+
+
+def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
+    """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
+    case, is_idle = results.case, results.idle[number].tolist()
+    if case.drawing is None and True not in is_idle:
+        return
+    behind = len(case.springs) + 1
+    on_own = results.lossy_torques[number, len(case.shift_elements) : -behind].tolist()
+    if case.drawing is None:
+        marks = enumerate(zip(is_idle, on_own, strict=True))
+        yield from (index for index, (idle, torque) in marks if idle and torque != 0)
+        return
+    torques = iter(on_own)
+    meshes = zip(
+        results.mesh_losses[number].tolist(),
+        results.lossy_mesh_torques[number].tolist(),
+        strict=True,
+    )
+    for device, idle in zip(case.own_devices, is_idle, strict=True):
+        loaded = sum(torque != 0 for torque in islice(torques, len(device.members))) > 0
+        if device.meshes:
+            for index in device.mechanisms:
+                loss, torque = next(meshes)
+                if loss == 0 and torque != 0:
+                    yield index
+        elif loaded and (idle or len(device.mechanisms) > 1):
+            yield from device.mechanisms
+
+
+def _that_matter(state: GearState) -> dict[str, bool]:
+    """The same, from the state of the gear."""
+    case, gear, ideal = state.case, state.gear, state.ideal
+    elements = len(case.shift_elements)
+    idle = [
+        place
+        for place, is_idle in enumerate(state.search.idle)
+        if is_idle
+        and state.lossy_torques.on_first_link[elements + place] != 0
+        and ideal.variant.efficiencies[place].lossy
+    ]
+    held = held_as_one(case, gear) if idle else set()
+    idle = [place for place in idle if place not in held]
+    if not idle:
+        return {}
+
+    def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
+        """Torques that the ports have, and the power that enters by these."""
+        turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
+        ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
+        torques = solve_torques(case, gear, columns(case, ratios), state.drag)
+        output = torques.on_first_link[-1]
+        entering = -power(output, state.output_speed)
+        for link, torque in torques.holding.items():
+            entering = entering + power(torque, state.speeds[link - 1])
+        return [output, *torques.holding.values()], entering
+
+    if not gear.speeds and not gear.torques:
+        # by virtual work the output torque depends on a ratio only where its mechanism
+        # moves in the train that has the ratios with losses
+        relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
+        idle = [place for place in idle if relative_speeds[place] != 0]
+    found = {}
+    for place in idle:
+        one, lost = at_ports(place, 1.0)
+        other, otherwise = at_ports(place, -1.0 if ideal.variant.efficiencies[place].back else 0.0)
+        if _differ(one, other):
+            found[case.mechanisms[place].name] = not absolute(lost - otherwise) <= TIE
+    return found
+
+
+def _differ(one: list[Number], other: list[Number]) -> bool:
+    """Whether torques are other ones; those that do not exist count for nothing."""
+    pairs = [(a, b) for a, b in zip(one, other, strict=True) if a == a and b == b]  # noqa: PLR0124
+    largest = max((absolute(a) for a, _ in pairs), default=0.0)
+    return any(absolute(a - b) > TIE * largest for a, b in pairs)

@@ -1,0 +1,230 @@
+"""Which numbers of a case a path names, "load.torque", "gears.low.drag.out", and what they may be.
+
+Names stand as the case has them; the power of a battery is in W. Gears may be `*`, all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
+
+import numpy as np
+
+from vstatics.core.errors import CaseError, Problem, nearest, quoted
+from vstatics.core.model.shape import Measure
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
+from vstatics.core.statics import matrix
+from vstatics.core.statics.variants import OF_MECHANISMS, OfGear, OfMechanism
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+OfLoads = Literal["load.speed", "load.torque"]
+
+
+class CaseNumber(NamedTuple):
+    """A number of a case that varies, in SI."""
+
+    gear: int | None
+    """Its index; None for a load that is the case's own."""
+    quantity: OfLoads | OfGear | OfMechanism | Literal["battery"]
+    owner: int = 0
+    """As that of a `GearNumber`; of a load nothing."""
+
+
+FREE_RATIOS = ("variator", "converter")
+"""Kinds of mechanisms whose speed ratio may differ from gear to gear."""
+Columns = Mapping[CaseNumber, Floats]
+"""Of shape (variants,): rad/s, N*m, or without a unit."""
+
+
+def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
+    """Arrays of one length, and that length.
+
+    Raises
+    ------
+    CaseError
+        If one is no array of numbers.
+    ValueError
+        If the arrays do not go together, on one axis.
+
+    Examples
+    --------
+    >>> together({"load.torque": [100.0, 200.0], "load.speed": 50})
+    ({'load.torque': array([100., 200.]), 'load.speed': array([50., 50.])}, 2)
+    """
+    arrays = {path: as_floats(path, numbers) for path, numbers in vary.items()}
+    try:
+        shape = np.broadcast_shapes((1,), *(array.shape for array in arrays.values()))
+    except ValueError:
+        shape = ()
+    if len(shape) != 1:
+        shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
+        raise ValueError(f"vary: expected arrays of one axis and one length, read {shapes}")
+    return {path: np.broadcast_to(array, shape) for path, array in arrays.items()}, shape[0]
+
+
+def columns_of(
+    case: Transmission, arrays: Mapping[str, Floats], others: Iterable[str] = ()
+) -> Columns:
+    """The numbers that vary.
+
+    Parameters
+    ----------
+    case : Transmission
+    arrays : mapping of str to ndarray, shape (variants,)
+        By their paths.
+    others : iterable of str
+        Paths that may be meant by one that names nothing.
+
+    Raises
+    ------
+    CaseError
+        If a path names nothing, or a number can't be.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> columns_of(case, {"load.torque": np.array([100.0, 200.0])})
+    {CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}
+    """
+    known = dict(_named(case))
+    columns: dict[CaseNumber, Floats] = {}
+    for path, column in arrays.items():
+        numbers = known.get(path)
+        if not numbers:
+            message = f"the case has no number {quoted(path)}{nearest(path, [*known, *others])}"
+            raise CaseError([Problem("E421", message, ("vary",))])
+        _check(case, path, numbers[0], column)
+        for number in numbers:
+            if number in columns:
+                message = f"{quoted(path)} is varied twice, expected each number once"
+                raise CaseError([Problem("E706", message, ("vary",))])
+            columns[number] = column
+    return columns
+
+
+def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
+    """All paths of a case, each with its numbers.
+
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
+    >>> numbers_of(case)["gears.1.torques.2"]
+    (CaseNumber(gear=0, quantity='torques', owner=2),)
+    """
+    return {path: tuple(numbers) for path, numbers in _named(case) if numbers}
+
+
+def measure_of(quantity: str) -> Measure | Literal["power"] | None:
+    """What a quantity is measured in; None for a number without a unit.
+
+    >>> measure_of("speeds"), measure_of("efficiency")
+    ('si_speed', None)
+    """
+    if quantity in ("load.speed", "speeds"):
+        return "si_speed"
+    if quantity in ("load.torque", "torques", "drag", "open_drag"):
+        return "si_torque"
+    return "power" if quantity == "battery" else None
+
+
+def wrong_numbers(quantity: str, numbers: Floats) -> Booleans:
+    """Which numbers in SI can't be those of a quantity."""
+    return _wrong(quantity, numbers)[0]
+
+
+def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+    """All paths of a case, each with its numbers."""
+    quantities: tuple[OfLoads, ...] = get_args(OfLoads)
+    for quantity in quantities:
+        yield quantity, [CaseNumber(None, quantity)]
+    everywhere = range(len(case.gears))
+    by_gear = [("*", everywhere), *((gear.name, [n]) for n, gear in enumerate(case.gears))]
+    links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
+    elements = {element.name: n for n, element in enumerate(case.shift_elements, 1)}
+    devices = case.mechanisms[case.own_mechanisms]
+    free = {one.name: n for n, one in enumerate(devices, 1) if one.kind in FREE_RATIOS}
+    owners: dict[OfGear, dict[str, int]] = {
+        "speed_ratios": free,
+        "speeds": links,
+        "torques": links,
+        "drag": links,
+        "open_drag": elements,
+    }
+    for gear, numbers in by_gear:
+        for quantity in quantities:
+            yield f"gears.{gear}.{quantity}", [CaseNumber(n, quantity) for n in numbers]
+        for of_gear, named in owners.items():
+            for name, owner in named.items():
+                own = [CaseNumber(n, of_gear, owner) for n in numbers]
+                if own := own if of_gear != "speed_ratios" else _acting(case, own):
+                    yield f"gears.{gear}.{of_gear}.{name}", own
+    for name, link in links.items():
+        yield f"drag.{name}", [CaseNumber(n, "drag", link) for n in everywhere]
+    for name, number in elements.items():
+        yield f"{name}.drag", [CaseNumber(n, "open_drag", number) for n in everywhere]
+    yield from _of_balances(case)
+    yield from _of_mechanisms(case, free)
+
+
+def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
+    """Speed ratios without those of converters that are bypassed."""
+    first = case.own_mechanisms.start - 1
+    return [
+        one for one in numbers if first + one.owner not in case.bypassed(case.gears[one.gear or 0])
+    ]
+
+
+def _of_mechanisms(
+    case: Transmission, free: Mapping[str, int]
+) -> Iterator[tuple[str, list[CaseNumber]]]:
+    """Numbers of mechanisms and drawn elements, the same in all gears."""
+    everywhere = range(len(case.gears))
+    for name, number in free.items():
+        if own := _acting(case, [CaseNumber(n, "speed_ratios", number) for n in everywhere]):
+            yield f"{name}.speed_ratio", own
+    indexed = enumerate(case.mechanisms)
+    mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
+    mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
+    for name, indices in mechanisms.items():
+        for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ("efficiency",):
+            own = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
+            yield f"{name}.{of_mechanism}", own
+
+
+def _of_balances(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+    balanced = [n for n, gear in enumerate(case.gears) if gear.balance]
+    for name, numbers in [("*", balanced), *((case.gears[n].name, [n]) for n in balanced)]:
+        yield f"gears.{name}.balance.battery", [CaseNumber(n, "battery") for n in numbers]
+
+
+def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) -> None:
+    """Raise the first number that can't be."""
+    if number.quantity == "ratio":
+        between = case.ratio_range(number.owner)
+        wrong, expected = (
+            matrix.impossible("ratio", column, between),
+            matrix.expected_ratio(between),
+        )
+    else:
+        wrong, expected = _wrong(number.quantity, column)
+    if wrong.any():
+        variant = int(np.flatnonzero(wrong)[0])
+        message = f"read {column[variant]:g} in variant {variant}, expected {expected}"
+        raise CaseError([Problem("E415", message, ("vary", path))])
+
+
+def _wrong(quantity: str, column: Floats) -> tuple[Booleans, str]:
+    """Which numbers can't be, and what is expected."""
+    if quantity in ("ratio", "efficiency"):
+        return matrix.impossible(quantity, column), matrix.EXPECTED[quantity]  # type: ignore[arg-type] # one of the two
+    wrong = ~np.isfinite(column)
+    if quantity == "back_efficiency":
+        return wrong | (column < 0) | (column > 1), "an efficiency from 0 to 1"
+    if quantity in ("drag", "open_drag"):
+        return wrong | (column < 0), "a torque of 0 or more"
+    if quantity == "load.speed":
+        return wrong | (column == 0), "a finite speed other than 0"
+    return wrong, "a finite number"

@@ -1,0 +1,317 @@
+"""Results: named arrays, and what was noticed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+
+from vstatics.core.errors import listed
+from vstatics.core.extras import AnyPicture, higher
+from vstatics.core.model.transmission import SpeedOf, Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.statics.freewheels import find_state
+from vstatics.core.statics.losses import no_solution
+from vstatics.core.statics.physical import PhysicalResults
+from vstatics.core.statics.result_arrays import ARRAYS, GearTable
+from vstatics.core.statics.state import GearState
+from vstatics.core.statics.status import OK, Status, statuses
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+
+class Results(PhysicalResults):
+    """Everything that is calculated, for every gear.
+
+    Its arrays, their axes and units are told in `ResultFields`; `PhysicalResults` has them in
+    rpm, N*m and kW.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5, 0.98)], [Gear(name="drive")]))
+    >>> results, results.ratio, results["lossy_torques", "Mx", "drive"]
+    (<Results: gears drive>, array([-2.5]), -2.45)
+    """
+
+    __slots__ = ()
+
+    @overload
+    def __getitem__(self, key: str) -> Floats: ...
+    @overload
+    def __getitem__(self, key: tuple[GearTable, str | int]) -> float: ...
+    @overload
+    def __getitem__(self, key: tuple[str, str | int, str | int]) -> float: ...
+    @overload
+    def __getitem__(self, key: tuple[str, Any] | tuple[str, Any, Any]) -> Any: ...
+    def __getitem__(self, key: Any) -> Any:
+        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``.
+
+        A number, too, is an array where there are variants; to checkers of types it is a float.
+        """
+        return higher("by_name")(self, key)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether these are the same numbers, to the last bit, of the same case."""
+        if not isinstance(other, Results):
+            return NotImplemented
+        points, others = self.points, other.points
+        return (
+            self.case == other.case
+            and self.messages == other.messages
+            and _same(_own_arrays(self), _own_arrays(other))
+            and _same(points.scales if points else {}, others.scales if others else {})
+        )
+
+    def __ne__(self, other: object) -> bool:
+        """As `==` says, where a tuple would compare its items."""
+        return not self == other
+
+    __hash__ = None  # type: ignore[assignment] # what compares by its numbers, and has arrays
+
+    def _repr_html_(self) -> str:
+        """The table of the gears, for a notebook."""
+        shown: str = higher("results_html")(self)
+        return shown
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A pandas table: one row per variant and gear, a column per table and row.
+
+        Returns
+        -------
+        DataFrame
+            As of `vstatics.core.tables.dataframe.to_dataframe`: speeds, torques and powers relative
+            to the input [-], with a load also in rpm, N*m and kW.
+
+        Raises
+        ------
+        CaseError
+            If pandas is missing.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).to_dataframe()["ratio"].to_dict()
+        {'drive': -2.5}
+        """
+        table: pd.DataFrame = higher("to_dataframe")(self)
+        return table
+
+    def to_xarray(self) -> xr.Dataset:
+        """All tables as a dataset of xarray, with names along their axes.
+
+        Returns
+        -------
+        Dataset
+            As of `vstatics.core.tables.dataset.to_xarray`: dimensions `gear`, and `link`, `device`
+            and others; relative to the input [-], with a load also in rpm, N*m and kW.
+
+        Raises
+        ------
+        CaseError
+            If xarray is missing.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).to_xarray()["speeds"].sel(gear="drive", link="2").item()
+        -0.4
+        """
+        made: xr.Dataset = higher("to_xarray")(self)
+        return made
+
+    def to_json(self, file: str = "") -> str:
+        """The text that `vstatics run -f json` writes of one case: a golden result.
+
+        Parameters
+        ----------
+        file : str
+            The file of the case, which stands in it without folders; without one it has none.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()]))
+        >>> results.to_json("cases/pair.yaml").splitlines()[1:4]
+        ['  "format": "vstatics-result",', '  "version": 1,', '  "file": "pair.yaml",']
+        """
+        text: str = higher("to_json")(self, file)
+        return text
+
+    def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
+        """A picture, which a notebook shows: `vstatics.plot` of these results.
+
+        Parameters
+        ----------
+        kind : str
+            What is drawn: plan, lever, flow, stick and others, as of `vstatics.plot`.
+        **how
+            As of `vstatics.plot`: `gear`, `width` [mm] and others.
+
+        Raises
+        ------
+        CaseError
+            If matplotlib is missing, or the case has nothing that could be drawn.
+        ValueError
+            If there is no such kind or gear.
+
+        Examples
+        --------
+        >>> from vstatics import Gear, Mechanism, Transmission, solve
+        >>> pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")])
+        >>> solve(pair).plot("lever")
+        <Picture lever of <Results: gears drive>>
+        """
+        made: AnyPicture = higher("plot")(self, kind, **how)
+        return made
+
+    def __repr__(self) -> str:
+        """What it has results of, not all its numbers."""
+        case, axes = self.case, self.ratio.shape[:-1]
+        variants = f", variants of shape {axes}" if axes else ""
+        name = f" of {case.name!r}" if case.name else ""
+        return f"<Results{name}: gears {listed([one.name for one in case.gears], 12)}{variants}>"
+
+    @property
+    def calculable(self) -> Booleans:
+        """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
+        return self.balanced & ~self.tied_up & ~self.conflict
+
+    def existing(self, name: str) -> Floats:
+        """An array by its name, with NaN where there is nothing to be said.
+
+        Whether a mechanism is idle, or a gear locked, is a question only for gears with
+        speeds and torques; elsewhere the marks are 0.
+
+        >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+        >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
+        ...                     [Gear([1]), Gear([], name="N")])
+        >>> solve(case).existing("locked")
+        array([ 0., nan])
+        """
+        array: Floats = getattr(self, name)
+        if name not in ("idle", "consistent", "locked", "dragged"):
+            return array
+        exists = self.calculable & ~(self.undecided & (name in ("locked", "dragged")))
+        return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
+
+    def gear(self, gear: int | str) -> GearState:
+        """The state of a gear of one case: its speeds, torques, powers and status as one object.
+
+        Parameters
+        ----------
+        gear : int or str
+            Its number from 1, in the order of the case, or its name.
+
+        Raises
+        ------
+        ValueError
+            For arrays of variants, or if there is no such gear.
+        """
+        if self.ratio.ndim != 1:
+            raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
+        return self.gear_at(self.case.gear_number(gear) - 1)
+
+    def gear_at(self, index: int) -> GearState:
+        """The same by the index of the gear."""
+        case = self.case
+        gears = self.points.gears if self.points else case.gears
+        efficiencies: Sequence[Any] = [one.efficiency for one in case.mechanisms]
+        if self.points and self.points.efficiencies:
+            efficiencies = self.points.efficiencies[index]
+        ratios = [one.ratio for one in case.mechanisms]
+        with np.errstate(all="ignore"):
+            state = find_state(case, gears[index], ratios, efficiencies)
+        if self.points and self.undecided[index] and not state.search.undecided:
+            # no torque of its own agrees with the efficiencies
+            lossy = no_solution(state.ideal, (math.nan,) * len(ratios))
+            search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
+            return state._replace(search=search)
+        return state
+
+    def status(self, number: int) -> Status:
+        """What is to be said of a gear of one case as a whole; its number counts from 1."""
+        index, case = number - 1, self.case
+        output = case.gear_output(case.gears[index])
+        found = statuses(
+            tied_up=bool(self.tied_up[index]),
+            conflict=bool(self.conflict[index]),
+            output_speed=float(self.speeds[index, output - 1]),
+            balanced=bool(self.balanced[index]),
+            dragged=bool(self.dragged[index]),
+            locked=bool(self.locked[index]),
+            undecided=bool(self.undecided[index]),
+        )
+        return found[0] if found else OK
+
+    @property
+    def with_freewheels_engaged(self) -> Transmission:
+        """The case with every freewheel engaged in the gears where it holds, as a plain element.
+
+        Of one case, not of arrays of variants.
+        """
+        case = self.case
+        if not case.freewheels:
+            return case
+        plain = [e._replace(kind="") if e.is_freewheel else e for e in case.shift_elements]
+        gears = [
+            gear._replace(
+                engaged=(*gear.engaged, *(n for n in case.freewheels if holds[n - 1])),
+            )
+            for gear, holds in zip(case.gears, self.holds.tolist(), strict=True)
+        ]
+        return replace(case, shift_elements=plain, gears=gears)
+
+    @property
+    def with_numbers_only(self) -> Transmission:
+        """The case as a deck can tell it: freewheels engaged, speeds of other links as numbers.
+
+        A speed that is not determined is left out. Of one case, not of arrays of variants.
+        """
+        case = self.with_freewheels_engaged
+        if not any(isinstance(v, SpeedOf) for gear in case.gears for v in gear.speeds.values()):
+            return case
+        gears = []
+        for gear, speeds in zip(case.gears, self.speeds.tolist(), strict=True):
+            numbers = {
+                link: speeds[link - 1] if isinstance(given, SpeedOf) else given
+                for link, given in gear.speeds.items()
+            }
+            known = {link: speed for link, speed in numbers.items() if not math.isnan(speed)}
+            gears.append(gear._replace(speeds=known))
+        return replace(case, gears=gears)
+
+    @property
+    def failed(self) -> bool:
+        """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
+        return bool(self.tied_up.any() or self.conflict.any())
+
+
+def _own_arrays(results: Results) -> dict[str, Any]:
+    """As they were calculated, by name."""
+    return {name: results.in_own_unit(name) for name in ARRAYS}
+
+
+def _same(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
+    """Whether arrays by names are equal; NaN is equal to NaN."""
+    return some.keys() == others.keys() and all(
+        np.array_equal(array, others[name], equal_nan=True) for name, array in some.items()
+    )
+
+
+def expect_one_case(given: Results, function: str) -> None:
+    """Refuse results of variants, in the words of the function that was given them.
+
+    Raises
+    ------
+    ValueError
+    """
+    if given.ratio.ndim != 1:
+        raise ValueError(f"{function} of results of shape {given.ratio.shape}: expected one case")

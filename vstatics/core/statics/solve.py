@@ -1,0 +1,178 @@
+"""Transmission -> Results: speeds, torques without and with losses, what is determined."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import ArrayLike
+
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.model.part_checks import of_missing_ratios
+from vstatics.core.model.transmission import IdleConvention, Transmission
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics import diagnosis
+from vstatics.core.statics.matrix import EXPECTED, Quantity, by_mechanism, impossible
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.variants import solve_variants
+
+
+@refusing()
+def solve(  # noqa: PLR0913
+    case: Transmission,
+    *,
+    ratios: ArrayLike | None = None,
+    efficiencies: ArrayLike | None = None,
+    coast: bool | None = None,
+    idle: IdleConvention | None = None,
+    vary: Mapping[str, ArrayLike] | None = None,
+) -> Results:
+    """Calculate every gear of a transmission, or of many variants of it.
+
+    Parameters
+    ----------
+    case : Transmission
+    ratios, efficiencies : array_like, shape (..., mechanisms), optional
+        In place of the case's own numbers; the leading axes are the variants. Planet
+        ratios that the case gives stay as they are. [-]
+    coast : bool, optional
+        Power enters at the output; the case's own when not given.
+    idle : {"exact", "published"}, optional
+        Convention for idle mechanisms; the case's own when not given.
+    vary : mapping of str to array_like, optional
+        Other numbers by their paths, such as `load.torque`, `gears.low.speeds.motor` or
+        `P1.teeth.sun`; see `vstatics.core.statics.points`. In rad/s (also `load.speed`, where
+        `Load` has rpm) and N*m, without units for ratios and efficiencies. Arrays go together,
+        on one axis.
+
+    Returns
+    -------
+    Results
+        Arrays with the leading axes of `ratios` and `efficiencies`, or that of `vary`, then gears.
+        For arrays of variants there are no `messages`, and `case` is the one given.
+
+    Raises
+    ------
+    CaseError
+        If a ratio or an efficiency in the arrays is none, there is a text among the numbers, a
+        converter has no speed ratio, or a drag or efficiency depends on a load that is missing.
+    TypeError
+        If `case` is no transmission, such as the name of a file.
+    ValueError
+        If the arrays do not have one number for each mechanism, those of `vary` do not go
+        together, `vary` stands beside `ratios` or `efficiencies`, or `idle` is no convention.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> results = solve(case)
+    >>> results.ratio
+    array([1. , 3.5])
+    >>> results.speeds.shape, results.torques.shape
+    ((2, 3), (2, 4))
+    >>> solve(case, ratios=[[-2.0], [-2.5], [-3.0]]).ratio
+    array([[1. , 3. ],
+           [1. , 3.5],
+           [1. , 4. ]])
+
+    An input torque of 300 N*m loses 3 N*m to a drag at the input.
+
+    >>> from vstatics.core.model.parts import Load
+    >>> dragged = case.replace(load=Load(2000, 300), gears=[Gear([1], drag={1: 0.01})])
+    >>> solve(dragged, vary={"drag.1": [0, 3, 6]}).efficiency.round(3).tolist()
+    [[1.0], [0.99], [0.98]]
+    """
+    if problems := list(of_missing_ratios(case, open_too=True)):
+        raise CaseError(problems)
+    if case.depends:
+        from vstatics.core.model.laws import without_loads  # it costs start-up time
+
+        if problems := list(without_loads(case)):
+            raise CaseError(problems)
+    case = case.with_coast(coast)
+    if idle not in (None, case.idle):
+        case = replace(case, idle=idle)
+    if vary is not None:
+        from vstatics.core.statics.points import solve_varied  # it costs start-up time
+
+        if ratios is not None or efficiencies is not None:
+            raise ValueError("solve: expected `vary`, or `ratios` and `efficiencies`, not both")
+        return solve_varied(case, vary)
+    axes, u, eta = _variants(case, ratios, efficiencies)
+    if axes == () and (u is not None or eta is not None):
+        case = _with_numbers(case, u, eta)
+        u = eta = None
+    if case.depends:
+        from vstatics.core.statics.points import solve_laws  # likewise
+
+        return solve_laws(case, axes, u, eta)
+    with np.errstate(all="ignore"):
+        arrays = solve_variants(case, u, eta, math.prod(axes))
+    if axes == ():
+        results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
+        return results._replace(messages=tuple(diagnosis.messages(results)))
+    shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
+    return Results(case=case, **shaped)
+
+
+def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
+    """The case with other ratios and efficiencies, of shape (1, mechanisms)."""
+    mechanisms = list(case.mechanisms)
+    for quantity, given in (("ratio", u), ("efficiency", eta)):
+        if given is not None:
+            mechanisms = [
+                mechanism._replace(**{quantity: number})
+                for mechanism, number in zip(mechanisms, given[0].tolist(), strict=True)
+            ]
+    return case.with_numbers(mechanisms)
+
+
+def _variants(
+    case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
+) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
+    """The axes of the variants, and what is given of ratios and efficiencies.
+
+    Both of shape (variants, mechanisms).
+    """
+    count = len(case.mechanisms)
+    given = {
+        name: None if numbers is None else by_mechanism(name, numbers, count)
+        for name, numbers in (("ratios", ratios), ("efficiencies", efficiencies))
+    }
+    axes = np.broadcast_shapes(*(array.shape[:-1] for array in given.values() if array is not None))
+    problems = [
+        *_wrong(case, "ratio", given["ratios"]),
+        *_wrong(case, "efficiency", given["efficiencies"]),
+    ]
+    if problems:
+        raise CaseError(problems)
+    u, eta = (
+        None
+        if array is None
+        else np.broadcast_to(array, (*axes, count)).reshape(math.prod(axes), count)
+        for array in given.values()
+    )
+    return axes, u, eta
+
+
+def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
+    """The first wrong number in an array of variants, of shape (..., mechanisms)."""
+    for number in range(len(case.mechanisms) if given is not None else 0):
+        column = np.asarray(given)[..., number]
+        own = float(getattr(case.mechanisms[number], quantity))
+        wrong = impossible(quantity, column) & ~np.isclose(column, own, 0, 0, equal_nan=True)
+        if wrong.any():
+            variant = tuple(int(index) for index in np.argwhere(wrong)[0])
+            where = f" in variant {', '.join(map(str, variant))}" if variant else ""
+            message = f"read {column[variant]:g}{where}, expected {EXPECTED[quantity]}"
+            return [Problem("E415", message, ("mechanisms", number + 1, quantity))]
+    return []

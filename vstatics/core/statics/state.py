@@ -1,0 +1,403 @@
+"""The state of a gear: all that holds of it at an instant, and what arrays have of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from operator import add
+from typing import Any, NamedTuple
+
+from vstatics.core.model.bodies import Bodies
+from vstatics.core.model.parts import HOUSING, Planet
+from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.numerics.signed import Condition
+from vstatics.core.numerics.tape import Residual
+from vstatics.core.numerics.tolerances import CLOSED
+from vstatics.core.numerics.traced import (
+    Number,
+    guard_within,
+    is_nan,
+    is_traced,
+    plain,
+    residual,
+    where,
+)
+from vstatics.core.statics.bodies import turning_as_one
+from vstatics.core.statics.efficiency import Signs, lossy_ratios
+from vstatics.core.statics.ideal import IdealGear
+from vstatics.core.statics.matrix import always_loaded, column_of, columns, value
+from vstatics.core.statics.power import LinkPower, device_powers, drag_powers, port_powers
+from vstatics.core.statics.signs import SignSearch
+from vstatics.core.statics.status import OK, Status, statuses
+from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
+
+
+class GearState(NamedTuple):
+    """A gear in which every freewheel either holds or overruns.
+
+    Speeds are relative to the input speed, torques to the input torque, powers to the
+    input power; signs as in `matrix`. NaN stands for what does not exist.
+
+    Examples
+    --------
+    >>> from vstatics import Mechanism, ShiftElement, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1])])
+    >>> state = solve(case).gear(1)
+    >>> state.speeds, state.relative_speeds, state.signs
+    ([1.0, 0.0, 0.2857142857142857], [0.7142857142857143], (1.0,))
+    >>> round(state.lossy_torques.on_first_link[-1], 9), state.status.name
+    (3.4, '')
+    """
+
+    ideal: IdealGear
+    search: SignSearch
+    conflict: bool = False
+    """There is no such state: a freewheel can neither hold nor overrun."""
+    exact: bool = False
+    """Calculated in fractions, as floats leave too few digits."""
+
+    @property
+    def case(self) -> Transmission:
+        """The transmission."""
+        return self.ideal.case
+
+    @property
+    def gear(self) -> Gear:
+        """The gear, with the freewheels that hold among the engaged elements."""
+        return self.ideal.gear
+
+    @property
+    def engaged(self) -> Sequence[int]:
+        """Numbers of the shift elements that are engaged, freewheels that hold too."""
+        return self.gear.engaged
+
+    @property
+    def holding(self) -> list[int]:
+        """Numbers of the freewheels that hold."""
+        return [number for number in self.case.freewheels if number in self.gear.engaged]
+
+    @property
+    def speeds(self) -> list[Number]:
+        """Of each link [-], planets that are links too."""
+        return self.ideal.speeds.links
+
+    @property
+    def relative_speeds(self) -> list[Number]:
+        """Of each mechanism: ``w_f - w_h`` [-]."""
+        return self.ideal.speeds.relative_speeds
+
+    @property
+    def slip_speeds(self) -> list[Number]:
+        """Of each shift element: first link against second [-]."""
+        return self.ideal.speeds.slips
+
+    @property
+    def output_speed(self) -> Number:
+        """Of the gear's output link [-]."""
+        return self.speeds[self.case.gear_output(self.gear) - 1]
+
+    @property
+    def ratio(self) -> float:
+        """``w_input/w_output`` [-]; NaN where the output stands."""
+        ratio: Any = math.nan if self.output_speed == 0 else 1 / self.output_speed
+        return ratio  # type: ignore[no-any-return] # of variants it is traced, which users see not
+
+    @property
+    def drag(self) -> Drag:
+        """Of links and open elements."""
+        return self.ideal.drag
+
+    @property
+    def torques(self) -> Torques:
+        """Without losses and drag."""
+        return self.ideal.torques
+
+    @property
+    def lossy_torques(self) -> Torques:
+        """With losses and drag."""
+        return self.search.lossy.torques
+
+    @property
+    def signs(self) -> Signs:
+        """By mechanism: +1 the first link drives, -1 it is driven, 0 idle, NaN open."""
+        return self.search.lossy.signs
+
+    @property
+    def lossy_ratios(self) -> list[Number]:
+        """Of each mechanism: ``u * efficiency**x`` [-]."""
+        return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
+
+    @property
+    def mechanism_losses(self) -> Sequence[Number]:
+        """Power lost in each mechanism [-]."""
+        return self.search.lossy.losses
+
+    @property
+    def tied_up(self) -> bool:
+        """The conditions for the speeds contradict each other."""
+        return not self.ideal.speeds.consistent
+
+    @property
+    def balanced(self) -> bool:
+        """Torques without losses exist."""
+        return self.ideal.torques.consistent
+
+    @property
+    def calculable(self) -> bool:
+        """Speeds and torques exist, so that losses can be asked for."""
+        return self.balanced and not self.tied_up and not self.conflict
+
+    @property
+    def consistent(self) -> bool:
+        """The torques with losses stand, with signs that agree with their flow."""
+        return bool(self.search.lossy.admissible)
+
+    @property
+    def certain(self) -> bool:
+        """Rounding leaves digits of what speeds and torques are made from."""
+        ideal = self.ideal
+        torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
+        return ideal.speeds.certain and all(one.certain for one in torques)
+
+    @property
+    def statuses(self) -> list[Status]:
+        """All that is to be said of the gear as a whole, what explains the others first."""
+        return statuses(
+            tied_up=self.tied_up,
+            conflict=self.conflict,
+            output_speed=self.output_speed,
+            balanced=self.balanced,
+            dragged=self.search.dragged,
+            locked=self.search.locked,
+            undecided=self.search.undecided,
+        )
+
+    @property
+    def status(self) -> Status:
+        """The first of `statuses`; `OK` if there is none."""
+        return next(iter(self.statuses), OK)
+
+    @property
+    def unloaded(self) -> list[str]:
+        """Names of links whose speeds are undetermined because nothing loads or drives them.
+
+        They are free on purpose, such as the race between an open brake and a freewheel, or an
+        engine with its generator behind an open clutch. The list is empty where a shift element is
+        missing: the output is undetermined, or a device joins an undetermined link to a link that
+        turns, or loads it.
+        """
+        case = self.case
+        free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}
+        if not self.calculable or case.gear_output(self.gear) in free:
+            return []
+        turning = {link for link, speed in enumerate(self.speeds, 1) if speed != 0} - free
+        carried = [self.torques, self.lossy_torques][: 1 + self.consistent]
+        always = always_loaded(case, self.gear)
+        for device, shares in enumerate(columns(case, self.ideal.variant.ratios)):
+            is_driven = device in always and turning & shares.keys()
+            is_loaded = any(torques.factors[device] != 0 for torques in carried)
+            if free & shares.keys() and (is_driven or is_loaded):
+                return []
+        names = enumerate(case.link_names[: case.own_links], 1)
+        return [name for link, name in names if link in free]
+
+    @property
+    def bodies(self) -> Bodies:
+        """Which links turn as one piece: for each the least of them, the housing first."""
+        return turning_as_one(self.case, self.gear, self.speeds)
+
+    def powers(self, *, lossy: bool = True) -> list[LinkPower]:
+        """What links give to devices, to ports and to what drags, in its real direction [-].
+
+        Those of devices come first, then those of ports and of drag.
+        """
+        torques = self.lossy_torques if lossy else self.torques
+        drag = self.drag if lossy else NO_DRAG
+        members = [
+            {name: plain(torque) for name, torque in members.items()}
+            for members in self.member_torques(lossy=lossy)
+        ]
+        given = (self.case, self.gear, self.speeds, torques)
+        return [
+            one._replace(power=self.ideal.direction * plain(one.power))
+            for one in (
+                *device_powers(*given, members=members, drag=drag),
+                *port_powers(*given),
+                *drag_powers(self.case, self.speeds, drag),
+            )
+        ]
+
+    def member_torques(self, *, lossy: bool) -> list[dict[str, Number | Residual]]:
+        """Torques that links give to the members of each mechanism or drawn element [-].
+
+        A sum may be determined where its parts are not.
+        """
+        ratios = self.ideal.variant.ratios
+        if lossy:
+            factors = lossy_ratios([1.0] * len(ratios), self.ideal.variant.efficiencies, self.signs)
+            ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
+        torques = self.lossy_torques if lossy else self.torques
+        shares_of = list(map(column_of, self.case.mechanisms, ratios))
+        elements = len(self.case.shift_elements)
+        found: list[dict[str, Number | Residual]] = []
+        unknown: list[tuple[int, str, dict[int, Number]]] = []
+        for place, device in enumerate(self.case.own_devices):
+            found.append({})
+            for member in device.members:
+                shares = [
+                    (elements + index, value(shares_of[index][part]))
+                    for index, part in member.places
+                ]
+                torque = residual([share * torques.factors[index] for index, share in shares])
+                found[place][member.name] = torque
+                if isinstance(torque, float) and math.isnan(torque):
+                    unknown.append((place, member.name, dict(shares)))
+        exists = self.consistent if lossy else self.calculable
+        if unknown and exists and all(ratio == ratio for ratio in ratios):  # noqa: PLR0124
+            sums = [shares for _, _, shares in unknown]
+            drag = self.drag if lossy else NO_DRAG
+            values = solve_sums(self.case, self.gear, columns(self.case, ratios), sums, drag)
+            for (place, name, _), sum_ in zip(unknown, values, strict=True):
+                found[place][name] = sum_
+        return found
+
+
+Numbers = Sequence[Number]
+Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
+"""Name of an array of `Results` -> its values in one gear and one variant, or traced for many."""
+
+
+def values_of(state: GearState) -> Values:
+    """What the arrays of `Results` have of a gear."""
+    case = state.case
+    speeds, search, lossy = state.ideal.speeds, state.search, state.search.lossy
+    devices = case.own_devices
+    return {
+        "speeds": speeds.links[: case.own_links],
+        "planet_speeds": list(_planet_speeds(state)),
+        "slip_speeds": speeds.slips,
+        "ratio": state.ratio,
+        "torques": _torques(state, lossy=False),
+        "holding_torques": _by_link(case, state.torques.holding),
+        "lossy_torques": _torques(state, lossy=True),
+        "lossy_holding_torques": _by_link(case, state.lossy_torques.holding),
+        "efficiency": lossy.efficiency,
+        "power_sign": lossy.signs,
+        "idle": [all(search.idle[index] for index in one.mechanisms) for one in devices],
+        "losses": [
+            reduce(add, (lossy.losses[index] for index in one.mechanisms)) for one in devices
+        ],
+        "power_balance": lossy.balance,
+        "drag_losses": lossy.drag_losses,
+        "consistent": state.consistent,
+        "locked": search.locked,
+        "dragged": search.dragged,
+        "undecided": search.undecided,
+        "turned": search.turned,
+        "choices": search.choices,
+        "tied_up": state.tied_up,
+        "missing": speeds.missing,
+        "excess": speeds.excess,
+        "balanced": state.balanced,
+        "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
+        "conflict": state.conflict,
+        "exact": state.exact,
+        "mesh_torques": list(_of_meshes(state, state.torques.on_first_link)),
+        "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
+        "mesh_losses": [lossy.losses[index] for one in devices for index, _ in one.meshes_by_index],
+    }
+
+
+def _planet_speeds(state: GearState) -> Iterator[Number | Residual]:
+    """Speeds of all planets against their carriers."""
+    case, ratios = state.case, state.ideal.variant.ratios
+    for device in case.own_devices:
+        for planet in device.planets:
+            index = planet.mechanism
+            if planet.wheels and (index < 0 or ratios[index] == planet.ratio):
+                yield _by_wheels(state, planet)
+            else:
+                yield _by_ratio(state, index)
+
+
+def _by_ratio(state: GearState, index: int) -> Number | Residual:
+    """From the planet ratio of a mechanism."""
+    mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
+    if mechanism.planet_ratio is not None:
+        return motion / mechanism.planet_ratio
+    ratio = state.ideal.variant.ratios[index]
+    is_plain = mechanism.is_plain(ratio)
+    return math.nan if is_plain is False else where(is_plain, motion / ((ratio + 1) / 2))
+
+
+def _by_wheels(state: GearState, planet: Planet) -> Number:
+    """From the first wheel that meshes with its train and has a speed."""
+    if math.isnan(planet.speed):
+        return math.nan
+
+    def speed(link: int) -> Number:
+        return 0.0 if link == HOUSING else state.speeds[link - 1]
+
+    carrier = speed(planet.carrier)
+    for wheel in planet.wheels:
+        own = speed(wheel.link)
+        if own == own and carrier == carrier:  # noqa: PLR0124 - else NaN
+            if state.relative_speeds[wheel.mechanism] == 0:
+                return 0.0
+            return (own - carrier) / wheel.ratio * planet.speed
+    return math.nan
+
+
+def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Residual]:
+    """On shift elements, mechanisms or members of drawn elements, springs, and the output."""
+    torques = (state.lossy_torques if lossy else state.torques).on_first_link
+    if state.case.drawing is None:
+        return torques
+    members = state.member_torques(lossy=lossy)
+    elements = len(state.case.shift_elements)
+    return [
+        *torques[:elements],
+        *(torque for device in members for torque in device.values()),
+        *torques[elements + len(state.case.mechanisms) :],
+    ]
+
+
+def _of_meshes(state: GearState, torques: Numbers) -> Iterator[Number]:
+    """On the first wheel of each mesh, where its teeth are known."""
+    elements = len(state.case.shift_elements)
+    for device in state.case.own_devices:
+        for index, is_known in device.meshes_by_index:
+            yield torques[elements + index] if is_known else math.nan
+
+
+def _by_link(case: Transmission, holding: Mapping[int, Number]) -> list[Number]:
+    return [holding.get(link, math.nan) for link in range(1, case.own_links + 1)]
+
+
+def guard_power(state: GearState) -> None:
+    """Guard, for traced numbers, that power is conserved: without losses and with them.
+
+    Without losses output torque times output speed is 1, equation (1) of docs/method.md.
+    A variant of which this is not true is left to be calculated by itself.
+    """
+    gear, balance = state.gear, state.search.lossy.balance
+    power = state.torques.on_first_link[-1] * state.output_speed
+    if not gear.speeds and not gear.torques and not state.case.has_converter and is_traced(power):
+        guard_within(power, 1 - CLOSED, 1 + CLOSED)
+    if isinstance(balance, Residual):
+        guard_within(balance, -CLOSED, CLOSED)
+
+
+def flat(values: Values, names: Sequence[str]) -> list[Number | Residual | Condition]:
+    """The values of some arrays in their order, without -0; what overflowed does not exist."""
+    numbers: list[Number | Residual | Condition] = []
+    for name in names:
+        value = values[name]
+        numbers += value if isinstance(value, Sequence) else [value]
+    return [
+        (value + 0.0 if -math.inf < value < math.inf else math.nan)
+        if isinstance(value, float)
+        else value
+        for value in numbers
+    ]

@@ -1,0 +1,110 @@
+"""The status of a gear: whether it has speeds and torques, and if not, why; the words for it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vstatics.core.numerics.traced import Number, absolute
+
+
+class Status(NamedTuple):
+    """What is to be said of a gear as a whole."""
+
+    name: str
+    """In tables and in the output of sweeps."""
+    english: str
+    """In lines of text and pictures."""
+    meaning: str
+    """A clause for who sees it the first time."""
+    is_fault: bool = False
+    """Whether no gear should have it."""
+    has_power: bool = False
+    """Whether power may flow nevertheless."""
+
+
+OK = Status("", "", "", has_power=True)
+TIED_UP = Status(
+    "tied up",
+    "tied up",
+    "what is engaged contradicts itself, the input can't turn",
+    is_fault=True,
+)
+CONFLICT = Status(
+    "conflict",
+    "freewheels in conflict",
+    "a freewheel can neither hold nor overrun",
+    is_fault=True,
+)
+OUTPUT_STANDS = Status(
+    "output stands",
+    "the output stands",
+    "its speed is 0, so there is no ratio",
+    has_power=True,
+)
+NEUTRAL = Status(
+    "open",
+    "neutral",
+    "the speed of the output is not determined",
+    has_power=True,
+)
+NO_TORQUES = Status(
+    "no torques",
+    "torques do not balance",
+    "the torques on the links cannot balance; a warning says why",
+)
+LOCKED = Status(
+    "locked",
+    "locked by friction",
+    "friction holds the train, whatever the input torque",
+    is_fault=True,
+)
+DRAGGED = Status(
+    "dragged",
+    "dragged",
+    "drag takes more than the input gives, so power enters at the output",
+    has_power=True,
+)
+UNDECIDED = Status(
+    "undecided",
+    "signs of losses not found",
+    "the search for directions of power was cut short",
+)
+
+STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, DRAGGED, UNDECIDED)
+"""All of them, faults first."""
+
+
+def statuses(  # noqa: PLR0913
+    *,
+    tied_up: bool,
+    conflict: bool,
+    output_speed: Number,
+    balanced: bool,
+    locked: bool,
+    undecided: bool,
+    dragged: bool = False,
+) -> list[Status]:
+    """All that is to be said of a gear, what explains the others first; names as in `Results`.
+
+    Parameters
+    ----------
+    output_speed : Number
+        [-]
+
+    Examples
+    --------
+    >>> [one.name for one in statuses(tied_up=False, conflict=False, output_speed=float("nan"),
+    ...                               balanced=False, locked=False, undecided=False)]
+    ['open', 'no torques']
+    """
+    marks = {
+        TIED_UP: tied_up,
+        CONFLICT: conflict,
+        OUTPUT_STANDS: output_speed == 0,
+        NEUTRAL: not absolute(output_speed) >= 0,
+        NO_TORQUES: not balanced,
+        LOCKED: locked,
+        DRAGGED: dragged,
+        UNDECIDED: undecided,
+    }
+    return [status for status, holds in marks.items() if holds]

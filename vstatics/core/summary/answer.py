@@ -1,0 +1,62 @@
+"""What `vstatics summary` answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.core.summary import Summary
+from vstatics.core.summary.design_table import Design
+from vstatics.core.summary.extremes import Largest, Margin, Needed
+from vstatics.core.summary.inertia import GearInertia
+from vstatics.core.summary.shifts import Transition
+from vstatics.core.summary.unused_sets import Combination
+from vstatics.core.tables.answer import Flat, Sometimes, document
+from vstatics.core.tables.ports import PortTable, port_tables
+from vstatics.vehicle.damage.devices import DeviceDamage
+from vstatics.vehicle.duty import Cycle
+from vstatics.vehicle.operation.load_spectrum import Spectrum
+from vstatics.vehicle.operation.traction import Performance
+
+
+@document("vstatics-summary")
+class SummaryAnswer(NamedTuple):
+    """The summary of a case, by its name."""
+
+    name: str
+    design: Flat[Design]
+    transitions: Sequence[Transition]
+    ports: Sequence[PortTable]
+    largest: Mapping[str, Sequence[Largest]]
+    sensitivity: Mapping[str, Sequence[float]]
+    efficiency_sensitivity: Mapping[str, Sequence[float]]
+    margins: Sometimes[Sequence[Margin]]
+    needed_capacity: Sometimes[Sequence[Needed]]
+    inertia: Sometimes[Sequence[GearInertia]]
+    vehicle: Sometimes[Performance]
+    duty: Sometimes[Cycle | Spectrum]
+    damage: Sometimes[Mapping[str, DeviceDamage]]
+    """By a duty cycle of points."""
+    combinations: Sometimes[Sequence[Combination]]
+
+
+def summary_answer(summary: Summary) -> SummaryAnswer:
+    """What is answered of a summary."""
+    case = summary.results.case
+    names = [mechanism.name for mechanism in case.mechanisms]
+    return SummaryAnswer(
+        case.name,
+        summary.design,
+        summary.transitions,
+        port_tables(summary.results),
+        summary.largest,
+        dict(zip(names, summary.sensitivities.T.tolist(), strict=True)),
+        dict(zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)),
+        summary.margins or None,
+        summary.needed or None,
+        summary.inertias or None,
+        summary.vehicle,
+        summary.cycle,
+        summary.cycle.damage if isinstance(summary.cycle, Spectrum) else None,
+        summary.combinations,
+    )

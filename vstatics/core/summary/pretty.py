@@ -1,0 +1,259 @@
+"""A view of the gears for a person at a terminal: one table, coloured.
+
+Results as a notebook shows them: the table of the gears.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from html import escape
+
+from rich.console import Group
+from rich.text import Text
+
+from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.statics.result_arrays import OUTPUT
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
+from vstatics.core.statics.status import STATUSES
+from vstatics.core.summary.design_table import GearLine, design
+from vstatics.core.summary.grids import Marks, element_signs, state
+from vstatics.core.tables import terminal
+from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
+from vstatics.core.tables.html import table
+from vstatics.core.tables.numbers import ROUNDED_NUMBER
+from vstatics.core.tables.ports import port_tables, ports_grid
+from vstatics.core.tables.quantities import Table
+from vstatics.core.tables.values import tables
+from vstatics.core.texts import tr
+
+POOR, BAD = 0.95, 0.9
+"""An efficiency below is yellow, or red."""
+
+NEEDS_DECIMALS = 10
+"""A speed in rpm or a torque in N*m below has a digit after the point."""
+
+NAMES_IN_HEADS = 12
+"""So many characters of names of shift elements head columns; more are numbered."""
+
+DOTS = Marks(holds="◆")
+ASCII = Marks("x", "f", ".")
+"""Signs for a terminal that knows no others."""
+
+
+def view(
+    results: Results, marks: Marks = DOTS, digits: int | None = None, width: int = 80
+) -> Group:
+    """One table of the gears of one case, and what its marks mean.
+
+    In little width it becomes several, in much the names of shift elements head columns.
+
+    Parameters
+    ----------
+    marks : Marks, optional
+        `ASCII` for a terminal that knows no others.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
+    width : int, optional
+        Of the terminal, in characters.
+
+    Returns
+    -------
+    rich.console.Group
+        Speeds and torques are the largest of their gear: in rpm and N*m where the case
+        has a load, else relative to the input [-].
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.core.statics.solve import solve
+    >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96, name="set")], [Gear([1]), Gear([2])])
+    >>> len(view(solve(case), ASCII).renderables)
+    5
+    """
+    case = results.case
+    title = [Text(case.name, style="bold")] * bool(case.name)
+    gears = gears_grid(results, marks, digits)
+    names = [element.name for element in case.shift_elements]
+    numbered = sum(map(len, names)) > NAMES_IN_HEADS and terminal.natural_width(gears) > width
+    if numbered:
+        gears = gears_grid(results, marks, digits, numbered=True)
+    lines = [*_legend(results, gears, marks, names=numbered), *_inverses(results, digits)]
+    legend = (Text(line, style="dim") for line in lines)
+    ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
+    return Group(*title, *terminal.tables(gears, width), *legend, *ports)
+
+
+def gears_grid(
+    results: Results, marks: Marks = DOTS, digits: int | None = None, *, numbered: bool = False
+) -> Grid:
+    """What each gear engages, its ratio and efficiency, its largest speed and torque.
+
+    Parameters
+    ----------
+    marks : Marks, optional
+    digits : int, optional
+        After the point; four significant ones of small numbers when not given.
+    numbered : bool, optional
+        Whether numbers of shift elements head columns, not their names.
+    """
+    names = [element.name for element in results.case.shift_elements]
+    headings = list(map(str, range(1, len(names) + 1))) if numbered else names
+    by_key = {table.quantity.key: table for table in tables(results)}
+    rpm, torque = "W_rpm" in by_key, "AMLGP_Nm" in by_key
+    occurring = _all_roles(results)
+    resting = f"{ONE_PIECE} ({IDLE})" if ONE_PIECE in occurring else IDLE
+    columns = [
+        text("gear"),
+        *(Column(heading, is_sign=True, is_name=True) for heading in headings),
+        *map(Column, ("ratio", "step", "eff.")),
+        text("speed, rpm" if rpm else "speed"),
+        text("torque, N*m" if torque else "torque"),
+        text(resting),
+    ]
+    rows = [
+        [
+            Cell(line.gear),
+            *element_signs(results, index, marks),
+            *_figures(line, digits),
+            _largest(_speeds(by_key, index, rpm=rpm), 0 if rpm else 2, digits),
+            _largest(_torques(by_key, index), 0 if torque else 2, digits)
+            if results.calculable[index]
+            else Cell(""),
+            _resting(results, index, bracketed=resting != IDLE),
+        ]
+        for index, line in enumerate(design(results).gears)
+    ]
+    return Grid(results.case.name, columns, rows)
+
+
+def _ports(results: Results) -> Grid:
+    """The table of ports, with the name of a gear in its first row alone."""
+    grid = ports_grid(port_tables(results))
+    names = [row[0].text for row in grid.cells]
+    rows = [
+        [Cell("" if place and name == names[place - 1] else name), *row[1:]]
+        for place, (name, row) in enumerate(zip(names, grid.cells, strict=True))
+    ]
+    return grid._replace(rows=rows)
+
+
+def _figures(line: GearLine, digits: int | None) -> list[Cell]:
+    """Ratio, step to the next gear of the same direction, and efficiency."""
+    good = line.efficiency
+    colour = "red" if good < BAD else "yellow" if good < POOR else "green"
+    return [
+        exact(line.ratio, digits=digits)._replace(style="magenta" if line.ratio < 0 else ""),
+        exact(line.step, digits=digits),
+        exact(good, digits=digits)._replace(style=colour),
+    ]
+
+
+def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
+    """The speeds of links, planets and open elements."""
+    unit = "_rpm" if rpm else ""
+    for key, kind in (("W", ""), ("WSAT", tr("planet")), ("WFRI", tr("slip"))):
+        if key + unit in by_key:
+            for name, value in _column(by_key[key + unit], number):
+                # P1.planet tells by itself what it is, 1 does not
+                front = "" if "." in name else kind or tr("link") * name.isdigit()
+                yield f"{front} {name}".lstrip(), value
+
+
+def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
+    """The torques of shift elements, mechanisms and members, with losses if they exist.
+
+    None where one of them is not determined: it may be larger than all others.
+    """
+    names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in by_key else ("AMLGP", "AMLG")
+    for name in names:
+        column = [one for one in _column(by_key[name], number) if one[0] != OUTPUT]
+        if not any(math.isnan(value) for _, value in column):
+            return column
+    return []
+
+
+def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
+    yield from zip(table.rows, table.values[:, number].tolist(), strict=True)
+
+
+def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
+    """The largest number without its sign, and its name; nothing where there is no number."""
+    known = [(abs(value), name) for name, value in values if not math.isnan(value)]
+    if not known:
+        return Cell("")
+    value, name = max(known, key=lambda one: one[0])
+    decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
+    return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
+
+
+def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
+    """What is one piece, what is idle, the latter in brackets or alone; or why no numbers are."""
+    status = results.status(number + 1)
+    if status.name:
+        colour = "red" if status.is_fault else "yellow"
+        return state(status.name)._replace(style=colour)
+    names = [device.name for device in results.case.own_devices]
+    found = list(zip(names, roles(results, number), strict=True))
+    whole, idle = (" ".join(n for n, role in found if role == one) for one in (ONE_PIECE, IDLE))
+    return Cell(f"{whole} ({idle})".strip() if idle and bracketed else whole or idle)
+
+
+def _all_roles(results: Results) -> set[Role]:
+    gears = range(len(results.case.gears))
+    return {role for gear in gears for role in roles(results, gear)}
+
+
+def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iterator[str]:
+    """What the marks that occur mean."""
+    case = results.case
+    if names:
+        elements = enumerate(case.shift_elements, 1)
+        yield ", ".join(f"{number} {element.name}" for number, element in elements)
+    signs = [f"{marks.engaged} {tr('engaged')}"] if any(gear.engaged for gear in case.gears) else []
+    if case.freewheels:
+        signs.append(f"{marks.holds} {tr('freewheel that holds')}")
+    signs += [tr("step: to the next smaller ratio")] * any(
+        line.next for line in design(results).gears
+    )
+    if signs:
+        yield "; ".join(signs)
+    of_first = tr("; of a mechanism the torque on its first link") * (case.drawing is None)
+    by_input = "" if text("speed, rpm") in gears.columns else tr(", by the input's")
+    yield f"{tr('speed, torque: the largest')}{by_input}{of_first}"
+    found = _all_roles(results)
+    said = [f"{tr(role)}: {tr(meaning)}" for role, meaning in MEANINGS.items() if role in found]
+    if said:
+        yield "; ".join(said)
+    states = {results.status(number + 1) for number in range(len(case.gears))}
+    for one in STATUSES:
+        if one in states:
+            yield f"{state(one.name).spoken.text}: {tr(one.meaning)}"
+
+
+def _inverses(results: Results, digits: int | None) -> Iterator[str]:
+    """Output speed by input speed of the gears whose output is faster, as hubs are sold by it."""
+    fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
+    if fast:
+        words = tr("1/i = output speed / input speed")
+        shown = (
+            f"{tr('gear')} {line.gear}: {exact(1 / line.ratio, digits=digits).text}"
+            for line in fast
+        )
+        yield f"{words}; {', '.join(shown)}"
+
+
+def results_html(results: Results) -> str:
+    """The gears of one case as a table; arrays of variants as a line.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> results_html(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()]))).count("<tr>")
+    2
+    """
+    if results.ratio.ndim != 1:
+        return f"<code>{escape(repr(results))}</code>"
+    return table(gears_grid(results))

@@ -1,0 +1,111 @@
+"""Transitions: which shift elements change from gear to gear."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.statics.physical import gear_scales
+from vstatics.core.statics.results import Results
+from vstatics.core.summary.design_table import ranges
+from vstatics.core.tables.answer import told
+
+WORDS = ("none", "single", "double", "triple")
+
+
+@told(
+    *("start", "end", "skipped", "released", "engaged", "changes", "slip_power", "slip_power_kW"),
+    kind="word",
+)
+class Transition(NamedTuple):
+    """A shift from one gear to another, upward; downward the two lists change places."""
+
+    start: str
+    end: str
+    skipped: str
+    """The gear between the two, if one is skipped."""
+    released: Sequence[str]
+    engaged: Sequence[str]
+    slip_power: Mapping[str, float]
+    """Of each element that is engaged upward, its torque after by its slip before, and of those
+    released, which engage downward, the other way; by the input power. [-]"""
+    slip_power_kW: Mapping[str, float]  # noqa: N815
+    """The same with the load of the gear before, upward or downward; NaN without one [kW]."""
+
+    @property
+    def changes(self) -> int:
+        """How many elements change at once: the longer of the two lists."""
+        return max(len(self.released), len(self.engaged))
+
+    @property
+    def word(self) -> str:
+        """Of a single transition one element goes out and one in, of a double one two.
+
+        >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
+        'double'
+        """
+        return WORDS[self.changes] if self.changes < len(WORDS) else f"{self.changes} at once"
+
+
+def transitions(results: Results) -> list[Transition]:
+    """The shifts between neighbours of one case, then those that skip one gear.
+
+    A freewheel counts as engaged where it holds, so what it does by itself is told, too.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
+    ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
+    >>> [transition] = transitions(solve(case))
+    >>> transition.released, transition.engaged, transition.word
+    (['B'], ['C'], 'single')
+    """
+    comparable = ranges(results)
+    return [
+        transition
+        for distance in (1, 2)
+        for indices in comparable
+        for transition in _over(results, indices, distance)
+    ]
+
+
+def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[Transition]:
+    """The shifts over so many steps."""
+    case = results.case
+    names = [element.name for element in case.shift_elements]
+    for place, start in enumerate(indices[:-distance]):
+        end = indices[place + distance]
+        before, after = results.holds[start].tolist(), results.holds[end].tolist()
+        states = list(zip(names, before, after, strict=True))
+        yield Transition(
+            case.gears[start].name,
+            case.gears[end].name,
+            case.gears[indices[place + 1]].name if distance == 2 else "",
+            [name for name, was, holds in states if was and not holds],
+            [name for name, was, holds in states if holds and not was],
+            *_slip_powers(results, start, end),
+        )
+
+
+def _slip_powers(
+    results: Results, start: int, end: int
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Of the elements that change: by the input power, and in kW."""
+    case = results.case
+    count = len(case.shift_elements)
+    torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])
+    slips, units = np.abs(results.slip_speeds), [one["kW"] for one in gear_scales(case)]
+    relative, loaded = {}, {}
+    for place, element in enumerate(case.shift_elements):
+        was, holds = results.holds[start, place], results.holds[end, place]
+        if was != holds and element.kind != "dog_clutch":  # which does not slip
+            after, before = (end, start) if holds else (start, end)
+            power = float(torques[after, place] * slips[before, place])
+            has_torque = case.input_torque(case.gears[after]) != 0
+            relative[element.name] = power if has_torque else math.nan
+            loaded[element.name] = power * units[before]
+    return relative, loaded

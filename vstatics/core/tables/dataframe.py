@@ -1,0 +1,79 @@
+"""Results as a pandas table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from vstatics.core.statics.result_arrays import ARRAYS
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.names import table_rows
+from vstatics.core.tables.quantities import BY_NAME
+from vstatics.core.tables.values import with_units
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def to_dataframe(results: Results) -> pd.DataFrame:
+    """One row per variant and gear, a column per table and row.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case or of arrays of variants, with any axes.
+
+    Returns
+    -------
+    DataFrame
+        Indexed by the number of the variant, from 0 in the order of the arrays, and the name
+        of the gear; by the gear alone for one case. Columns are a table and its row:
+        ``("speeds", "C1")``, with a load also ``("speeds_rpm", "C1")``; a table without rows
+        has ``""`` there, so that pandas takes ``"ratio"`` for it.
+
+    Raises
+    ------
+    CaseError
+        If pandas is missing.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> table = to_dataframe(solve(case, ratios=[[-2.0], [-3.0]]))
+    >>> table.shape, table.loc[(1, "2"), "ratio"].item()
+    ((4, 41), 4.0)
+    >>> table["speeds", "3"].round(3).tolist(), list(table["slip_speeds"])
+    ([1.0, 0.333, 1.0, 0.25], ['F1', 'T2'])
+    """
+    from vstatics.core.extras import require
+
+    require("pandas", "to_dataframe")
+    import pandas as pd
+
+    axes = results.ratio.shape[:-1]
+    gears = [gear.name for gear in results.case.gears]
+    index = (
+        pd.MultiIndex.from_product([range(math.prod(axes)), gears], names=["variant", "gear"])
+        if axes
+        else pd.Index(gears, name="gear")
+    )
+    found = list(_columns(results))
+    columns = pd.MultiIndex.from_tuples([name for name, _ in found], names=["table", "row"])
+    return pd.DataFrame(dict(enumerate(values for _, values in found)), index=index).set_axis(
+        columns, axis=1
+    )
+
+
+def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
+    """Each column with its name."""
+    in_units = (quantity.name for quantity in with_units(results))
+    for name in (*ARRAYS, *in_units):
+        table = results.existing(name)
+        if BY_NAME[name].rows == "one":
+            yield (name, ""), table.ravel()
+            continue
+        for index, row in enumerate(table_rows(name, results.case)):
+            yield (name, row), table[..., index].ravel()

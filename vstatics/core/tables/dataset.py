@@ -1,0 +1,91 @@
+"""Results as a dataset of xarray: tables whose axes have names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from vstatics.core.statics.result_arrays import ARRAYS, Rows
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.names import table_rows
+from vstatics.core.tables.quantities import BY_NAME, UNITS, Quantity
+from vstatics.core.tables.values import with_units
+from vstatics.core.tables.written_results import GEAR
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+DIMENSIONS: Mapping[Rows, str] = {
+    "links": "link",
+    "planets": "planet",
+    "elements": "shift_element",
+    "torques": "device",
+    "devices": "mechanism",
+    "mechanisms": "three_link_mechanism",
+    "meshes": "mesh",
+}
+"""By what the rows of a table stand for: as `docs/expressions.md` calls them."""
+
+
+def to_xarray(results: Results) -> xr.Dataset:
+    """All tables with names along their axes.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case or of arrays of variants, with any axes.
+
+    Returns
+    -------
+    Dataset
+        A variable for each table, by its name: ``speeds`` and, with a load, ``speeds_rpm``. Its
+        dimensions are those of variants, then `gear`, then what its rows are: `link`, `planet`,
+        `shift_element`, `device` (shift elements, mechanisms or members of elements, springs,
+        ``Mx``), `mechanism` (or element, as the case names them), `three_link_mechanism` (which
+        the solver makes of elements) or `mesh`. One axis of variants is `variant`, of several
+        the first is `variant_1`. NaN stands for what does not exist; marks are 0 and 1.
+        `long_name` and `units` say what a variable is; one without `units` is relative to the
+        input. [-]
+
+    Raises
+    ------
+    CaseError
+        If xarray is missing.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
+    ...                     [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1]), Gear([2])])
+    >>> data = to_xarray(solve(case, ratios=[[-2.0], [-3.0]]))
+    >>> data.speeds.dims, data.speeds.shape, data.lossy_torques.dims[-1]
+    (('variant', 'gear', 'link'), (2, 2, 3), 'device')
+    >>> data.ratio.sel(variant=1, gear="2").item(), data.torques.sel(gear="2", device="Mx").values
+    (4.0, array([3., 4.]))
+    """
+    from vstatics.core.extras import require
+
+    require("xarray", "to_xarray")
+    import xarray as xr
+
+    case, axes = results.case, results.ratio.shape[:-1]
+    names = ["variant"] if len(axes) == 1 else [f"variant_{n}" for n in range(1, len(axes) + 1)]
+    coordinates: dict[str, Any] = dict(zip(names, map(range, axes), strict=True))
+    coordinates[GEAR] = [gear.name for gear in case.gears]
+    variables = {}
+    for quantity, attributes in _told(results):
+        along = [*names, GEAR]
+        if quantity.rows != "one":
+            along.append(DIMENSIONS[quantity.rows])
+            coordinates[along[-1]] = list(table_rows(quantity.name, case))
+        variables[quantity.name] = along, results.existing(quantity.name), attributes
+    return xr.Dataset(variables, coordinates, {"case": case.name})
+
+
+def _told(results: Results) -> Iterator[tuple[Quantity, dict[str, str]]]:
+    """Each table, and what a picture or a file says of it."""
+    for name in ARRAYS:
+        yield BY_NAME[name], {"long_name": BY_NAME[name].title}
+    for quantity in with_units(results):
+        unit = UNITS[quantity.unit].text
+        yield quantity, {"long_name": quantity.title.removesuffix(f", {unit}"), "units": unit}

@@ -1,0 +1,247 @@
+"""Tables as HTML, and HTML from small parts: whatever is not markup already is escaped."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Iterator
+from functools import cache
+from html import escape
+from itertools import groupby
+
+from vstatics.core.tables.grid import NOTHING, Cell, Column, Grid
+from vstatics.core.tables.numbers import typeset
+
+
+class Markup(str):
+    """Text that is HTML already."""
+
+    __slots__ = ()
+
+
+VOID = {"input", "meta"}
+"""Elements that have no end."""
+
+
+def tag(name: str, /, *children: str, **attributes: object) -> Markup:
+    """An element; children that are no `Markup` are escaped.
+
+    Parameters
+    ----------
+    **attributes
+        False leaves an attribute out, True gives its name alone. ``class_`` is ``class``,
+        other underscores are hyphens.
+
+    Examples
+    --------
+    >>> tag("td", "a < b", class_="name", data_value=0.5, hidden=True, id=False)
+    '<td class="name" data-value="0.5" hidden>a &lt; b</td>'
+    >>> tag("p", tag("b", "&"))
+    '<p><b>&amp;</b></p>'
+    """
+    written = "".join(_attribute(key, value) for key, value in attributes.items())
+    start = f"<{name}{written}>"
+    return Markup(start) if name in VOID else Markup(f"{start}{joined(*children)}</{name}>")
+
+
+def _attribute(key: str, value: object) -> str:
+    if value is False:
+        return ""
+    name = _written(key)
+    return f" {name}" if value is True else f' {name}="{escape(str(value))}"'
+
+
+@cache
+def _written(key: str) -> str:
+    """The name of an attribute; there are few."""
+    return key.removesuffix("_").replace("_", "-")
+
+
+def joined(*children: str) -> Markup:
+    """Parts one after the other.
+
+    >>> joined(tag("b", "1"), " < 2")
+    '<b>1</b> &lt; 2'
+    """
+    return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
+
+
+def filled(text: str, **places: str) -> Markup:
+    """A text with names in its places, which may be HTML.
+
+    >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
+    '7 &lt; 8 &gt; <b>1</b>'
+    """
+    return Markup(escape(text).format(**{name: joined(one) for name, one in places.items()}))
+
+
+_SHOWN = re.compile(r"<svg\b.*?</svg(?=>)|(>)([^<>]+)(?=<)|( aria-label=\")([^\"]+)", re.DOTALL)
+_LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
+
+
+def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
+    """What is shown with the signs of print: a true minus, 0 before the point, one dash.
+
+    Pictures have them already.
+
+    Parameters
+    ----------
+    names : iterable of str
+        They stay as they are, also those that look like a number.
+
+    Examples
+    --------
+    >>> printed(joined(tag("td", "-3"), tag("p", "-3, -.5 - w")), ["-3", "8-1"])
+    '<td>-3</td><p>-3, −0.5 − w</p>'
+    >>> printed(tag("td", "-"))
+    '<td>–</td>'
+    """
+    kept = {escaped for one in {*names} if _in_print(escaped := escape(one)) != escaped}
+    words = "|".join(map(re.escape, sorted(kept, key=len, reverse=True)))
+    split = re.compile(rf"((?<![\w.])(?:{words})(?!\w|\.\d))") if kept else None
+
+    def again(found: re.Match[str]) -> str:
+        before, text = found[1] or found[3], found[2] or found[4]
+        if text is None or not ("-" in text or "." in text) or text in kept:
+            return found[0]
+        if text == NOTHING:
+            return f"{before}\N{EN DASH}"
+        parts = split.split(text) if split else [text]
+        return before + "".join(one if one in kept else _in_print(one) for one in parts)
+
+    return Markup(_SHOWN.sub(again, shown))
+
+
+def _in_print(text: str) -> str:
+    return _LONE_MINUS.sub("\N{MINUS SIGN}", typeset(text))
+
+
+def terms(entries: Iterable[tuple[str, str]]) -> Markup:
+    """Terms, each with what it is.
+
+    >>> terms([("input", "sun")])
+    '<dl><dt>input</dt><dd>sun</dd></dl>'
+    """
+    return tag("dl", *(joined(tag("dt", term), tag("dd", text)) for term, text in entries))
+
+
+def table(grid: Grid, *, headed: bool = True) -> Markup:
+    """A table with its title, which can be scrolled; one without rows is its title.
+
+    Numbers keep their digits in ``data-value``.
+
+    Parameters
+    ----------
+    headed : bool
+        False where what stands before it says its title.
+    """
+    grid = grid.spoken
+    if not grid.rows:
+        return tag("p", grid.title)
+    heading = [tag("h3", grid.title)] * headed
+    return tag("section", *heading, scrolled(bare(grid), grid.title), class_="table")
+
+
+def bare(grid: Grid) -> Markup:
+    """A table without its title."""
+    heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in grid.columns)
+    rows = [*_over(grid), tag("tr", *heads)]
+    levels = grid.levels or [0] * len(grid.rows)
+    body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
+    return tag("table", tag("thead", *rows), tag("tbody", *body))
+
+
+def _over(grid: Grid) -> Iterator[Markup]:
+    """What stands over columns, if any has something: the last row has their names."""
+    if any(one.over for one in grid.columns):
+        heads = []
+        for over, columns in groupby(grid.columns, lambda one: one.over):
+            count = len([*columns])
+            spans = {"colspan": count} if count > 1 else {}
+            heads.append(tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans))
+        yield tag("tr", *heads, class_="over")
+
+
+NARROW_TABLE = 72
+"""A table of so many characters may stand beside another."""
+
+
+def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
+    """Tables with their titles; narrow ones that follow each other stand side by side."""
+    for narrow, group in groupby(grids, _is_narrow):
+        shown = map(table, group)
+        yield from [tag("div", *shown, class_="side")] if narrow else shown
+
+
+MOST_SHOWN = 50
+"""Rows of a table in a notebook."""
+
+
+def shown(grids: Iterable[Grid]) -> Markup:
+    """Tables as a notebook shows them: of a long one the first rows, and how many there are.
+
+    >>> from vstatics.core.tables.grid import grid_of
+    >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
+    >>> shown([numbers]).count("<tr>"), shown([numbers])[-46:]
+    (51, '<p>Numbers &lt; 60: 10 more rows</p></section>')
+    """
+
+    def short(grid: Grid) -> Markup:
+        grid, more = grid.spoken, len(grid.rows) - MOST_SHOWN
+        levels = grid.levels or [1] * len(grid.rows)
+        rows = [
+            [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
+            for level, (first, *others) in zip(levels, grid.cells, strict=True)
+        ]  # a notebook has no style sheet that sets rows in
+        first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
+        if more <= 0:
+            return first
+        return tag("section", first, tag("p", f"{grid.title}: {more} more rows"))
+
+    return joined(*map(short, grids))
+
+
+def _is_narrow(grid: Grid) -> bool:
+    grid = grid.spoken
+    lines = [[one.heading for one in grid.columns], *grid.texts]
+    widths = (max(map(len, texts)) + 2 for texts in zip(*lines, strict=True))
+    return bool(grid.rows) and sum(widths) <= NARROW_TABLE
+
+
+def scrolled(inner: Markup, label: str) -> Markup:
+    """What may be wider than a screen."""
+    return tag("div", inner, class_="scroll", tabindex=0, role="group", aria_label=label)
+
+
+def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
+    look = f' class="level{level}"' if level > 1 else ""
+    name = f'<th scope="row"{look}{_marks(row[0])}>{_text(row[0])}</th>'
+    cells = "".join(_cell(*pair) for pair in zip(grid.columns[1:], row[1:], strict=True))
+    return Markup(f"<tr{_attribute('data_level', level or False)}>{name}{cells}</tr>")
+
+
+def _cell(column: Column, cell: Cell) -> str:
+    """As `tag` would write it, in a third of the time: a page has thousands."""
+    look = "sign" if cell.says else _kind(column) or ""
+    if cell.look:
+        look = f"{look} {cell.look}".lstrip()
+    start = f'<td class="{look}"' if look else "<td"
+    if cell.value is not None:
+        value = "" if math.isnan(cell.value) else repr(float(cell.value)).removesuffix(".0")
+        start += f' data-value="{value}"'
+    return f"{start}{_marks(cell)}>{_text(cell)}</td>"
+
+
+def _marks(cell: Cell) -> str:
+    return "".join([f' data-{key}="{escape(value)}"' for key, value in cell.marks.items()])
+
+
+def _text(cell: Cell) -> str:
+    if cell.says and cell.text:
+        return tag("span", cell.text, role="img", aria_label=cell.says)
+    return joined(cell.text if cell.value is None else typeset(cell.text))
+
+
+def _kind(column: Column) -> str | bool:
+    """The class of cells; numbers, which most are, have none."""
+    return "words" if not column.is_number else "sign" if column.is_sign else False

@@ -1,0 +1,191 @@
+"""Tables as LaTeX, for `\\input`; no package is needed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import chain, groupby, starmap
+
+from vstatics.core.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
+
+_COMMANDS = {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    '"': "''",  # the sign itself needs a font encoding
+    "[": "{[}",  # at the start of a row it would be a length
+    "]": "{]}",
+    "*": "{*}",
+    **{sign: f"\\{sign}" for sign in "&%$#_{}"},
+    YES: r"$\bullet$",
+    NO: r"$\cdot$",
+}
+_SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
+
+
+def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
+    r"""Tables in the environment `tabular`, one below the other; sentences are a list.
+
+    Examples
+    --------
+    >>> from vstatics.core.tables.grid import Column
+    >>> grid = Grid("Gears", [Column("gear", is_number=False), Column("ratio")], [["R_1", "-3.5"]])
+    >>> print(write([], [grid]), end="")
+    \noindent\textbf{Gears}\par\nobreak\smallskip
+    \noindent\begin{tabular}{lr}
+    \hline
+    gear & ratio \\
+    \hline
+    R\_1 & $-3.5$ \\
+    \hline
+    \end{tabular}
+    """
+    parts = [rf"\noindent\textbf{{{escaped(title)}}}\par" for title in titles]
+    for is_prose, some in groupby(tables, lambda grid: bool(grid.prose)):
+        if is_prose:
+            items = (rf"\item {grid.prose}" for grid in some)
+            parts.append("\n".join([r"\begin{itemize}", *items, r"\end{itemize}"]))
+        else:
+            pages = chain.from_iterable(_pages(grid.spoken) for grid in some)
+            parts += ["\n".join(_lines(grid)) for grid in pages]
+    return "\n\n\\medskip\n".join(parts) + "\n"
+
+
+def escaped(text: str) -> str:
+    r"""A text in which no sign means anything to LaTeX.
+
+    >>> print(escaped("50 % of R_1, --seed 3"))
+    50 \% of R\_1, -{}-seed 3
+    """
+    return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text).replace("--", "-{}-")
+
+
+PAGE, SMALL_PAGE = 66, 86
+"""Signs that fit beside one another, and in small type."""
+SHORT, ENOUGH = 20, 24
+"""Signs of a column of words that is not broken, and of a broken one in usual type."""
+
+
+MOST_ROWS = 28
+"""Of a page."""
+
+
+def _pages(grid: Grid) -> Iterator[Grid]:
+    """A table in parts that fit a page: some of the rows, and of the columns behind the first."""
+    if not grid.rows:
+        yield grid
+        return
+    lengths = _lengths(grid)
+    widths = [
+        length if column.is_number else min(length, ENOUGH)
+        for length, column in zip(lengths, grid.columns, strict=True)
+    ]
+    groups, room = [[0]], SMALL_PAGE - widths[0]
+    for place, width in enumerate(widths[1:], 1):
+        if width > room and groups[-1][1:]:
+            groups.append([0])
+            room = SMALL_PAGE - widths[0]
+        groups[-1].append(place)
+        room -= width
+    for start in range(0, len(grid.rows), MOST_ROWS):
+        rows = grid._replace(rows=grid.rows[start : start + MOST_ROWS])
+        yield from map(rows.with_columns, groups)
+
+
+def _lengths(grid: Grid) -> list[int]:
+    """Signs of each column, with the room beside it."""
+    return [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
+
+
+def _lines(grid: Grid) -> Iterator[str]:
+    title = rf"\noindent\textbf{{{escaped(grid.title)}}}\par"
+    if not grid.rows:
+        yield title
+        return
+    yield rf"{title}\nobreak\smallskip"
+    lengths = _lengths(grid)
+    heads = [len(one.heading) + 2 for one in grid.columns]
+    is_wide = sum(map(max, lengths, heads)) > PAGE
+    page, broken = _broken(grid, lengths) if is_wide else (PAGE, {})
+    is_small = page > PAGE
+    alignment = "".join(
+        rf"p{{{0.89 * broken[place] / page:.3f}\linewidth}}"
+        if place in broken
+        else "r"
+        if column.is_number
+        else "l"
+        for place, column in enumerate(grid.columns)
+    )
+    if is_small:
+        yield r"{\footnotesize\setlength{\tabcolsep}{3pt}"
+    yield rf"\noindent\begin{{tabular}}{{{alignment}}}"
+    yield r"\hline"
+    yield _row(
+        (
+            _heading(column.heading) if is_wide and column.is_number else escaped(column.heading)
+            for column in grid.columns
+        ),
+        broken,
+    )
+    yield r"\hline"
+    for row in grid.cells:
+        yield _row(starmap(_cell, zip(row, grid.columns, strict=True)), broken)
+    yield r"\hline"
+    yield r"\end{tabular}" + "}" * is_small
+
+
+def _shown(grid: Grid) -> Iterator[list[str]]:
+    """Texts of the columns' heads, where these are numbers their longest words, and of the rows."""
+    yield [
+        max(one.heading.split() or [""], key=len) if one.is_number else one.heading
+        for one in grid.columns
+    ]
+    yield from grid.texts
+
+
+def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
+    """Signs of a line, and columns of long words or formulas with the signs of their width."""
+    long = {
+        place: length
+        for place, length in enumerate(lengths)
+        if length > SHORT and not grid.columns[place].is_number
+    }
+    kept = sum(lengths) - sum(long.values())
+    page = PAGE if kept + ENOUGH * len(long) <= PAGE else SMALL_PAGE
+    room: float = max(page - kept, SHORT)
+    widths: dict[int, float] = {}
+    for place in sorted(long, key=long.__getitem__):  # short ones leave more to the others
+        widths[place] = min(long[place], room / (len(long) - len(widths)))
+        room -= widths[place]
+    return page, widths
+
+
+def _heading(text: str) -> str:
+    """A heading over numbers, a word a line."""
+    words = escaped(text).split()
+    stacked = r"\\ ".join(words)
+    return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
+
+
+def _cell(cell: Cell, column: Column) -> str:
+    if cell.math:
+        return f"${cell.math}$"
+    return _number(cell.text) if column.is_number else escaped(cell.text)
+
+
+def _number(cell: str) -> str:
+    """A number with a true minus, or a blank for one."""
+    if cell == NOTHING:
+        return "--"
+    return f"${cell}$" if cell.startswith("-") else escaped(cell)
+
+
+def _row(cells: Iterable[str], broken: Container[int]) -> str:
+    """A row, whose end is no sign of its own, as a ragged cell has another use for that."""
+    ragged = (
+        rf"\raggedright {cell}" if place in broken else cell for place, cell in enumerate(cells)
+    )
+    return f"{' & '.join(ragged)} " + (r"\tabularnewline" if broken else r"\\")

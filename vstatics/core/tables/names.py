@@ -1,0 +1,292 @@
+"""Names of quantities and of rows: as they are written, and as a person types them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple, cast
+
+from vstatics.core.arguments import type_and_value
+from vstatics.core.errors import Place, ReadError, listed, nearest, quoted, typed_number
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.result_arrays import Rows, row_names
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.quantities import BY_NAME, Quantity
+
+
+def quantity_named(name: str, place: Place | None = None) -> Quantity:
+    """The quantity of a name that was typed: that of the library, or its alias.
+
+    Parameters
+    ----------
+    name : str
+        Letter by letter.
+    place : Place, optional
+        Where it was typed, for the message.
+
+    Raises
+    ------
+    ReadError
+        If there is none; it names the nearest.
+
+    Examples
+    --------
+    >>> quantity_named("ETA") is quantity_named("efficiency")
+    True
+    >>> quantity_named("AMLGP_Nm").name, quantity_named("Mx").name
+    ('lossy_torques_Nm', 'output_torque')
+    >>> quantity_named("ETa")
+    Traceback (most recent call last):
+    vstatics.core.errors.ReadError: there is no table `ETa`; did you mean `ETA`? [E113]
+    """
+    if name in BY_NAME:
+        return BY_NAME[name]
+    raise ReadError(
+        "E113", f"there is no table {quoted(name)}{nearest_quantity(name)}", place=place
+    )
+
+
+def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
+    """A hint that names the nearest quantity, or one of other names, or nothing.
+
+    >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
+    ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
+    """
+    relative = name.rpartition("_")[0]
+    if relative not in BY_NAME:
+        return nearest(name, [*BY_NAME, *others])
+    unit = BY_NAME[relative].with_load
+    return f"; did you mean `{relative}_{unit}`?" if unit else f"; did you mean `{relative}`?"
+
+
+def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = None) -> int:
+    """The index of the row of a name that was typed, such as `P1.ring`.
+
+    Parameters
+    ----------
+    name : str
+        That of the row, or its number from 1, also as ``#1``; a mechanism or a drawn element
+        alone stands for its only row.
+    kind : str
+        What the rows stand for: `Quantity.rows`.
+    case : Transmission
+    place : Place, optional
+        Where it was typed, for the message.
+
+    Raises
+    ------
+    ReadError
+        If there is none, or more than one; it names the nearest, or all of them.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> row_named("D1", "torques", case), row_named("Mx", "torques", case)
+    (0, 1)
+    >>> row_named("qq", "torques", case)
+    Traceback (most recent call last):
+    vstatics.core.errors.ReadError: there is no device `qq`, expected one of D1, Mx [E114]
+    """
+    found = rows_called(name, kind, case)
+    if len(found) == 1:
+        return found[0]
+    names = row_names(case, kind)
+    number = None if found else typed_number(name.removeprefix("#"), len(names))
+    if number is not None:
+        return number - 1
+    message = several(name, found, names) if found else no_row(name, kind, names)
+    raise ReadError("E114", message, place=place)
+
+
+def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
+    """Indices of the rows of a name, or else of the drawn element of that name."""
+    found = [index for index, row in enumerate(row_names(case, kind)) if row == name]
+    return found or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
+
+
+def _owners(kind: Rows, case: Transmission) -> list[str]:
+    """To which drawn element each row belongs, if it has rows of this kind; "" for none."""
+    own = case.own_devices
+    if case.drawing is None:
+        return []  # a mechanism is its own row
+    if kind == "planets":
+        return [device.name for device in own for _ in device.planets]
+    if kind == "torques":
+        members = [device.name for device in own for _ in device.members]
+        return [*("" for _ in case.shift_elements), *members, ""]
+    if kind == "meshes":
+        return [device.name for device in own for _ in device.meshes_by_index]
+    if kind == "mechanisms":
+        return [device.name for device in own for _ in device.mechanisms]
+    return []
+
+
+def several(name: str, found: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
+    """What to say of a name that several rows have, or several rows of one device.
+
+    >>> several("C1", [0, 2], ["C1", "B", "C1"])
+    'there are two rows `C1`, expected #1 or #3'
+    >>> several("P1", [0, 1], ["P1.sun", "P1.carrier"])
+    '`P1` has the rows P1.sun, P1.carrier; expected one of them'
+    """
+    rows = [names[index] for index in found]
+    if name in rows:
+        numbers = " or ".join(f"#{index + 1}" for index in found)
+        return f"there are two rows {quoted(name)}, expected {numbers}"
+    return f"{quoted(name)} has the {what} {listed(rows, 20)}; expected one of them"
+
+
+def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
+    """What to say of a name that no row has; a better hint than the nearest name may be given."""
+    known = f"there is no {ROWS[kind].one} {quoted(name)}, expected one of {listed(names)}"
+    return known + (hint or nearest(name, names))
+
+
+NAME = re.compile(r"[^\W\d]\w*")
+"""A plain word."""
+DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
+"""What is written without quotes between brackets, such as `P1.ring`, as are digits."""
+BEFORE_NAME = "|"
+"""Stands before the name of a row in a listing."""
+
+
+class RowWords(NamedTuple):
+    """How rows of a kind are called."""
+
+    one: str
+    all: str
+    size: str
+    """Their number, as the deck calls it."""
+
+
+ROWS: Mapping[Rows, RowWords] = {
+    "links": RowWords("link", "links", "KJG"),
+    "planets": RowWords("planet", "mechanisms", "KG"),
+    "elements": RowWords("shift element", "shift elements", "KL"),
+    "devices": RowWords("mechanism", "mechanisms", "KG"),
+    "mechanisms": RowWords("mechanism", "mechanisms", "KG"),
+    "torques": RowWords("device", "shift elements, then mechanisms, then the output", "KLG1"),
+    "meshes": RowWords("mesh", "meshes", "KM"),
+    "one": RowWords("gear", "gears", "NP"),
+}
+"""By what the rows of a table stand for."""
+
+_DIGITS = re.compile(r"[0-9]+")
+
+
+def table_rows(name: str, case: Transmission) -> Sequence[str]:
+    """The names of a table's rows; none if it has one value per gear.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
+    >>> list(table_rows("torques", case)), list(table_rows("ratio", case))
+    (['D1', 'Mx'], [])
+    """
+    return row_names(case, BY_NAME[name].rows)
+
+
+def written(index: int, names: Sequence[str]) -> str:
+    """A row or a gear as it can be written between brackets; no other is written so.
+
+    >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
+    ['#1', '"4-5"', '#3']
+    """
+    name = names[index]
+    if names.count(name) > 1 or ('"' in name and "'" in name):
+        return f"#{index + 1}"
+    return name if is_bare(name) else in_quotes(name)
+
+
+def in_quotes(name: str) -> str:
+    """A name between quotes that it does not have itself, unless it has both."""
+    mark = "'" if '"' in name else '"'
+    return f"{mark}{name}{mark}"
+
+
+def is_bare(name: str) -> bool:
+    """Whether a name may stand between brackets without quotes.
+
+    >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
+    (True, True, True, False, False)
+    """
+    return bool(DOTTED.fullmatch(name) or _DIGITS.fullmatch(name))
+
+
+ALL = slice(None)
+"""As in ``results["speeds", :, "low"]``."""
+
+
+def by_name(results: Results, key: Any) -> Any:
+    """What ``results[key]`` is: by names, else what a tuple has there.
+
+    Parameters
+    ----------
+    key : str or tuple
+        The name of a table, or its alias; then a row, where the table has rows; then a gear
+        by its name or number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
+        ``("speeds", "ring", "low")``; ``:`` stands for all rows or gears.
+
+    Returns
+    -------
+    ndarray or float
+        Leading axes are variants, then gears and rows, as far as no name chooses one.
+
+    Raises
+    ------
+    ValueError
+        If there is no such table, row or gear, with the nearest.
+    TypeError
+        If it is no name.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])],
+    ...                     link_names=["sun", "ring", "carrier"])
+    >>> results = solve(case)
+    >>> by_name(results, "W").tolist(), by_name(results, ("W", "ring")).tolist()
+    ([[1.0, 0.0, 0.2857142857142857]], [0.0])
+    >>> by_name(results, ("ratio", 1)), by_name(results, ("speeds", "carrier", "1"))
+    (3.5, 0.2857142857142857)
+    """
+    name, *chosen = key if isinstance(key, tuple) else (key,)
+    if isinstance(key, int | slice):
+        return tuple.__getitem__(cast("tuple[Any, ...]", results), key)
+    if not isinstance(name, str):
+        expected = "expected the name of a table, then perhaps of a row and of a gear"
+        raise TypeError(f"results of {type_and_value(name)}: {expected}")
+    try:
+        return _chosen(results, name, chosen)
+    except ReadError as error:  # nothing was read from a file
+        raise ValueError(str(error)) from None
+
+
+def _chosen(results: Results, name: str, chosen: list[Any]) -> Any:
+    """A table, of which a row and a gear may be chosen."""
+    quantity = quantity_named(name)
+    if quantity.columns == "devices":
+        array, wanted = distribution_matrix(results.case), "its name: it is of no gear"
+    elif quantity.rows == "one":
+        array, wanted = results.existing(quantity.name), "(table, gear)"
+    else:
+        array, wanted = results.existing(quantity.name), "(table, row, gear)"
+        row = chosen.pop(0) if chosen else ALL
+        if row in (ALL, ":"):
+            gear = chosen.pop(0) if chosen else ALL
+            array = array if gear in (ALL, ":") else array[..., _gear(results, gear), :]
+        else:
+            array = array[..., row_named(str(row), quantity.rows, results.case)]
+    if chosen and quantity.columns == "gears":
+        gear = chosen.pop(0)
+        array = array if gear in (ALL, ":") else array[..., _gear(results, gear)]
+    if chosen:
+        raise ValueError(f"read {chosen[0]!r} too many, expected no more than {wanted}")
+    return array if getattr(array, "ndim", 0) else array.item()
+
+
+def _gear(results: Results, gear: Any) -> int:
+    return results.case.gear_number(gear) - 1

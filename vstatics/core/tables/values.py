@@ -1,0 +1,87 @@
+"""Results as the tables that every output format shows, in the order of the source.
+
+Headings of tables in which springs have rows or columns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.physical import known_units
+from vstatics.core.statics.result_arrays import all_row_names
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.quantities import RELATIVE, WITH_UNITS, Quantity, Table
+
+
+def tables(results: Results) -> list[Table]:
+    """All tables of the results of one case; some only where the case has what they speak of.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+    >>> from vstatics.core.statics.solve import solve
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
+    >>> found = {table.quantity.name: table for table in tables(solve(case))}
+    >>> found["torques"].rows, found["torques"].values.T
+    (['T1', 'D1', 'Mx'], array([[-2.5,  1. ,  3.5]]))
+    """
+    case = results.case
+    gears = [gear.name for gear in case.gears]
+    names = all_row_names(case)
+    filled = []
+    shown = [*_existing(RELATIVE, results), *with_units(results)]
+    if case.springs:
+        shown = [*map(among_springs, shown)]
+    for quantity in shown:
+        if quantity.columns == "devices":
+            matrix = distribution_matrix(case) + 0.0
+            filled.append(Table(quantity, case.link_names, case.devices, matrix))
+            continue
+        kind = quantity.rows
+        rows = [quantity.key] if kind == "one" else names[kind]
+        array = np.asarray(results.existing(quantity.name), dtype=np.float64)
+        filled.append(Table(quantity, rows, gears, array.reshape(len(gears), len(rows)).T))
+    return filled
+
+
+def with_units(results: Results) -> list[Quantity]:
+    """Those in rpm, N*m and kW that the load of a case tells; none without a load."""
+    units = known_units(results.case)
+    return _existing([one for one in WITH_UNITS if one.unit in units], results)
+
+
+def _existing(quantities: Sequence[Quantity], results: Results) -> list[Quantity]:
+    return [one for one in quantities if one.exists is None or one.exists(results)]
+
+
+WORDS = {
+    "KLG = KL + KG": "KLG = KL + KG + KSPR",
+    "mechanisms and output": "mechanisms, springs and output",
+    "the elements and of the output": "the elements, of springs and of the output",
+    "mechanisms and the output": "mechanisms, springs and the output",
+}
+"""Words of headings, and what stands there where a case has springs."""
+
+
+def among_springs(quantity: Quantity) -> Quantity:
+    """A quantity of a case with springs, which its headings name.
+
+    >>> from vstatics.core.tables.quantities import BY_NAME
+    >>> among_springs(BY_NAME["torques"]).title
+    'Torques of shift elements, mechanisms, springs and the output (Mx), without losses'
+    """
+    members = quantity.members
+    return quantity._replace(
+        heading=_worded(quantity.heading),
+        own_title=_worded(quantity.own_title),
+        members=None if members is None else (_worded(members[0]), _worded(members[1])),
+    )
+
+
+def _worded(heading: str) -> str:
+    for words, others in WORDS.items():
+        heading = heading.replace(words, others)
+    return heading

@@ -1,0 +1,183 @@
+"""Tables as a workbook, by openpyxl: a sheet for each table, numbers in full."""
+
+from __future__ import annotations
+
+import io
+import math
+import re
+import zipfile
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vstatics.core.errors import CaseError
+from vstatics.core.tables.grid import Datum, Grid
+
+if TYPE_CHECKING:
+    from openpyxl import Workbook
+
+MOST_ROWS, MOST_COLUMNS = 1_048_576, 16_384
+"""Of a sheet."""
+LONGEST_SHEET_NAME = 31
+"""Name of a sheet."""
+CONTENTS = "tables"
+_FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]")
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+"""What XML can't hold."""
+_EPOCH = (1980, 1, 1, 0, 0, 0)
+
+
+def write(
+    cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, digits: int | None = None
+) -> bytes:
+    """The tables of cases, those of one name on one sheet.
+
+    A sheet of several cases has the file of each in its first column; a row of headings
+    stands where these change. Tables that share a sheet have their names in a column. Where
+    tables have keys, the first sheet says what they are. The same tables give the same bytes.
+
+    Parameters
+    ----------
+    digits : int, optional
+        A number is shown with so many after the point, and keeps the others.
+
+    Raises
+    ------
+    CaseError
+        If openpyxl is missing, or a table is larger than a sheet.
+    """
+    from vstatics.core.extras import require
+
+    require("xlsx", "XLSX")
+    from openpyxl import Workbook
+
+    book = _Book(Workbook(write_only=True), several=several, digits=digits)
+    for file, grids in cases:
+        for grid in grids:
+            book.add(file, grid)
+    return book.data()
+
+
+def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
+    """A workbook of sheets by name, each with its rows, the first of which are headings.
+
+    The same sheets give the same bytes.
+    """
+    from openpyxl import Workbook
+
+    book = _Book(Workbook(write_only=True), several=False, digits=None)
+    for name, (headings, *rows) in sheets.items():
+        _Worksheet(book.book.create_sheet(name), book).add([], list(headings), rows)
+    return book.saved()
+
+
+class _Book:
+    """A workbook that is being filled."""
+
+    def __init__(self, book: Workbook, *, several: bool, digits: int | None) -> None:
+        self.book = book
+        self.several = several
+        self.number_format = "General" if digits is None else f"0.{'0' * digits}"
+        self.sheets: dict[str, _Worksheet] = {}
+        self.names: set[str] = {CONTENTS, "history"}  # Excel keeps the last one to itself
+        self.titles: dict[str, str] = {}
+
+    def add(self, file: str, grid: Grid) -> None:
+        """Write a table below those of its sheet."""
+        name = grid.group or grid.key or grid.title
+        if name not in self.sheets:
+            own = sheet_name(name, self.names)
+            self.sheets[name] = _Worksheet(self.book.create_sheet(own), self)
+            if grid.key:
+                self.titles[own] = grid.title
+        front = [file] * self.several + [grid.title] * bool(grid.group)
+        heads = ["case"] * self.several + ["table"] * bool(grid.group)
+        self.sheets[name].add(front, [*heads, *(one.heading for one in grid.columns)], grid.data)
+
+    def data(self) -> bytes:
+        """The file."""
+        if self.titles or not self.sheets:
+            contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
+            contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
+        return self.saved()
+
+    def saved(self) -> bytes:
+        """The file with the sheets that there are."""
+        written = io.BytesIO()
+        self.book.save(written)
+        return _without_dates(written)
+
+
+class _Worksheet:
+    """A sheet that is being filled."""
+
+    def __init__(self, sheet: Any, book: _Book) -> None:
+        sheet.freeze_panes = "B2"
+        sheet.column_dimensions["A"].width = 24
+        self.sheet, self.book = sheet, book
+        self.headings: list[str] = []
+        self.rows = 0
+
+    def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
+        """Write rows, below headings where these are others than before."""
+        from openpyxl.styles import Font
+
+        bold = Font(bold=True)
+        new = headings != self.headings
+        self.rows += len(rows) + new
+        if self.rows > MOST_ROWS or len(headings) > MOST_COLUMNS:
+            message = f"a sheet has {MOST_ROWS} rows and {MOST_COLUMNS} columns at most"
+            raise CaseError("E115", f"{message}: expected another format, such as CSV")
+        if new:
+            self.sheet.append([self._cell(one, bold) for one in headings])
+            self.headings = headings
+        for row in rows:
+            self.sheet.append([self._cell(one) for one in (*front, *row)])
+
+    def _cell(self, datum: Datum, font: Any = None) -> Any:
+        """A cell; a text stays one, whatever it begins with."""
+        from openpyxl.cell import WriteOnlyCell
+
+        if datum is None:
+            return None
+        if isinstance(datum, str):
+            cell = WriteOnlyCell(self.sheet, _CONTROL.sub("�", datum))
+            cell.data_type = "s"
+        elif isinstance(datum, float) and math.isfinite(datum):
+            cell = WriteOnlyCell(self.sheet, repr(float(datum)))  # openpyxl writes 16 digits
+            cell.data_type = "n"
+            cell.number_format = self.book.number_format
+        else:
+            cell = WriteOnlyCell(self.sheet, datum)
+        if font is not None:
+            cell.font = font
+        return cell
+
+
+def sheet_name(name: str, taken: set[str]) -> str:
+    """A name that a sheet may have, unlike those that are taken; it is taken then.
+
+    >>> taken = set()
+    >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)
+    ('Gear 1 2  (low)', 'gear 1 2  (low) 2')
+    """
+    plain = name.replace("[", "(").replace("]", ")")
+    plain = _CONTROL.sub(" ", _FORBIDDEN.sub(" ", plain)).strip("' ") or "table"
+    chosen, number = plain[:LONGEST_SHEET_NAME].strip("' "), 1
+    while chosen.casefold() in taken:
+        number += 1
+        end = f" {number}"
+        chosen = f"{plain[: LONGEST_SHEET_NAME - len(end)]}{end}"
+    taken.add(chosen.casefold())
+    return chosen
+
+
+def _without_dates(written: io.BytesIO) -> bytes:
+    """The same file as if it were always written at one time."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(written) as old, zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as new:
+        for name in old.namelist():
+            data = old.read(name)
+            if name == "docProps/core.xml":
+                data = re.sub(rb"<dcterms:(created|modified).*?</dcterms:\1>", b"", data)
+            new.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED)
+    return made.getvalue()

@@ -1,0 +1,202 @@
+"""Writer of the deck: a case in the published template and order of fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from vstatics.core.model.parts import element_name, mechanism_name
+from vstatics.core.model.transmission import SpeedOf, Transmission
+from vstatics.core.readers.deck.table import FIELDS
+from vstatics.core.readers.deck.text import SPRING
+from vstatics.core.readers.deck.text import SPRINGS as KSPR
+from vstatics.core.tables.numbers import exponent
+from vstatics.core.texts import Language, translated
+
+if TYPE_CHECKING:
+    from vstatics.core.model.shape import ByKey
+
+SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
+NAME = "NAME "
+"""Begins a line that gives a name."""
+KINDS = {
+    "dog_clutch": "that {} is a dog clutch",
+    "freewheel": "that {} is a freewheel; it is engaged where it holds",
+}
+"""Kinds of shift elements that a deck does not know."""
+
+
+KEPT = {
+    *("name", "links", "input", "output", "idle", "coast", "shift_elements", "mechanisms", "gears"),
+    *("kind", "engaged", "speeds", "torques"),
+    *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
+}
+"""Keys of YAML and JSON that a deck has fields for; kinds of shift elements as far as it goes."""
+
+
+def write(case: Transmission, lang: Language = "en") -> str:
+    """The case as a deck, which reads back as an equal case; see `lost`.
+
+    Of a case with speeds of other links a deck can tell only `Results.with_numbers_only`. A
+    case with springs is told by names that no reader of decks takes: it says so; see
+    `deck_limits`.
+
+    Parameters
+    ----------
+    lang : {"en", "ru"}
+        Language of the headings.
+    """
+    lines = [*template(case), *_conditions(case), *_names(case)]
+    if lang != "en":
+        lines = [line if line.startswith(NAME) else translated(line, lang) for line in lines]
+    return "\n".join(lines) + "\n"
+
+
+def template(case: Transmission) -> Iterator[str]:
+    """The fields of the published template, each below its heading in English."""
+    yield from _structure(case)
+    yield from _gears(case)
+
+
+def lost(case: Transmission) -> list[str]:
+    """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
+    from vstatics.core.model.keys import CASE, ELEMENT, GEAR, MECHANISM  # costs start-up time
+
+    elements = case.shift_elements
+    named = (
+        ("shift element", ELEMENT, elements),
+        ("gear", GEAR, case.gears),
+        ("mechanism", MECHANISM, case.mechanisms),
+    )
+    return [
+        *_unkept(case, CASE),
+        *(KINDS[one.kind].format(one.name) for one in elements if one.kind in KINDS),
+        *(
+            f"{key} of {what} {part.name}"
+            for what, shape, parts in named
+            for part in parts
+            for key in _unkept(part, shape)
+        ),
+        *(f"third: housing of mechanism {one.name}" for one in case.mechanisms if one.is_set),
+        *(
+            f"speed of link {case.link_name(link)} in gear {gear.name} as that of another link"
+            for gear in case.gears
+            for link, speed in gear.speeds.items()
+            if isinstance(speed, SpeedOf)
+        ),
+        *(f"kind of gear {gear.name}" for gear in case.gears if gear.kind != "gear"),
+        *(f"coast of gear {gear.name}" for gear in case.gears if gear.coast is not None),
+    ]
+
+
+def _unkept(part: object, shape: ByKey) -> Iterator[str]:
+    """The keys of a part that say something which no field of a deck does."""
+    for key in shape.keys:
+        if key.name not in KEPT and not key.leaves_out(getattr(part, key.name, None)):
+            yield key.name
+
+
+def _structure(case: Transmission) -> Iterator[str]:
+    """Links, shift elements and mechanisms."""
+    elements, mechanisms = case.shift_elements, case.mechanisms
+    planets = {
+        number: mechanism.planet_ratio
+        for number, mechanism in enumerate(mechanisms, 1)
+        if mechanism.planet_ratio is not None
+    }
+    yield "STRUCTURE"
+    yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
+    if elements:
+        yield from _lists("shift_elements", elements)
+    yield from _lists("mechanisms", mechanisms)
+    if planets:
+        yield "Mechanisms with a planet ratio of their own:"
+        yield _row("NNM(K),K=1,KNM:", planets)
+        yield "Ratios from the first link to the planet:"
+        yield "UAQ(K),K=1,KNM:"
+        yield _row("", map(exponent, planets.values()))
+    if case.springs:
+        yield SPRINGS
+        yield f"{KSPR}= {len(case.springs)}"
+        for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
+            form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
+            yield f"{SPRING}{' '.join(form)}: {spring.name}"
+
+
+def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:
+    """The lists that say what parts are; of gears only what says anything."""
+    for key, field in FIELDS.items():
+        values = [getattr(one, field.member) or 0 for one in parts if field.part == part]
+        if field.part == part and (part != "gears" or any(values)):
+            yield field.heading
+            heading = f"{key}{'' if '(' in key else '(I)'},I=1,{field.size}:"
+            if field.kind is float:
+                yield heading
+                heading, values = "", [*map(exponent, values)]
+            yield _row(heading, values)
+
+
+def _gears(case: Transmission) -> Iterator[str]:
+    """What is engaged and given in each gear."""
+    gears = case.gears
+    yield "GEARS"
+    yield f"NP= {len(gears)}"
+    yield "Engaged elements in each gear:"
+    yield _row("KFRI(I),I=1,NP:", (len(gear.engaged) for gear in gears))
+    if any(gear.engaged for gear in gears):
+        yield "Their numbers, a line for each gear:"
+        yield "(NFRI(K,I),K=1,KFRI(I)),I=1,NP:"
+        yield from (_row("", gear.engaged) for gear in gears if gear.engaged)
+    yield "Further given speeds in each gear:"
+    yield _row("KWZ(I),I=1,NP:", (len(gear.speeds) for gear in gears))
+    yield from _given([gear.speeds for gear in gears], "KWZ", "NWZ", "WZ")
+    yield "Further external torques in each gear:"
+    yield _row("KMZ(I),I=1,NP:", (len(gear.torques) for gear in gears))
+    yield from _given([gear.torques for gear in gears], "KMZ", "NMZ", "AMZ")
+
+
+def _given(
+    gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
+) -> Iterator[str]:
+    """Links and values of given speeds or torques, a line for each gear that has any."""
+    if any(gears):
+        yield "Their links:"
+        yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
+        yield from (_row("", row) for row in gears if row)
+        yield "Their values:"
+        yield f"({values}(K,I),K=1,{count}(I)),I=1,NP:"
+        yield from (_row("", map(exponent, row.values())) for row in gears if row)
+
+
+def _conditions(case: Transmission) -> Iterator[str]:
+    """Input, output and conventions, each only if it is not the default."""
+    conditions = {
+        f"INP= {case.input}": case.input != 1,
+        f"IOUT= {case.output}": case.output != case.links,
+        "IDLE= 1": case.idle == "exact",
+        f"COAST= {int(case.coast or False)}": case.coast is not None,
+    }
+    if any(conditions.values()):
+        yield "Further conditions:"
+        yield from (line for line, holds in conditions.items() if holds)
+    yield from _lists("gears", case.gears)
+
+
+def _names(case: Transmission) -> Iterator[str]:
+    """The names that differ from those that everything gets by itself."""
+    elements = [one._replace(kind="") if one.kind else one for one in case.shift_elements]
+    names = [
+        ("T", case.name, ""),
+        *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),
+        *((f"F{n}", part.name, element_name(n, part)) for n, part in enumerate(elements, 1)),
+        *((f"D{n}", part.name, mechanism_name(n)) for n, part in enumerate(case.mechanisms, 1)),
+        *((f"P{n}", gear.name, str(n)) for n, gear in enumerate(case.gears, 1)),
+    ]
+    named = [f"{NAME}{part}: {name}" for part, name, default in names if name != default]
+    if named:
+        yield "Given names:"
+        yield from named
+
+
+def _row(heading: str, values: Iterable[object]) -> str:
+    return " ".join([*([heading] if heading else []), *map(str, values)])

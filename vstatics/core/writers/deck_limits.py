@@ -1,0 +1,170 @@
+"""Parts of a case that a deck or the published listing has no field for, and that change it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.errors import CaseError, Path, Problem, listed
+from vstatics.core.model.parts import Law
+from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.statics.results import Results
+
+SHOWN = 20
+"""Names of a kind that are told."""
+
+
+def check_deck(case: Transmission) -> None:
+    """Refuse a case of which a deck would tell another.
+
+    Raises
+    ------
+    CaseError
+        With everything that a deck can't hold, in one message.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism
+    >>> pair = Mechanism(1, 2, 0, -2.5, stiffness=9e4, name="pair")
+    >>> check_deck(Transmission(2, [], [pair], [Gear()], inertias={1: 0.1}))
+    Traceback (most recent call last):
+        ...
+    vstatics.core.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
+    """
+    found = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
+    springs = [spring.name for spring in case.springs]
+    if springs:
+        plural = "s" if springs[1:] else ""
+        found.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
+    if found:
+        message = f"a deck can't hold {', '.join(found)}; expected YAML or JSON, which hold them"
+        raise CaseError("E116", message)
+
+
+def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
+    """What is left of a case for vibration and motion, and of which parts."""
+    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    drawing = drawing_of(case)
+    elements = drawing.elements if drawing else ()
+    yield "converter", [one.name for one in case.converters]
+    yield "speed ratio", [one.name for one in case.mechanisms if one.kind]
+    yield "inertia", [case.link_name(link) for link, one in case.heavy.items() if one]
+    yield "stiffness", [part.name for part in parts if part.stiffness is not None]
+    yield "damping", [part.name for part in parts if part.damping]
+    yield "static friction", [one.name for one in case.shift_elements if one.static != 1]
+    yield "friction", [one.name for one in case.shift_elements if one.friction is not None]
+    laws = [one.name for one in case.mechanisms if isinstance(one.efficiency, Law)]
+    laws += [one.name for one in case.mechanisms if isinstance(one.back_efficiency, Law)]
+    yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
+    yield "fatigue strength", [*case.fatigue]
+    yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
+    yield "planet masses", [element.name for element in elements if element.planet_masses]
+
+
+def check_published_listing(results: Results) -> None:
+    """Refuse a case whose numbers do not follow from the fields of the published listing.
+
+    Raises
+    ------
+    CaseError
+        With a problem for each kind of part, at the first part of the kind.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> gears = [Gear(name="ahead"), Gear(name="back", input=2, output=1)]
+    >>> check_published_listing(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], gears)))
+    Traceback (most recent call last):
+        ...
+    vstatics.core.errors.CaseError: gears[2].input: the published listing has no field for ...
+    """
+    problems = []
+    for what, parts in _unprinted(results):
+        if parts:
+            message = f"the published listing has no field for {what}: {listed([*parts], SHOWN)}"
+            expected = "expected another format, such as `-f listing`"
+            path = next(iter(parts.values()))
+            problems.append(Problem("E870", f"{message}; {expected}", path))
+    if problems:
+        raise CaseError(problems)
+
+
+def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
+    """Yield each kind of part without a field, with the paths of these parts by name."""
+    case = results.case
+    yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
+    yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
+    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_law)
+    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second)
+    yield (
+        "the drag of shift elements",
+        {
+            part.name: ("shift_elements", n, "drag")
+            for n, part in enumerate(case.shift_elements, 1)
+            if _acts(part.drag)
+        },
+    )
+    yield "drag in gears", _gears(case, "drag", lambda gear: any(map(_acts, gear.drag.values())))
+    yield (
+        "the drag of open elements in gears",
+        _gears(case, "open_drag", lambda gear: any(map(_acts, gear.open_drag.values()))),
+    )
+    yield "balances of gears", _gears(case, "balance", lambda gear: gear.balance is not None)
+    yield "inputs of single gears", _gears(case, "input", _differs(case, case.gear_input))
+    yield "outputs of single gears", _gears(case, "output", _differs(case, case.gear_output))
+    yield (
+        "coasting in gears",
+        {
+            gear.name: _load_path(index, "coast", gear.coast)
+            if case.gear_coast(gear)
+            else _load_path(index, "load", gear.load)
+            for index, gear in enumerate(case.gears)
+            if case.coasts(gear)
+        },
+    )
+    yield (
+        "an input torque of 0 in gears",
+        {
+            case.gears[index].name: _load_path(index, "load", case.gears[index].load)
+            for index in case.unloaded
+        },
+    )
+    conflicts = zip(case.gears, results.conflict.tolist(), strict=True)
+    in_conflict = {gear.name for gear, is_conflict in conflicts if is_conflict}
+    yield (
+        "freewheels in conflict in gears",
+        _gears(case, "engaged", lambda gear: gear.name in in_conflict),
+    )
+
+
+def _mechanisms(
+    case: Transmission, key: str, applies: Callable[[Mechanism], bool]
+) -> dict[str, Path]:
+    numbered = enumerate(case.mechanisms, 1)
+    return {part.name: ("mechanisms", n, key) for n, part in numbered if applies(part)}
+
+
+def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dict[str, Path]:
+    return {gear.name: ("gears", n, key) for n, gear in enumerate(case.gears, 1) if applies(gear)}
+
+
+def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear], bool]:
+    """Return the condition that a port of a gear is another link than that of the first gear."""
+    return lambda gear: port(gear) != port(case.gears[0])
+
+
+def _load_path(index: int, key: str, of_gear: object) -> Path:
+    """Return the path of a key that a gear takes from the case unless the gear has a value."""
+    return (key,) if of_gear is None else ("gears", index + 1, key)
+
+
+def _has_law(part: Mechanism) -> bool:
+    return isinstance(part.efficiency, Law)
+
+
+def _has_second(part: Mechanism) -> bool:
+    return part.back_efficiency not in (None, part.efficiency)
+
+
+def _acts(drag: float) -> bool:
+    return isinstance(drag, Law) or drag != 0

@@ -1,0 +1,58 @@
+"""The structure of a case of planetary sets as two matrices: rigid and variable connections."""
+
+from __future__ import annotations
+
+from vstatics.core.errors import CaseError, listed
+from vstatics.core.model.parts import HOUSING, OwnDevice
+from vstatics.core.model.transmission import ShiftElement, Transmission
+from vstatics.core.tables import csv
+
+OF_ELEMENTS = {"sun": "a", "carrier": "h", "ring": "b"}
+MEMBERS = OF_ELEMENTS | {"first": "a", "third": "h", "second": "b"}
+"""Letters of a set's members, also of one that is given by its ratio, in their order."""
+
+
+def write(case: Transmission) -> str:
+    """Two tables in CSV, a blank line between; rows are the links of the case.
+
+    The first has a column for each member of each set: 1 in the row of its link, -1 in that of
+    the input; none for a member on the housing. The second has a column for each shift element:
+    -1 at its first link or the link that it brakes, 1 at its second link.
+
+    Raises
+    ------
+    CaseError
+        If a mechanism or an element has other members than sun, carrier and ring.
+    """
+    rigid: dict[str, dict[int, int]] = {}
+    for device in case.own_devices:
+        for letter, link in _links(case, device).items():
+            rigid[f"{device.name}.{letter}"] = {link: -1 if link == case.input else 1}
+    variable = {one.name: _ends(one) for one in case.shift_elements}
+    return f"{_table(case, rigid)}\n{_table(case, variable)}"
+
+
+def _links(case: Transmission, device: OwnDevice) -> dict[str, int]:
+    """The links of sun, carrier and ring."""
+    links = {member.name: member.link for member in device.members}
+    if case.mechanisms[device.mechanisms[0]].is_set and "first" in links:
+        links["third"] = HOUSING  # which has no row of torques
+    if not links.keys() <= MEMBERS.keys() or len(links) != 3:
+        message = f"{device.name} has the members {listed(list(links))}"
+        raise CaseError("E871", f"{message}; expected a set of sun, carrier and ring")
+    return {letter: links[name] for name, letter in MEMBERS.items() if name in links}
+
+
+def _ends(element: ShiftElement) -> dict[int, int]:
+    first, second = element.first, element.second
+    return {first: -1, second: 1} if first and second else {first or second: -1}
+
+
+def _table(case: Transmission, columns: dict[str, dict[int, int]]) -> str:
+    """A row for each link, after the heading."""
+    names = case.link_names[: case.own_links]
+    rows = [
+        [name, *(str(column.get(link, 0)) for column in columns.values())]
+        for link, name in enumerate(names, 1)
+    ]
+    return csv.lines([["link", *columns], *rows])

@@ -1,0 +1,96 @@
+"""Problems of files as programs of CI read them: annotations of GitHub, SARIF 2.1.0."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from vstatics.core.errors import Problem
+from vstatics.core.writers.explained import explained
+
+_COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
+"""Of GitHub by severity."""
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+
+
+def github(problems: Iterable[Problem]) -> str:
+    """A line for each problem, which GitHub shows in the changed file.
+
+    >>> from vstatics.core.errors import Place
+    >>> place = Place("scenarios/../a,b.yaml", 3, 7)
+    >>> print(github([Problem("E107", "read 100%, expected less", place=place)]), end="")
+    ::error file=a%2Cb.yaml,line=3,col=7,title=E107::read 100%25, expected less
+    """
+    lines = []
+    for one in problems:
+        parts = {"title": one.id}
+        if one.place:
+            file, line, column, _ = one.place
+            where = {"line": str(line), "col": str(column)} if line else {}
+            parts = {"file": _relative(file), **where, **parts}
+        told = ",".join(f"{key}={_property(value)}" for key, value in parts.items())
+        lines.append(f"::{_COMMANDS[one.severity]} {told}::{_data(one.message)}\n")
+    return "".join(lines)
+
+
+def _relative(file: str) -> str:
+    """A path as it is from the folder of the command, without detours."""
+    return os.path.relpath(file).replace(os.sep, "/")
+
+
+def _data(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _data(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def sarif(problems: Sequence[Problem]) -> dict[str, Any]:
+    """The problems as a run of a tool, with rules of the ids that occur.
+
+    >>> from vstatics.core.errors import Place
+    >>> made = sarif([Problem("E107", "read 0", place=Place("my box.yaml", 3, 7))])
+    >>> [result] = made["runs"][0]["results"]
+    >>> result["ruleId"], result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
+    ('E107', 'my%20box.yaml')
+    """
+    ids = sorted({one.id for one in problems})
+    rules = [
+        {
+            "id": one.id,
+            "shortDescription": {"text": one.cause},
+            "help": {"text": one.cure},
+            "defaultConfiguration": {"level": one.severity},
+        }
+        for one in map(explained, ids)
+    ]
+    results = [
+        {
+            "ruleId": one.id,
+            "ruleIndex": ids.index(one.id),
+            "level": one.severity,
+            "message": {"text": one.message},
+            "locations": _locations(one),
+        }
+        for one in problems
+    ]
+    run = {
+        "tool": {"driver": {"name": "vstatics", "rules": rules}},
+        "columnKind": "unicodeCodePoints",
+        "results": results,
+    }
+    return {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
+
+
+def _locations(problem: Problem) -> list[dict[str, Any]]:
+    if problem.place is None:
+        return []
+    from urllib.parse import quote  # costs start-up time
+
+    file, line, column, _ = problem.place
+    place: dict[str, Any] = {"artifactLocation": {"uri": quote(_relative(file))}}
+    if line:
+        place["region"] = {"startLine": line, "startColumn": column}
+    return [{"physicalLocation": place}]

@@ -1,0 +1,125 @@
+"""Results as one JSON object; its shape is in schemas/result.schema.json."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+from vstatics.core.errors import printable
+from vstatics.core.statics.results import Results, expect_one_case
+from vstatics.core.tables.answer import with_file
+from vstatics.core.tables.values import tables
+from vstatics.core.writers.named import mapping
+
+FORMAT = "vstatics-result"
+VERSION = 1
+
+CONVENTIONS = {
+    "ratio": "w_input/w_output",
+    "internal_ratio": "(w_first - w_third)/(w_second - w_third)",
+    "speeds": "relative to the input speed",
+    "torques": "relative to the input torque; external torques act on a link, positive like "
+    "the input's; a device's torque is that on its first link; the output torque, in the last "
+    "row of AMLG and AMLGP, is that given to the load",
+    "powers": "relative to the input power; when coasting all of them turn, and losses are below 0",
+    "power_sign": "IX: +1 the first link drives, -1 it is driven, 0 idle",
+    "null": "does not exist, or is not determined",
+}
+
+
+def document(results: Results) -> dict[str, Any]:
+    """Results as a plain mapping, ready for JSON.
+
+    Tables stand under their names as lists of rows, those of one row as lists over the
+    gears; NaN becomes None. The case tells its conventions, defaults too.
+    """
+    case = results.case
+    result: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "conventions": CONVENTIONS,
+        "case": mapping(case) | {"idle": case.idle},
+        "gears": [gear.name for gear in case.gears],
+    }
+    shown = tables(results)
+    if case.has_own_rows:
+        result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
+    for table in shown:
+        quantity = table.quantity
+        rows = [_row(row, quantity.kind) for row in table.values.tolist()]
+        result[quantity.key] = rows[0] if quantity.rows == "one" else rows
+    result["messages"] = [str(message) for message in results.messages]
+    return result
+
+
+def to_json(results: Results, file: str = "") -> str:
+    """What `vstatics run -f json` writes of one case, to the byte.
+
+    Parameters
+    ----------
+    results : Results
+        Of one case, not of arrays of variants.
+    file : str
+        Of the case, for the key `file`; without one the key is left out.
+    """
+    expect_one_case(results, "to_json")
+    made = document(results)
+    return printable(text(with_file(made, file) if file else made), lines=True) + "\n"
+
+
+def _row(values: list[float], kind: type) -> list[Any]:
+    """The numbers of a row as JSON has them."""
+    if kind is float:
+        return [None if value != value else value for value in values]  # noqa: PLR0124 - NaN
+    return [None if value != value else kind(value) for value in values]  # noqa: PLR0124
+
+
+def text(made: dict[str, Any]) -> str:
+    """A document on many lines, a row of a table a line, without the end of the last.
+
+    Examples
+    --------
+    >>> print(text({"W": [[1.0, 1.0], [0.5, None]], "ETA": [0.9]}))
+    {
+      "W": [
+        [1.0, 1.0],
+        [0.5, null]
+      ],
+      "ETA": [0.9]
+    }
+    """
+    return _braced((_text(key), _value(key, value)) for key, value in made.items())
+
+
+def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
+    inner = ",\n".join(f"{indent}  {key}: {value}" for key, value in entries)
+    return f"{{\n{inner}\n{indent}}}"
+
+
+def _value(key: str, value: Any) -> str:
+    """A value on one line, but a table or a list of messages, and a mapping, an entry a line."""
+    if value is CONVENTIONS:
+        return _conventions()
+    if isinstance(value, dict) and value:
+        return _mapping(value)
+    if isinstance(value, list) and value:
+        if isinstance(value[0], list):  # of numbers: nothing else in it looks like this
+            return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
+        if key == "messages":
+            return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
+    return _text(value)
+
+
+def _mapping(value: dict[str, Any]) -> str:
+    return _braced(((_text(key), _text(entry)) for key, entry in value.items()), "  ")
+
+
+@cache
+def _conventions() -> str:
+    """They are the same in every result."""
+    return _mapping(CONVENTIONS)
+
+
+_text = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode

@@ -1,0 +1,101 @@
+"""Results in Parquet, in long form as in CSV: one number a row, for many cases."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Iterator
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.values import tables
+
+NAMES = ("case", "table", "row", "gear")
+GROUP = 262_144
+"""Rows of a row group, at most those of one case more."""
+
+
+def rows(file: str, results: Results) -> bytes:
+    """The rows of one result, for `joined`: a stream of Arrow.
+
+    Columns: case, table, row, gear, value. AJK, which is the same in all gears, has the link and
+    the device in `row` and no gear. A value that does not exist is null.
+    """
+    pa = import_module("pyarrow")  # costs start-up time, and may be missing
+    places: list[tuple[str, str, str | None]] = []
+    values = []
+    for table in tables(results):
+        key, of_matrix = table.quantity.key, table.quantity.columns == "devices"
+        values.append(np.ravel(table.values))
+        for row in table.rows:
+            places += [
+                (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
+                for column in table.columns
+            ]
+    name = file.encode(errors="backslashreplace").decode()  # it need not be UTF-8
+    columns = [[name] * len(places), *map(list, zip(*places, strict=True))]
+    coded = [pa.array(column, pa.string()).dictionary_encode() for column in columns]
+    numbers = pa.array(np.concatenate(values), from_pandas=True)
+    batch = pa.record_batch([*coded, numbers], names=[*NAMES, "value"])
+    sink = pa.BufferOutputStream()
+    with pa.ipc.new_stream(sink, batch.schema) as writer:
+        writer.write_batch(batch)
+    return bytes(sink.getvalue())
+
+
+def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
+    """The rows of all results as one file, piece by piece.
+
+    Parameters
+    ----------
+    parts : iterable of bytes
+        Those of `rows`; empty ones are left out.
+    """
+    pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    schema = pa.schema([*((name, pa.string()) for name in NAMES), ("value", pa.float64())])
+    sink = _Drained()
+    with parquet.ParquetWriter(pa.PythonFile(sink, mode="w"), schema) as writer:
+        for group in _groups(parts, schema):
+            writer.write_table(group, row_group_size=2 * GROUP)
+            yield sink.drained()
+    yield sink.drained()
+
+
+def _groups(parts: Iterable[bytes], schema: Any) -> Iterator[Any]:
+    """Tables of so many parts together that row groups have a good size."""
+    pa = import_module("pyarrow")
+    group, count = list[Any](), 0
+    for part in filter(None, parts):
+        group.append(pa.ipc.open_stream(part).read_all().cast(schema))
+        count += len(group[-1])
+        if count >= GROUP:
+            yield pa.concat_tables(group)
+            group, count = [], 0
+    if group:
+        yield pa.concat_tables(group)
+
+
+class _Drained(io.RawIOBase):
+    """A file whose content is taken out while it is written."""
+
+    def __init__(self) -> None:
+        self.kept: list[bytes] = []
+        self.size = 0
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        self.kept.append(bytes(data))
+        self.size += len(self.kept[-1])
+        return len(self.kept[-1])
+
+    def tell(self) -> int:
+        return self.size
+
+    def drained(self) -> bytes:
+        """What was written since the last time."""
+        taken, self.kept = b"".join(self.kept), []
+        return taken

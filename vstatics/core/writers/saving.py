@@ -1,0 +1,106 @@
+"""Cases as files of any format: what a format cannot keep is told."""
+
+from __future__ import annotations
+
+import os
+
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import printable
+from vstatics.core.jobs.files import replace
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.solve import solve
+from vstatics.core.tables.suffixes import suffix_of
+
+SUFFIXES = {
+    ".dat": "deck",
+    ".deck": "deck",
+    ".yaml": "yaml",
+    ".yml": "yaml",
+    ".json": "json",
+    ".xlsx": "xlsx",
+}
+"""Of cases, and the format that each tells."""
+
+
+@refusing()
+def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
+    """Write a case, whole or not at all; its suffix tells the format.
+
+    Parameters
+    ----------
+    case : Transmission
+    path : path-like
+        Ends with .yaml, .json, .xlsx or .dat (a deck).
+
+    Returns
+    -------
+    list of str
+        What the format cannot keep.
+
+    Raises
+    ------
+    CaseError
+        If what is left of the case in the format would be another case.
+    ValueError
+        If no format has the suffix.
+    OSError
+        If it can't be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from vstatics import Gear, Mechanism, load
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.5)], [Gear()], description="a pair")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(case, f"{folder}/pair.dat"), save(case, f"{folder}/pair.yaml")
+    ...     load(f"{folder}/pair.yaml") == case
+    (['description'], [])
+    True
+    """
+    file = os.fspath(path)
+    form = SUFFIXES.get(suffix_of(file))
+    if form is None:
+        raise ValueError(f"{file}: expected one of the suffixes {', '.join(SUFFIXES)}")
+    data, lost = case_data(case, form)
+    replace(file, data)
+    return lost
+
+
+def case_data(case: Transmission, form: str) -> tuple[bytes, list[str]]:
+    """A case as a file of a format holds it, and what the format cannot keep of it.
+
+    Raises
+    ------
+    CaseError
+        If what is left of it in the format would be another case.
+    """
+    if form == "xlsx":
+        from vstatics.core.writers import workbook
+
+        return workbook.write(case), []
+    text, lost = _as_text(case, form)
+    return printable(text, lines=True).encode(), lost
+
+
+def _as_text(case: Transmission, form: str) -> tuple[str, list[str]]:
+    if form == "deck":
+        from vstatics.core.writers.deck import lost
+        from vstatics.core.writers.deck import write as write_deck
+        from vstatics.core.writers.deck_limits import check_deck
+
+        check_deck(case)
+        results = solve(case)
+        conflicts = [
+            f"that gear {gear.name} is in conflict: a deck does without the freewheel"
+            for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
+            if is_so
+        ]
+        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
+    if form == "matrices":
+        from vstatics.core.writers import matrices
+
+        return matrices.write(case), []
+    from vstatics.core.writers import named
+
+    writer = named.write_yaml if form == "yaml" else named.write_json
+    return writer(case), []

@@ -1,0 +1,59 @@
+"""The JSON Schema of a result, made from the declaration of its tables."""
+
+from __future__ import annotations
+
+from vstatics.core.tables.answer import NUMBER, TEXT, Schema, documents, head, list_of, object_of
+from vstatics.core.tables.names import ROWS
+from vstatics.core.tables.quantities import QUANTITIES, Quantity
+from vstatics.core.writers.result_json import CONVENTIONS, FORMAT
+
+NUMBERS: dict[type, Schema] = {
+    float: NUMBER,
+    int: {"type": ["integer", "null"]},
+    bool: {"type": ["boolean", "null"]},
+}
+SIGN = {"enum": [-1, 0, 1, None]}
+
+
+def json_schema(of_case: Schema) -> Schema:
+    """The schema of what `result_json.document` makes, one or several.
+
+    Parameters
+    ----------
+    of_case : dict
+        The schema of a case, which stands in a result as it was calculated.
+    """
+    texts = list_of(TEXT)
+    properties: Schema = {
+        **head(FORMAT),
+        "conventions": object_of(dict.fromkeys(CONVENTIONS, TEXT)),
+        "case": {"$ref": "#/$defs/case", "description": "The case as it was calculated."},
+        "gears": {**texts, "description": "Names of the gears."},
+        "rows": {
+            "type": "object",
+            "additionalProperties": texts,
+            "description": "Names of the rows of each table, for a case that is drawn: its own "
+            "links and elements, planets, members, meshes; and for one with springs.",
+        },
+    }
+    properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}
+    properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
+    sometimes = ["rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)]
+    one = {
+        "description": "Tables of one case under the names of the deck; null: no value.",
+        **object_of(properties, optional=sometimes),
+    }
+    kept = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}
+    return documents("result", "Result of vstatics", one, {"case": kept, **of_case["$defs"]})
+
+
+def _table(quantity: Quantity) -> Schema:
+    row = {"type": "array", "items": SIGN if quantity.is_sign else NUMBERS[quantity.kind]}
+    unit = f" [{quantity.unit}]" if quantity.unit else ""
+    if quantity.rows == "one":
+        return {"description": f"A list over the gears{unit}.", **row}
+    return {
+        "description": f"Rows: {ROWS[quantity.rows].all}; columns: {quantity.columns}{unit}.",
+        "type": "array",
+        "items": row,
+    }

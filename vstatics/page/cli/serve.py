@@ -1,0 +1,185 @@
+"""`vstatics serve`: the page of a case on loopback, which follows its file and changes it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import gc
+import os
+import secrets
+from functools import cache, partial
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import documents, files, formats
+from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate_one
+from vstatics.core.cli.frame.exit_status import DONE
+from vstatics.core.errors import ReadError, of_file
+from vstatics.core.jobs.stopping import ENDING
+from vstatics.core.texts import Language, speaking
+from vstatics.simulation.cli.scenario_run import run_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from vstatics.page.serve.document_fields import Texts
+    from vstatics.page.serve.server import PageServer
+    from vstatics.page.serve.states import Calculated
+    from vstatics.simulation.record.motion import Motion
+
+TOKEN_BYTES = 24
+"""Of the secret part of the address, which has four characters for three of them."""
+MOST_PORT = 65535
+GARBAGE = 50_000
+"""New objects before Python looks for such as refer to each other alone: a state is as many."""
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.option(
+    "--port",
+    type=click.IntRange(0, MOST_PORT),
+    default=0,
+    show_default=True,
+    help="Of 127.0.0.1; 0 takes one that is free.",
+)
+@click.option("--open", "opens", is_flag=True, help="Open the page in a browser.")
+@formats.digits
+@arguments.language("the words of the page, but not of names and messages")
+@arguments.settings
+def serve(
+    case: str,
+    port: int,
+    opens: bool,
+    digits: int | None,
+    lang: Language,
+    settings: CaseOptions,
+) -> int:
+    """Serve the page of CASE to browsers of this computer, until Ctrl-C.
+
+    The page is that of `vstatics report`, made anew when the file of the case, or one that it
+    names, is saved. Numbers of the file have fields and sliders: what is changed there is
+    calculated at once, and written into the file when it is saved, with all else in it as it
+    was. A scenario may stand for its case. A deck is shown, but not changed.
+
+    The first line on stdout is the address. Whoever knows it can change the numbers of the case;
+    no other file is written.
+
+    \b
+    Examples:
+      vstatics serve gearbox.yaml --open
+      vstatics serve upshift.yaml --port 8000
+      vstatics serve gearbox.yaml --lang ru
+
+    \b
+    Exit status: 0 ended by Ctrl-C; 1 no such file, or the port is taken;
+    2 wrong use.
+    """
+    return serve_page(case, digits, lang, settings, port, opens=opens)
+
+
+def serve_page(
+    case: str,
+    digits: int | None,
+    lang: Language,
+    settings: CaseOptions,
+    port: int = 0,
+    *,
+    opens: bool = False,
+) -> int:
+    """Serve the page of a case until a signal ends it.
+
+    Raises
+    ------
+    ReadError
+        If there is no such file, or the port is taken.
+    UsageError
+        If it is standard input.
+    """
+    if case == files.STDIN:
+        raise click.UsageError("standard input is not saved again: expected a file")
+    files.read_input(case, regular=True)  # one in error has a page, one that is not there has none
+    from vstatics.page.serve.server import PageServer
+    from vstatics.page.serve.states import ShownStates
+    from vstatics.page.serve.studio import Studio, StudioProcess
+
+    calculate = partial(calculated, case, settings)
+    make = partial(ShownStates, calculate, case, digits)
+    studio = StudioProcess(Studio(calculate, digits, lang))
+    server = PageServer(make, studio, secrets.token_urlsafe(TOKEN_BYTES))
+    try:
+        with speaking(lang):
+            asyncio.run(_until_stopped(server, port, opens=opens))
+    except OSError as error:
+        why = os.strerror(error.errno) if error.errno else str(error)
+        message = f"port {port} can't be listened on: {why}"
+        raise ReadError([of_file("E760", "127.0.0.1", message)]) from None
+    return DONE
+
+
+async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
+    stop = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for signal in ENDING:
+        with contextlib.suppress(NotImplementedError):  # not every system has them
+            loop.add_signal_handler(signal, stop.set)
+
+    def ready(address: str) -> None:
+        gc.freeze()  # what stays; looking through it again and again made some saves wait
+        gc.set_threshold(GARBAGE)
+        files.write_output(f"{address}\n", None)
+        if opens:
+            import webbrowser  # it looks for browsers
+
+            loop.run_in_executor(None, webbrowser.open, address)
+
+    await server.serve(port, ready, stop)
+
+
+def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
+    """A case or a scenario as its files are, but with other texts in place of some."""
+    from vstatics.core.readers.named.csv_files import noted_files
+    from vstatics.page.serve.states import Calculated
+    from vstatics.simulation.cli.scenario_run import naming_of
+
+    known, named = _read(file, texts)
+    with noted_files() as noted:
+        outcome = calculate_one(
+            file,
+            settings.on_page._replace(scenarios=True, of_runs=True),
+            known,
+            regular=True,
+        )
+    if outcome.results is not None and len(known) < len(named):
+        return calculated(file, settings, texts)  # a file is back that was missing at first
+    return Calculated(
+        outcome.results,
+        outcome.problems,
+        naming_of(outcome),
+        known,
+        [*named, *sorted(noted)],
+        _run_once(outcome),
+        outcome.is_run,
+    )
+
+
+def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
+    """The documents as far as they can be read, a scenario first, and the names of all."""
+    from vstatics.simulation.scenario.file import read_scenario
+
+    known, named = {}, [file]
+    with contextlib.suppress(ReadError):  # whoever calculates says why
+        known[file] = texts.get(file) or files.read_input(file, regular=True)[0]
+        if documents.is_a("scenario", known[file], file):
+            case = read_scenario(known[file], file).case_file
+            if case:
+                named.append(case)
+                known[case] = texts.get(case) or files.read_input(case, regular=True)[0]
+    return known, named
+
+
+def _run_once(outcome: CalculatedCase) -> Callable[[], Motion | None]:
+    """The run of a scenario, calculated when it is asked for, and then kept."""
+    return cache(partial(run_of, outcome))

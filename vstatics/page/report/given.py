@@ -1,0 +1,264 @@
+"""The input of a case as tables: what it is made of, and its gears.
+
+What a case gives for vibration as tables: inertias, springs, what is elastic of devices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from vstatics.core.elements.drawing import Drawing, drawing_of
+from vstatics.core.explain.given_parts import kind_of, twist_text
+from vstatics.core.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
+from vstatics.core.model.springs import Spring, SpringLimit
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.tables.grid import NOTHING, Cell, Grid, Values, exact, grid_of, word
+from vstatics.core.tables.html import Markup, tables, terms
+from vstatics.core.tables.straight import in_both_units
+from vstatics.core.texts import spoken, tr
+
+_NAMED = (
+    *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
+    *("inertias", "masses", "springs"),
+)
+"""What has a place of its own on the page."""
+_LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
+
+
+def given(
+    case: Transmission,
+    mapping: Mapping[str, Any],
+    digits: int | None = None,
+    marked: Callable[[Iterable[Grid]], Iterator[Grid]] = iter,
+) -> Iterator[Markup]:
+    """The input; `mapping` is the case as plain data: ``case`` of its result in JSON.
+
+    Parameters
+    ----------
+    marked : callable, optional
+        What tables of this page have for its scripts.
+    """
+    common = {key: value for key, value in mapping.items() if key not in _NAMED}
+    common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
+    labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
+    yield terms((tr(labels[key]), _said(one)) for key, one in common.items())
+    yield from tables(marked(_grids(case, mapping, digits)))
+
+
+def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
+    """What the case is made of, and what its gears are given besides."""
+    drawing = drawing_of(case)
+    if drawing is not None and drawing.elements:
+        yield _elements(drawing, mapping["elements"])
+    if case.mechanisms:
+        yield _mechanisms(case).with_digits(digits)
+    if case.shift_elements:
+        yield _shift_elements(case).with_digits(digits)
+    yield from torsion_grids(case)
+    besides = _gears(mapping["gears"])
+    if besides.rows:
+        yield besides
+
+
+def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
+    rows = []
+    for element in drawing.elements:
+        data = dict(mapping[element.name])
+        kind = str(data.pop("kind")).replace("_", " ")
+        links = {member: data.pop(member) for member in element.members}
+        rows.append((element.name, word(kind), _said(links), _said(data)))
+    return grid_of("Elements", ["element", "kind", "links", "teeth and the rest"], rows)
+
+
+def _mechanisms(case: Transmission) -> Grid:
+    """Three-link mechanisms, with the links of planets where elements became these."""
+    rows: list[Values] = [
+        (
+            one.name,
+            *map(case.link_name, (one.first, one.second)),
+            case.link_name(one.third) if one.third else NOTHING,
+            *(_number_or_law(value) for value in (one.ratio, one.efficiency)),
+            *(_number_or_law(value) for value in (one.back_efficiency, one.planet_ratio)),
+            *_elastic(one),
+        )
+        for one in case.mechanisms
+    ]
+    headings = ("mechanism", "first", "second", "third", "ratio", "efficiency")
+    more = ("efficiency backward", "planet ratio", *ELASTIC)
+    drawing = drawing_of(case)
+    is_drawn = drawing is not None and bool(drawing.elements)
+    title = "Mechanisms, as they are calculated" if is_drawn else "Mechanisms"
+    return grid_of(title, (*headings, *more), rows, optional=more)
+
+
+def _number_or_law(value: float | None) -> Any:
+    """A number, with its unit if it was given with one, or a law in words."""
+    if isinstance(value, OfLoad):
+        return f"{value.given:g} N*m"
+    if isinstance(value, Law):
+        return value.text or tr(
+            "{count} point over {what}|{count} points over {what}",
+            count=len(value.points),
+            what=tr(value.over),
+        )
+    return exact(value, 4)
+
+
+def _shift_elements(case: Transmission) -> Grid:
+    """Those of shift elements; how they slip, where any of them tells it."""
+    elements = case.shift_elements
+    drags, slips = any(one.drag for one in elements), any(one.static != 1 for one in elements)
+    rows = [
+        (
+            one.name,
+            kind_of(one),
+            *map(case.link_name, (one.first, one.second)),
+            _number_or_law(one.drag) if drags else "",
+            one.capacity,
+            exact(one.static) if slips else "",
+            _said({key: value for key, value in one.friction._asdict().items() if value})
+            if one.friction
+            else "",
+            *_elastic(one),
+        )
+        for one in elements
+    ]
+    headings = ("shift element", "kind", "first", "second")
+    more = (
+        *("drag, by the input torque", "capacity, by the input torque"),
+        *("static by kinetic torque", "friction pack, SI"),
+        *ELASTIC,
+    )
+    return grid_of("Shift elements", (*headings, *more), rows, optional=more)
+
+
+def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
+    """What gears give besides the elements that they engage, which the table of gears has."""
+    rows = (
+        (name, _said({key: one for key, one in gear.items() if key != "engaged"}))
+        for name, gear in gears.items()
+    )
+    return grid_of("What gears give besides", ["gear", "given"], (row for row in rows if row[1]))
+
+
+def _said(value: Any) -> str:
+    """Plain data in words.
+
+    >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
+    'teeth: sun 48, ring 96; planets: 3'
+    >>> _said({"rings": [{"link": "out", "teeth": 72}], "open_drag": {"C_2": 0.02 / 3}})
+    'rings: (link out, teeth 72); open drag: C_2 0.00666667'
+    """
+    if isinstance(value, Mapping):
+        pairs = ((_key(key), _inner(one, keyed=key in KEYED)) for key, one in value.items())
+        return "; ".join(f"{key}: {inner}" for key, inner in pairs)
+    return _inner(value)
+
+
+def _key(key: str) -> str:
+    """A key of a case as words."""
+    return tr(str(key).replace("_", " "))
+
+
+KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
+"""What has keys within; those of others are names."""
+
+
+def _inner(value: Any, *, keyed: bool = False) -> str:
+    """Data within data; what is deeper still stands in brackets."""
+    if isinstance(value, bool):
+        return tr("yes" if value else "no")
+    if isinstance(value, Mapping):
+        return ", ".join(
+            f"{_key(key) if keyed and spoken() != 'en' else key} {_single(one)}"
+            for key, one in value.items()
+        )
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return ", ".join(_single(one, keyed=keyed) for one in value)
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _single(value: Any, *, keyed: bool = False) -> str:
+    is_word = isinstance(value, str) or not isinstance(value, Mapping | Sequence)
+    return _inner(value) if is_word else f"({_inner(value, keyed=keyed)})"
+
+
+DAMPED = ("damping, N*m*s/rad", "loss factor")
+ELASTIC = ("stiffness, N*m/rad", *DAMPED)
+"""Columns of devices that are not rigid."""
+
+
+def torsion_grids(case: Transmission) -> Iterator[Grid]:
+    """The inertias of links, and the springs, if there are any.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Spring, Transmission
+    >>> case = Transmission(
+    ...     3, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], inertias={1: 0.15},
+    ...     springs=[Spring({2: 1, 3: -1}, stiffness=9e4), Spring({1: 2, 3: -4}, compliance=84e-5)],
+    ... )
+    >>> inertias, springs = torsion_grids(case)
+    >>> inertias.texts, springs.texts[1]
+    ([['1', '0.15']], ['S2', '2 1 - 4 3', '1190.48', '0.00084'])
+    """
+    if case.inertias:
+        of_links = ((case.link_name(link), _number(one)) for link, one in case.inertias.items())
+        yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
+    if case.masses:
+        of_links = ((case.link_name(link), _number(one)) for link, one in case.masses.items())
+        yield grid_of("Masses", ["link", "mass, kg"], of_links)
+    if case.springs:
+        rows: list[Values] = [
+            (
+                one.name,
+                twist_text(case, one),
+                *_stiffness(one),
+                *_damped(one),
+                _limit(one),
+                _number(one.friction or None),
+            )
+            for one in case.springs
+        ]
+        headings = ("spring", "twist", "stiffness, N*m/rad", "compliance, rad/(N*m)")
+        more = (*DAMPED, "limit, N*m", "friction, N*m")
+        made = grid_of("Springs", (*headings, *more), rows, optional=more)
+        yield from in_both_units(case, [made])
+
+
+def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
+    """Stiffness and damping of a device; nothing of one that is rigid."""
+    return [_number(part.stiffness), *_damped(part)]
+
+
+def _stiffness(spring: Spring) -> list[Cell]:
+    """Stiffness and compliance; of points how many there are."""
+    if spring.strut:
+        return [_number(spring.rate), word("strut")]
+    if spring.points:
+        return [Cell(tr("{count} points", count=len(spring.points)), None), _number(None)]
+    if spring.is_damper:
+        return [_number(None), _number(None)]
+    return [_number(spring.rate), _number(1 / spring.rate)]
+
+
+def _limit(spring: Spring) -> Cell:
+    """The limit; of one that follows another spring its base, and how."""
+    limit = spring.limit
+    if isinstance(limit, SpringLimit):
+        return Cell(
+            tr("{base:.6g} + {times:.6g} of {of}", base=limit.base, times=limit.times, of=limit.of)
+        )
+    return _number(limit)
+
+
+def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
+    """Viscous damping and loss factor."""
+    given = damping(part.damping)
+    return [_number(given.viscous or None), _number(given.loss_factor or None)]
+
+
+def _number(value: float | None) -> Cell:
+    """A number of any size."""
+    return Cell(NOTHING if value is None else f"{value:.6g}", value, kind=float)

@@ -1,0 +1,169 @@
+"""Marks on tables of a page, for its tools: whose links a row is of, what a number is in.
+
+``data-links`` at the head of a row has indices of links, ``data-unit`` at a number the unit that
+it is in, ``data-scaled`` that which it would have with a load. Results, which have
+``data-result``, have no such mark: `toolbar` tells of them once for all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.statics.result_arrays import OUTPUT
+from vstatics.core.summary.grids import WITH_LOAD
+from vstatics.core.tables.grid import Cell, Column, Grid
+from vstatics.core.tables.quantities import UNITS
+
+RELATIVE = "\N{MULTIPLICATION SIGN} input"
+"""In place of a unit, of what is relative to the input."""
+LOSS_SHARE = "loss_share"
+POWERS = {
+    "ideal": "power",
+    "with losses": "lossy_power",
+    "kW": "lossy_power_kW",
+    "loss": "power_loss",
+    "loss, kW": "power_loss_kW",
+    "share, %": LOSS_SHARE,
+}
+"""Columns of the table of powers of a gear, and what their numbers are."""
+PartLinks = Callable[[str], Sequence[int]]
+"""Gives the indices of the links that a part of some name is of."""
+_RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
+_RELATIVE |= {"power": "kW", "capacity": "Nm"}
+"""What heads columns of relative numbers, and the unit that these have with a load."""
+_IN_UNITS = ("planets", "shift elements", "margins", "needed capacity", "slip power", "ports")
+"""Tables that have such columns, and columns in units."""
+
+
+def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
+    """A table with what the tools of its page have to know.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> from vstatics.core.tables.grids import of_results
+    >>> pair = Mechanism(1, 2, 0, -4.0, name="pair")
+    >>> case = Transmission(2, [], [pair], [Gear()], link_names=["in", "out"])
+    >>> by_key = {one.key: with_tool_marks(one, case) for one in of_results(solve(case))}
+    >>> [row[0].marks.get("links") for row in by_key["W"].cells], by_key["AMLG"].cells[0][0].marks
+    (['0', '1'], {'links': '0 1'})
+    """
+    return _with_units(_with_links(grid, case))
+
+
+def marked_links(grid: Grid, case: Transmission) -> Grid:
+    """The table of powers of a gear: the head of a kind of parts is of the links of them all."""
+    find = _named(case)["power through"]
+    kinds = {"links": _links(case)}
+    rows, found, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
+    head = owner = 0
+    for place, (level, [first, *_]) in enumerate(zip(grid.levels, rows, strict=True)):
+        if level == 1:
+            head, kind = place, kinds.get(first.text, find)
+        elif level == 2:
+            owner, found[place] = place, {*kind(first.text)}
+        else:
+            member = _links(case)(first.text.rpartition(": ")[2])
+            found[place] = {*(member or found[owner])}
+        found[head] |= found[place]
+    for row, own in zip(rows, found, strict=True):
+        row[0] = _of_links(row[0], sorted(own))
+    return grid._replace(rows=rows)
+
+
+def _with_links(grid: Grid, case: Transmission) -> Grid:
+    headings = [one.heading for one in grid.columns]
+    column = 1 if headings[:2] == ["gear", "port"] else 0
+    find = _named(case).get(headings[column]) if headings else None
+    if find is None:
+        return grid
+    rows = [[_of_links(row[0], find(row[column].text)), *row[1:]] for row in grid.cells]
+    return grid._replace(rows=rows)
+
+
+def _of_links(cell: Cell, links: Sequence[int]) -> Cell:
+    if not links:
+        return cell
+    return cell._replace(marks={**cell.marks, "links": " ".join(map(str, links))})
+
+
+def _named(case: Transmission) -> dict[str, PartLinks]:
+    """By the heading of names: what links they are of."""
+    elements = {one.name: _indices(one.links) for one in case.shift_elements}
+    devices, members, planets = (dict[str, list[int]]() for _ in range(3))
+    for one in case.mechanisms:
+        devices[one.name] = _indices(one.links)
+    for own in case.own_devices:
+        devices[own.name] = _indices(member.link for member in own.members)
+        planets |= {planet.name: devices[own.name] for planet in own.planets}
+        for member in own.members:
+            members[f"{own.name}.{member.name}"] = _indices([member.link])
+    springs = {one.name: _indices(one.form) for one in case.springs}
+    output = {OUTPUT: [case.main_output - 1]}
+    parts = {**springs, **devices, **elements}
+    links = _links(case)
+    by_name = {
+        "planet": {**devices, **planets},
+        "mechanism": devices,
+        "mesh": devices,
+        "element": parts,
+        "shift element": elements,
+        "spring": springs,
+        "torque of": {**parts, **members, **output},
+        "power through": parts,
+    }
+    return {"link": links, "port": links} | {
+        heading: partial(_found, names) for heading, names in by_name.items()
+    }
+
+
+def _found(names: Mapping[str, Sequence[int]], name: str) -> Sequence[int]:
+    return names.get(name, ())
+
+
+def _links(case: Transmission) -> PartLinks:
+    return partial(_found, {name: [index] for index, name in enumerate(case.link_names)})
+
+
+def _indices(links: Iterable[int]) -> list[int]:
+    """Of the links of a part, each once; the housing is none."""
+    return sorted({link - 1 for link in links if link})
+
+
+def _with_units(grid: Grid) -> Grid:
+    if grid.key.removesuffix(WITH_LOAD) not in _IN_UNITS:
+        return grid
+    units = [_unit(one) for one in grid.columns]
+    repeats = {"repeats": ""} if grid.key.endswith(WITH_LOAD) else {}
+    rows = []
+    for row in grid.cells:
+        gears = [*_gears(grid.columns, row)]
+        rows.append(
+            [
+                cell._replace(marks={**cell.marks, **unit, **gear, **repeats})
+                if unit and cell.kind is float
+                else cell
+                for cell, unit, gear in zip(row, units, gears, strict=True)
+            ]
+        )
+    return grid._replace(rows=rows)
+
+
+def _unit(column: Column) -> dict[str, str]:
+    for unit, words in UNITS.items():
+        if column.heading.endswith(f", {words.text}"):
+            return {"unit": unit}
+    scaled = _RELATIVE.get(column.heading)
+    return {"scaled": scaled} if scaled else {}
+
+
+def _gears(columns: Sequence[Column], row: Sequence[Cell]) -> Iterator[dict[str, str]]:
+    """Of each cell the gear: the one that stands next, else that of the row."""
+    first = row[0].text if columns[0].heading == "gear" else ""
+    for place, _ in enumerate(columns):
+        after = place + 1
+        named = after < len(columns) and columns[after].heading == "gear"
+        gear = row[after].text if named else first
+        yield {"gear": gear} if gear else {}

@@ -1,0 +1,74 @@
+"""What a browser gets: a head that lets it do little with it, and a body."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from http import HTTPStatus
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from vstatics.core.texts import spoken
+from vstatics.page.serve.page import policy_in
+from vstatics.page.serve.requests import RefusedError
+
+_ALWAYS = {
+    "Cache-Control": "no-store",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Connection": "close",
+}
+HTML, JSON, TEXT, EVENTS = (
+    f"{kind}; charset=utf-8"
+    for kind in ("text/html", "application/json", "text/plain", "text/event-stream")
+)
+
+
+class HttpAnswer(NamedTuple):
+    """A status, fields and a body."""
+
+    status: int
+    kind: str
+    body: bytes
+    fields: Mapping[str, str] = MappingProxyType({})
+
+    @property
+    def data(self) -> bytes:
+        """All of it, as it is sent."""
+        fields = {**self.fields, "Content-Length": f"{len(self.body)}"}
+        return head(self.status, self.kind, fields) + self.body
+
+
+def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
+    """The head of an answer."""
+    lines = [f"HTTP/1.1 {status} {HTTPStatus(status).phrase}", f"Content-Type: {kind}"]
+    policy = {"Content-Security-Policy": policy_in(spoken())}
+    lines += [f"{name}: {value}" for name, value in {**_ALWAYS, **policy, **fields}.items()]
+    return ("\r\n".join(lines) + "\r\n\r\n").encode("latin-1")
+
+
+def html(text: str) -> HttpAnswer:
+    """A page, or a part of one."""
+    return HttpAnswer(200, HTML, text.encode(errors="backslashreplace"))
+
+
+def as_json(told: dict[str, Any], status: int = 200) -> HttpAnswer:
+    """What is told to the script of the page."""
+    text = json.dumps(told, ensure_ascii=False, allow_nan=False)
+    return HttpAnswer(status, JSON, text.encode(errors="backslashreplace"))
+
+
+def refusal(error: RefusedError) -> HttpAnswer:
+    """Why a request is not answered."""
+    return HttpAnswer(error.status, TEXT, f"{error.why}\n".encode(), error.fields)
+
+
+def event(told: dict[str, Any]) -> bytes:
+    r"""An event for a page that listens.
+
+    >>> event({"number": 3})
+    b'data: {"number": 3}\n\n'
+    """
+    return f"data: {json.dumps(told)}\n\n".encode()

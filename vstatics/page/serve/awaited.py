@@ -1,0 +1,142 @@
+"""What stands in place of pictures and slow sections until somebody looks at them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from vstatics.core.errors import CaseError
+from vstatics.core.extras import missing
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.html import Markup, joined, tag
+from vstatics.core.texts import tr
+from vstatics.page.report.asked import SECTIONS, AskedPage
+from vstatics.page.report.material import Material
+from vstatics.page.report.page_pictures import (
+    PAGE,
+    Drawn,
+    Pictures,
+    of_all_gears,
+    of_each,
+    picture_of,
+)
+from vstatics.page.report.sections import Part, sections
+from vstatics.simulation.report.motion import NOTHING, RunSection, bare_stick, moving_of, shown_run
+from vstatics.torsion.report.vibration import shown_vibration, vibrates, vibration
+
+if TYPE_CHECKING:
+    from vstatics.simulation.record.motion import Motion
+
+OF_GEARS = ("stick", "flow", "lever", "modes")
+"""Pictures of which each gear has one."""
+OF_RUN = ("shift", "plan", "stick")
+SOON, LATER = ("run", "vibration"), ("equations",)
+"""Sections that are made behind the others: those with numbers at once, others when looked at."""
+QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
+
+
+def awaited(name: str, *, soon: bool = False) -> Markup:
+    """What is asked for by its name when it comes into sight, or at once.
+
+    >>> print(awaited("flow:2"))
+    <div class="awaited" data-awaited="flow:2"></div>
+    """
+    return tag("div", class_="awaited", data_awaited=name, data_soon=soon)
+
+
+def awaited_pictures(results: Results) -> Pictures:
+    """Those of a case, none of them drawn."""
+    gears = range(1, len(results.case.gears) + 1)
+    return Pictures(
+        {kind: [_drawn(f"{kind}:{gear}") for gear in gears] for kind in ("stick", "flow", "lever")},
+        {kind: _drawn(kind) for kind in of_all_gears(results.case)},
+    )
+
+
+def _drawn(name: str, *, soon: bool = False) -> Drawn:
+    return Drawn(name.partition(":")[0], [awaited(name, soon=soon)])
+
+
+def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
+    """The sections in their order, those in place that are not made yet."""
+    made = {part.name: part for part in sections(material)}
+    there = {"run": runs, "vibration": vibrates(material.results.case), "equations": True}
+    for key, name in SECTIONS.items():
+        if name in made:
+            yield made[name]
+        elif there.get(key):
+            yield Part(name, [awaited(key, soon=key in SOON)])
+
+
+def awaited_part(name: str, material: Material, run: Callable[[], Motion | None]) -> Markup | None:
+    """What was awaited, by its name; None if nothing has that name.
+
+    Parameters
+    ----------
+    name : str
+    material : Material
+    run : callable
+        Gives the run of a scenario, or raises a `CaseError`; None of a case.
+    """
+    try:
+        return _section(name, material, run) or _picture(name, material.results, run)
+    except CaseError as error:
+        return tag("p", tr("Not made: {why}", why=" ".join(str(error).split())), class_="error")
+
+
+def _section(name: str, material: Material, run: Callable[[], Motion | None]) -> Markup | None:
+    """A section, pictures in it still awaited."""
+    shown: Iterable[Markup] = ()
+    if name == "run" and (motion := run()):
+        course, plan, stick = (
+            _drawn(f"run-picture:{kind}", soon=kind == "shift") for kind in OF_RUN
+        )
+        moves = NOTHING
+        if not missing("plot", "a run that moves"):
+            moves = moving_of(material.results, motion, stick)
+        section = RunSection(motion, course, plan, moves)
+        shown = shown_run(section, material.digits, in_full=True, has_marks=True)
+    elif name == "vibration":
+        shown = _vibration(material)
+    elif name == "equations":
+        parts = sections(material._replace(asked=AskedPage([name])))
+        shown = (one for part in parts for one in part.shown)
+    return joined(*shown) or None
+
+
+def _picture(name: str, results: Results, run: Callable[[], Motion | None]) -> Markup | None:
+    """A picture, or why it is not drawn."""
+    kind, _, of = name.partition(":")
+    drawn = None
+    if kind == "run-picture" and of in OF_RUN and (motion := run()):
+        make = bare_stick if of == "stick" else partial(picture_of, kind=of)
+        drawn = make(results, motion=motion)
+    elif name in (*of_all_gears(results.case), "campbell"):
+        drawn = picture_of(results, name)
+    elif kind in OF_GEARS and of in map(str, range(1, len(results.case.gears) + 1)):
+        drawn = _of_gear(results, kind, int(of))
+    if drawn is None:
+        return None
+    return tag("p", tr("Not drawn. {why}", why=drawn.why)) if drawn.why else joined(*drawn.sheets)
+
+
+def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
+    """A picture of a gear; where there is no stick diagram its structure."""
+    if kind == "modes":
+        return picture_of(results, kind, [gear])
+    [made] = of_each(results, kind, [gear], PAGE)
+    if kind == "stick" and not made.sheets:
+        [made] = of_each(results, "structure", [gear], PAGE)
+    return made
+
+
+def _vibration(material: Material) -> Iterator[Markup]:
+    found = vibration(material.results, material.asked, has_pictures=False)
+    if found is None:
+        return
+    gears = range(1, len(found.gears) + 1)
+    if any(gear.modes for gear in found.gears):
+        shapes = [_drawn(f"modes:{gear}") for gear in gears]
+        found = found._replace(shapes=shapes, campbell=_drawn("campbell"))
+    yield from shown_vibration(found, material.digits)

@@ -1,0 +1,239 @@
+"""The server: one page, its sections and pictures, events for those who look at it, saving."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import copy_context
+from functools import partial
+from typing import Any, TypeVar
+
+from vstatics.page.serve import answers
+from vstatics.page.serve.answers import HttpAnswer, as_json, html, refusal
+from vstatics.page.serve.connections import Connections, linger, send
+from vstatics.page.serve.requests import (
+    HOST,
+    MOST_HEAD,
+    RefusedError,
+    Request,
+    read_changes,
+    read_request,
+)
+from vstatics.page.serve.states import ChangedMeanwhileError, RefusedChangeError, ShownStates
+from vstatics.page.serve.studio import StudioProcess
+
+LOOK_SECONDS = 0.02
+"""Between two looks at the files."""
+BEAT_SECONDS = 10.0
+"""So often a page that listens hears something."""
+END_TRIES, END_SECONDS = 20, 0.1
+"""So often, and so long each time, the end waits for the process of the studio."""
+
+T = TypeVar("T")
+
+
+class PageServer:
+    """Serves the page of one case.
+
+    Parameters
+    ----------
+    make : callable
+        Gives the states of the case.
+    studio : StudioProcess
+        Makes what is awaited.
+    token : str
+        Without which nothing is answered.
+    """
+
+    def __init__(self, make: Callable[[], ShownStates], studio: StudioProcess, token: str) -> None:
+        """Calculate nothing yet."""
+        self._make = make
+        self._studio = studio
+        self._token = token
+        self._port = 0
+        self._states: ShownStates
+        self._connections = Connections()
+        self._news = asyncio.Event()
+        self._numbers = ThreadPoolExecutor(1, "numbers")
+        """What changes states runs here, one after the other."""
+        self._pictures = ThreadPoolExecutor(1, "pictures")
+
+    async def serve(self, port: int, ready: Callable[[str], None], stop: asyncio.Event) -> None:
+        """Serve until it is to stop.
+
+        Parameters
+        ----------
+        port : int
+            0 takes one that is free.
+        ready : callable
+            Is told the address when it can be opened.
+        stop : Event
+
+        Raises
+        ------
+        OSError
+            If the port is taken.
+        """
+        server = await asyncio.start_server(
+            self._connected, HOST, port, limit=MOST_HEAD, backlog=1024
+        )
+        self._port = server.sockets[0].getsockname()[1]
+        watching = None
+        try:
+            self._states = await self._in(self._numbers, self._make)
+            watching = asyncio.create_task(self._watch())
+            self._pictures.submit(self._studio.part, self._states.shown.calculated.texts, "")
+            ready(f"http://{HOST}:{self._port}/{self._token}/")
+            await stop.wait()
+        finally:
+            server.close()
+            if watching:
+                watching.cancel()
+            await self._connections.end_all()
+            await self._end_pictures()
+            for pool in (self._numbers, self._pictures):
+                pool.shutdown(wait=False)
+
+    async def _end_pictures(self) -> None:
+        """End what is being made, but not a process in the middle of its start."""
+        closed = self._in(self._pictures, self._studio.close)
+        for _ in range(END_TRIES):
+            self._studio.stop()
+            if (await asyncio.wait([closed], timeout=END_SECONDS))[0]:
+                return
+
+    def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
+        context = copy_context()  # it has the language
+        return asyncio.get_running_loop().run_in_executor(pool, context.run, work)
+
+    async def _watch(self) -> None:
+        """Look whether a file has changed, and tell it."""
+        while True:
+            await asyncio.sleep(LOOK_SECONDS)
+            if self._states.is_old() and await self._in(self._numbers, self._look_again):
+                self._tell()
+                self._in(self._numbers, self._file_state)  # what all who are told ask for
+
+    def _look_again(self) -> bool:
+        return self._states.look_again()
+
+    def _tell(self) -> None:
+        """Wake those who listen."""
+        self._news.set()
+        self._news = asyncio.Event()
+
+    async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """One connection from its begin to its end."""
+        writer.transport.set_write_buffer_limits(0)
+        try:
+            with self._connections.joined() as has_room:
+                if has_room:
+                    await self._one(reader, writer)
+        except (OSError, EOFError, TimeoutError, asyncio.CancelledError):
+            pass  # whoever asked is gone, or too slow
+        except Exception as error:  # noqa: BLE001 - the others are to go on
+            writer.write(refusal(RefusedError(500, f"an error of vstatics: {error!r}")).data)
+        finally:
+            writer.transport.abort() if writer.transport.get_write_buffer_size() else writer.close()
+
+    async def _one(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        try:
+            request = await read_request(reader, self._port, self._token)
+            if request.route == "events":
+                await self._listened(reader, writer)
+                return
+            answer = await self._answer(request, reader)
+        except RefusedError as error:
+            await send(writer, refusal(error).data)
+            await linger(reader, writer)
+            return
+        self._connections.now("slow")
+        await send(writer, answer.data)
+
+    async def _answer(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
+        """What was asked for.
+
+        Raises
+        ------
+        RefusedError
+        """
+        changes = await read_changes(request, reader) if request.method == "POST" else {}
+        self._connections.now("busy")
+        match request.route:
+            case "":
+                return html(await self._in(self._numbers, self._states.page))
+            case "shown":
+                return await self._in(self._numbers, self._file_state)
+            case "part":
+                return await self._awaited(request, reader)
+            case "try":
+                return await self._in(self._numbers, partial(self._tried, changes))
+        digest = "".join(request.all_of("if-match")).strip('"')
+        answer = await self._in(self._numbers, partial(self._saved, changes, digest))
+        self._tell()
+        return answer
+
+    def _file_state(self) -> HttpAnswer:
+        return as_json(self._states.answer(self._states.shown))
+
+    def _tried(self, changes: dict[str, float]) -> HttpAnswer:
+        try:
+            return as_json(self._states.answer(self._states.tried(changes)))
+        except RefusedChangeError as error:
+            raise RefusedError(422, str(error)) from None
+
+    def _saved(self, changes: dict[str, float], digest: str) -> HttpAnswer:
+        try:
+            return as_json(self._states.answer(self._states.saved(changes, digest)))
+        except ChangedMeanwhileError:
+            raise RefusedError(412, "the file has changed meanwhile") from None
+        except RefusedChangeError as error:
+            raise RefusedError(422, str(error)) from None
+
+    async def _awaited(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
+        """A picture or a section of a state, unless whoever asked does not wait for it."""
+        number, name = request.query.get("number", ""), request.query.get("name", "")
+        shown = self._states.kept(number)
+        if shown is None or shown.material is None:
+            raise RefusedError(404, "this state is not kept")
+        work = partial(self._studio.part, shown.calculated.texts, name)
+        made = self._in(self._pictures, work)
+        gone = asyncio.ensure_future(reader.read(1))
+        both: list[asyncio.Future[Any]] = [made, gone]
+        await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
+        gone.cancel()
+        if not made.done():
+            made.cancel()
+            raise ConnectionResetError
+        text = made.result()
+        if text is None:
+            raise RefusedError(404, "there is no such part")
+        return html(text)
+
+    async def _listened(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """Tell the state of the files now, and whenever it changes."""
+        self._connections.now("listening")
+        await send(writer, answers.head(200, answers.EVENTS, {}) + b"retry: 500\n\n")
+        listening = asyncio.ensure_future(self._told(writer))
+        gone = asyncio.ensure_future(reader.read(1))
+        try:
+            await asyncio.wait([listening, gone], return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            listening.cancel()
+            gone.cancel()
+            await asyncio.gather(listening, gone, return_exceptions=True)
+
+    async def _told(self, writer: asyncio.StreamWriter) -> None:
+        """Tell states until nobody listens."""
+        told = 0
+        while True:
+            news, shown = self._news, self._states.shown
+            if shown.number != told:
+                told = shown.number
+                await send(writer, answers.event(self._states.told_of(shown)))
+            try:
+                async with asyncio.timeout(BEAT_SECONDS):  # `wait_for` may lose a cancellation
+                    await news.wait()
+            except TimeoutError:
+                await send(writer, b": here\n\n")

@@ -1,0 +1,125 @@
+"""Pictures of several cases on one sheet, each a panel with its letter.
+
+Figures are not drawn again: what is in them moves to one figure.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from matplotlib.artist import Artist
+from matplotlib.figure import Figure
+from matplotlib.transforms import Affine2D, Transform, TransformedBbox
+
+from vstatics.pictures.drawing.labels import (
+    LINE_HEIGHT,
+    POINTS_PER_INCH,
+    Point,
+    height,
+    title_width,
+    wrapped,
+)
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import Pen, blank
+from vstatics.pictures.drawing.style import MARGIN, TITLE, Style
+from vstatics.pictures.drawing.svg import MarkGroup, told
+
+LETTER_HEIGHT = LINE_HEIGHT * TITLE + MARGIN
+"""Of the line with the letter and the name of a case, and room over it. [pt]"""
+
+
+class LetteredFigure(NamedTuple):
+    """A page of the picture of a case."""
+
+    letter: str
+    name: str
+    figure: Figure
+
+    @property
+    def own(self) -> Point:
+        """Its size alone [pt]."""
+        wide, high = self.figure.get_size_inches().tolist()
+        return wide * POINTS_PER_INCH, high * POINTS_PER_INCH
+
+    @property
+    def head(self) -> str:
+        """The letter and the name of the case, in lines as wide as the picture."""
+        letter = f"{self.letter}  "
+        return letter + wrapped(
+            self.name, self.own[0] - 2 * MARGIN - title_width(letter), title_width
+        )
+
+    @property
+    def over(self) -> float:
+        """Height of this, with room over it [pt]."""
+        return height(self.head, TITLE) + MARGIN
+
+    @property
+    def size(self) -> Point:
+        """With the line over it [pt]."""
+        wide, high = self.own
+        return wide, high + self.over
+
+
+def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = False) -> Figure:
+    """Pictures over one another, or beside each other, on one page.
+
+    Examples
+    --------
+    >>> from vstatics.pictures.drawing.files import settings_of
+    >>> with settings_of(Style()):
+    ...     pens = [blank(100.0, 50.0, Style()) for _ in "AB"]
+    ...     parts = [LetteredFigure(*names, pen.figure) for *names, pen in zip("AB", "xy", pens)]
+    ...     made = joined(parts, Style())
+    >>> [text.get_text() for text in made.texts], made.get_size_inches().round(2).tolist()
+    (['A  x', 'B  y'], [1.39, 2.07])
+    """
+    sizes = [part.own for part in parts]
+    overs = [part.over for part in parts]
+    if beside:  # their scales are level
+        overs = [max(overs)] * len(parts)
+    highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
+    wide = sum(size[0] for size in sizes) if beside else max(size[0] for size in sizes)
+    pen = blank(wide, max(highs) if beside else sum(highs), style)
+    left, top = 0.0, max(highs) if beside else sum(highs)
+    for part, size, high in zip(parts, sizes, highs, strict=True):
+        panel = pen.within("panel", case=part.letter)
+        at = left + MARGIN, top - MARGIN
+        look: Look = {"va": "top", "linespacing": LINE_HEIGHT, "color": style.soft}
+        panel.text(*at, part.head, size=TITLE, bold=True, **look)
+        _move(part.figure, panel, (left, top - high))
+        left, top = (left + size[0], top) if beside else (left, top - high)
+    return pen.figure
+
+
+def _move(figure: Figure, pen: Pen, corner: Point) -> None:
+    """Put all artists of a figure into that of a pen, with its lower left corner at a place."""
+    x, y = corner
+    inches = Affine2D().translate(x / POINTS_PER_INCH, y / POINTS_PER_INCH)
+    place = figure.dpi_scale_trans.inverted() + inches + pen.figure.dpi_scale_trans
+    for artist in _artists(figure):
+        artist.remove()
+        artist.set_transform(artist.get_transform() + place)
+        _clip(artist, place)
+        artist.set_gid(_grouped(artist.get_gid(), pen.groups))
+        pen.figure.add_artist(artist)
+
+
+def _artists(figure: Figure) -> list[Artist]:
+    """All that was drawn, in its order."""
+    every: Iterable[Artist] = figure.get_children()
+    return [one for one in every if one is not figure.patch]
+
+
+def _clip(artist: Artist, place: Transform) -> None:
+    box: Any = artist.get_clip_box()
+    if box is not None:
+        artist.set_clip_box(TransformedBbox(box, place))
+
+
+def _grouped(said: str | None, groups: Sequence[MarkGroup]) -> str:
+    """What an artist says, within further groups around its own."""
+    mark = json.loads(said) if said and said.startswith("{") else json.loads(told())
+    return json.dumps({**mark, "groups": [*groups, *mark["groups"]]}, ensure_ascii=False)

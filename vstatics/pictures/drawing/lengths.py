@@ -1,0 +1,57 @@
+"""Lengths on paper, as they are typed."""
+
+from __future__ import annotations
+
+import re
+
+from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
+
+_POINTS = {
+    "mm": POINTS_PER_MILLIMETRE,
+    "cm": 10 * POINTS_PER_MILLIMETRE,
+    "in": 72.0,
+    "pt": 1.0,
+}
+"""Of units of lengths."""
+LEAST_WIDTH, MOST_WIDTH = 80.0, 1200.0
+"""Of a page: a column of a journal, an A0 sheet. [mm]"""
+DECIMALS = 6
+"""Of a length that is compared: one in another unit is rounded. [mm]"""
+_LENGTH = re.compile(r"(\d{1,9}(?:\.\d*)?|\.\d+) *([a-z]+)")
+
+
+def page_width(text: str) -> float:
+    """The width of a page [pt].
+
+    Raises
+    ------
+    ValueError
+        If it is no length with a unit, or none of a page.
+
+    Examples
+    --------
+    >>> [round(page_width(text), 6) for text in ("254mm", "25.4 cm", "6.5in", "500pt")]
+    [720.0, 720.0, 468.0, 500.0]
+    """
+    found = _LENGTH.fullmatch(text.strip())
+    if found is None or found[2] not in _POINTS:
+        raise ValueError(f"expected a length in {', '.join(_POINTS)}, such as 170mm")
+    return checked_width(float(found[1]) * _POINTS[found[2]] / POINTS_PER_MILLIMETRE)
+
+
+def checked_width(millimetres: float) -> float:
+    """The width of a page in points, from that in mm.
+
+    Raises
+    ------
+    ValueError
+        If it is none of a page.
+
+    Examples
+    --------
+    >>> round(checked_width(254.0), 6)
+    720.0
+    """
+    if not LEAST_WIDTH <= round(millimetres, DECIMALS) <= MOST_WIDTH:
+        raise ValueError(f"expected a width of {LEAST_WIDTH:g}mm to {MOST_WIDTH:g}mm")
+    return millimetres * POINTS_PER_MILLIMETRE

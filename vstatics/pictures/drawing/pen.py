@@ -1,0 +1,314 @@
+"""What draws: lines, areas, texts and scales in a rectangle of a figure; all places in points.
+
+There are no axes of matplotlib, which take most of the time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
+from matplotlib.transforms import Affine2D, Bbox, Transform, TransformedBbox
+
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.numbers import typeset
+from vstatics.pictures.drawing.labels import LINE_HEIGHT, POINTS_PER_INCH, Point
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TICK_LENGTH, Style
+from vstatics.pictures.drawing.svg import MarkGroup, halo, told, told_of_whole
+from vstatics.pictures.drawing.tolerances import SAME_TICK
+
+LINE_WIDTH = 1.3
+"""Where nothing else is told. [pt]"""
+MOST_DECIMALS = 8
+"""Of the numbers of a scale."""
+GAP = (math.nan, math.nan)
+"""The place between two pieces of a line."""
+Side = Literal["left", "right", "bottom", "top"]
+_UPRIGHT: Look = {"rotation": 90, "ha": "center", "va": "center", "linespacing": LINE_HEIGHT}
+
+
+class AxisScale(NamedTuple):
+    """What the length of an edge stands for.
+
+    >>> AxisScale(0.0, 4.0).part(1.0), AxisScale(1.0, 100.0, is_log=True).part(10.0)
+    (0.25, 0.5)
+    """
+
+    low: float
+    high: float
+    is_log: bool = False
+
+    def part(self, value: float) -> float:
+        """The part of the edge from its low end to a value."""
+        if self.is_log:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+WHOLE = AxisScale(0.0, 1.0)
+"""Places are parts of an edge."""
+
+
+class Pen(NamedTuple):
+    """Draws in a rectangle of a figure; places are from its lower left corner, as all lengths."""
+
+    figure: Figure
+    style: Style
+    points: Transform
+    """From points of the figure."""
+    corner: Point = (0.0, 0.0)
+    """The lower left one."""
+    size: Point = (0.0, 0.0)
+    x: AxisScale = WHOLE
+    y: AxisScale = WHOLE
+    part: float = 1.0
+    """Lengths in the figure over what they are here."""
+    letters: float = 1.0
+    """Size of letters over what they would have."""
+    groups: tuple[MarkGroup, ...] = ()
+    """In which what it draws is in SVG."""
+
+    def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
+        """The same in a rectangle with scales."""
+        return self._replace(corner=corner, size=size, x=x, y=y)
+
+    def within(self, kind: str, **data: str) -> Pen:
+        """The same, what it draws in a group of a class in SVG: ``within("link", name="sun")``.
+
+        An underscore in a name is a hyphen: ``largest_force`` is ``data-largest-force``.
+        """
+        return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(_hyphened(data).items()))))
+
+    def tell(self, **data: str) -> None:
+        """Attributes of the whole picture in SVG: ``tell(left_out="[]")`` is ``data-left-out``."""
+        self.figure.set_gid(told_of_whole(_hyphened(data)))
+
+    def fitted(self, low: Point, high: Point) -> Pen:
+        """The same with places between two corners: in its middle, no larger than they are."""
+        own = high[0] - low[0], high[1] - low[1]
+        part = min(1.0, *(room / length for room, length in zip(self.size, own, strict=True)))
+        left, bottom = (
+            start + (room - part * length) / 2
+            for start, room, length in zip(self.corner, self.size, own, strict=True)
+        )
+        place = Affine2D().translate(-low[0], -low[1]).scale(part).translate(left, bottom)
+        return self._replace(corner=(0.0, 0.0), part=part, points=place + self.points)
+
+    def across(self, x: float) -> float:
+        """The place of an abscissa."""
+        return self.x.part(x) * self.size[0]
+
+    def up(self, y: float) -> float:
+        """The place of an ordinate."""
+        return self.y.part(y) * self.size[1]
+
+    def add(self, artist: Artist, title: str = "", kind: str = "") -> None:
+        """An artist whose places are those of the figure, what it says, and its class in SVG."""
+        artist.set_transform(self.points)
+        self._mark(artist, title, kind)
+        self.figure.add_artist(artist)
+
+    def _mark(self, artist: Artist, title: str, kind: str = "", *, halo: bool = False) -> None:
+        """What an artist says in SVG, and where it is."""
+        if title or kind or halo or self.groups:
+            artist.set_gid(told(title, halo=halo, kind=kind, groups=self.groups))
+
+    def text(  # noqa: PLR0913 - a text has these
+        self,
+        x: float,
+        y: float,
+        text: str,
+        *,
+        size: float = SIZE,
+        bold: bool = False,
+        over: bool = False,
+        title: str = "",
+        **look: Any,
+    ) -> None:
+        """A text at a place; with paper around its letters where it stands `over` lines."""
+        if not text:
+            return
+        look |= halo(self.style) if over else {}
+        made = self.figure.text(
+            self.corner[0] + x,
+            self.corner[1] + y,
+            text,
+            fontsize=size * self.part * self.letters,
+            weight="bold" if bold else "normal",
+            transform=self.points,
+            **look,
+        )
+        self._mark(made, title, halo=over)
+
+    def line(
+        self,
+        *places: Point,
+        width: float = LINE_WIDTH,
+        title: str = "",
+        kind: str = "",
+        data: Mapping[str, str] | None = None,
+        **look: Any,
+    ) -> None:
+        """A line through places; a place of NaN is a gap.
+
+        In SVG it has a class, and with this attributes ``data-...``.
+        """
+        left, low = self.corner
+        xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
+        line = Line2D(xs, ys, linewidth=width * self.part, **look)
+        self.add(line, title, kind)
+        if data:
+            named: dict[str, Any] = {**data}
+            line.set_gid(told(title, kind=kind, groups=self.groups, **named))
+
+    def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
+        """Lines through places, of one look."""
+        places = [place for piece in pieces for place in (*piece, GAP)]
+        if places:
+            self.line(*places, **look)
+
+    def area(
+        self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
+    ) -> None:
+        """A polygon, with an outline if this has a width, and its class in SVG."""
+        left, low = self.corner
+        places = [(left + x, low + y) for x, y in corners]
+        self.add(Polygon(places, linewidth=width * self.part, **look), title, kind)
+
+    def box(self, corner: Point, size: Point, **look: Any) -> None:
+        """A rectangle by its lower left corner."""
+        self.area(*corners(*corner, corner[0] + size[0], corner[1] + size[1]), **look)
+
+    def plot(
+        self,
+        xs: Floats,
+        ys: Floats,
+        *,
+        width: float = LINE_WIDTH,
+        title: str = "",
+        kind: str = "",
+        **look: Any,
+    ) -> None:
+        """A line through points of both scales, which need not be logarithmic; cut at the edge."""
+        places = [
+            start + (values - scale.low) / (scale.high - scale.low) * length
+            for values, scale, start, length in zip(
+                (xs, ys), (self.x, self.y), self.corner, self.size, strict=True
+            )
+        ]
+        line = Line2D(*places, linewidth=width * self.part, **look)
+        self.add(line, title, kind)
+        ends = zip(places, self.corner, self.size, strict=True)
+        if any(np.any((at < start) | (at > start + length)) for at, start, length in ends):
+            own = Bbox.from_bounds(*self.corner, *self.size)
+            line.set_clip_box(TransformedBbox(own, self.points))
+
+    def frame(self, *sides: Side) -> None:
+        """Lines along some edges, or all."""
+        wide, high = self.size
+        ends: dict[Side, tuple[Point, Point]] = {
+            "left": ((0.0, 0.0), (0.0, high)),
+            "right": ((wide, 0.0), (wide, high)),
+            "bottom": ((0.0, 0.0), (wide, 0.0)),
+            "top": ((0.0, high), (wide, high)),
+        }
+        pieces = [ends[side] for side in sides or ends]
+        ink = self.style.ink
+        self.lines(pieces, color=ink, width=FRAME_WIDTH, solid_capstyle="projecting")
+
+    def scale(
+        self,
+        side: Side,
+        at: Sequence[float],
+        texts: Sequence[str] | None = None,
+        *,
+        grid: bool = False,
+    ) -> None:
+        """Marks at an edge with their numbers.
+
+        Parameters
+        ----------
+        at : sequence of float
+            In the unit of the scale.
+        texts : sequence of str, optional
+            Instead of the numbers; none of them for a scale that another panel numbers.
+        grid : bool
+            Lines from here to the edge beyond.
+        """
+        upright = side in ("left", "right")
+        places = [self.up(one) if upright else self.across(one) for one in at]
+        whole = self.size[0] if upright else self.size[1]
+        edge, way = (whole, 1.0) if side in ("right", "top") else (0.0, -1.0)
+        out = edge + way * TICK_LENGTH
+
+        def turned(along: float, off: float) -> Point:
+            return (off, along) if upright else (along, off)
+
+        if grid:
+            pieces = [(turned(one, edge), turned(one, whole - edge)) for one in places]
+            self.lines(pieces, color=self.style.faint, width=0.4, zorder=0.4)
+        pieces = [(turned(one, edge), turned(one, out)) for one in places]
+        self.lines(pieces, color=self.style.ink, width=FRAME_WIDTH)
+        aligned: dict[Side, Look] = {
+            "left": {"ha": "right", "va": "center_baseline"},
+            "right": {"va": "center_baseline"},
+            "bottom": {"ha": "center", "va": "top"},
+            "top": {"ha": "center", "va": "bottom"},
+        }
+        for one, text in zip(places, tick_texts(at) if texts is None else texts, strict=False):
+            self.text(*turned(one, out + 2 * way), text, **aligned[side])
+
+    def name(self, side: Literal["left", "right", "bottom"], text: str, off: float) -> None:
+        """What a scale is of, so far from its edge."""
+        wide, high = self.size
+        if side == "bottom":
+            self.text(wide / 2, -off, text, ha="center", va="center")
+        else:
+            self.text(-off if side == "left" else wide + off, high / 2, text, **_UPRIGHT)
+
+
+def _hyphened(data: Mapping[str, str]) -> dict[str, str]:
+    """Names of attributes of SVG, from those of arguments."""
+    return {key.replace("_", "-"): value for key, value in data.items()}
+
+
+def blank(wide: float, high: float, style: Style) -> Pen:
+    """A figure of a size, without anything in it."""
+    figure = Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))
+    return Pen(figure, style, Affine2D().scale(1 / POINTS_PER_INCH) + figure.dpi_scale_trans)
+
+
+def corners(left: float, low: float, right: float, high: float) -> list[Point]:
+    """Of a rectangle, from the lower left one."""
+    return [(left, low), (right, low), (right, high), (left, high)]
+
+
+def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
+    """The windings of a spring along a level line, by its middle."""
+    turns = [(x + half * (step / 4 - 1), y + high * (1, -1)[step % 2]) for step in range(1, 8)]
+    return [(x - half, y), *turns, (x + half, y)]
+
+
+def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
+    """The numbers of a scale, all with the decimals that one of them, or of others, needs.
+
+    >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
+    (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])
+    """
+    every = [*values, *alike]
+    largest = max(map(abs, every), default=0.0)
+    if largest >= LARGE_NUMBER or 0 < largest < 10.0**-MOST_DECIMALS:
+        return [typeset(f"{one:g}") for one in values]
+    decimals = 0
+    while decimals < MOST_DECIMALS and any(
+        abs(round(one, decimals) - one) > SAME_TICK * largest for one in every
+    ):
+        decimals += 1
+    return [typeset(f"{one:z.{decimals}f}") for one in values]

@@ -1,0 +1,176 @@
+"""`vstatics simulate`: what happens to a case over time, by a scenario."""
+
+from __future__ import annotations
+
+import signal
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files, texts
+from vstatics.core.cli.frame.documents import scenario_with_case
+from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.frame.formats import Destination
+from vstatics.core.cli.frame.one_case import file_name, one_text, tell
+from vstatics.core.cli.frame.options import refuse
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.tables.suffixes import known
+from vstatics.simulation.cli.options import SimulateOptions, options
+from vstatics.simulation.cli.scenario_run import needs, run_problems
+from vstatics.simulation.cli.watched import watched
+from vstatics.vehicle.cli.strengths import expect_fatigue
+
+if TYPE_CHECKING:
+    from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+MOST_STEPS = 1_000_000
+"""So many multiples of a step may be written."""
+WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
+"""Formats that have a run over time."""
+
+
+@click.command()
+@options
+def simulate(asked: SimulateOptions) -> int:
+    """Simulate what SCENARIO does to its case, or to CASE; - is standard input.
+
+    SCENARIO is YAML: the case, the duration, the start, capacities of shift elements and
+    outside torques over time, or shifts. Speeds, slips and torques over time go to the file
+    of -o; without it events, energy and largest torques are printed. A run that must stop
+    before the end tells when and why, and what was calculated is written. --out adds
+    columns: accelerations, jerks, powers of links; powers of springs; heat, slip_power,
+    temperatures of shift elements; states; vehicle_speed, vehicle_acceleration and
+    vehicle_jerk of a link with a road.
+
+    With --samples N numbers are drawn from the distributions that SCENARIO has in
+    `samples`; means, deviations and quantiles of torques and energies are printed, and the
+    runs themselves go to -o as a table, as those of `vstatics sweep`.
+
+    \b
+    Examples:
+      vstatics simulate upshift.yaml
+      vstatics simulate upshift.yaml -o upshift.csv --step 0.01
+      vstatics simulate upshift.yaml -o up.csv --out 'accelerations[out], heat[C]'
+      vstatics simulate upshift.yaml other-box.yaml -f json | jq .energy
+      vstatics simulate start.yaml --samples 1000 --seed 1 -o starts.parquet
+
+    \b
+    Exit status: 0 done; 1 scenario or case is in error, or the run stopped, as by
+    --limit; 2 wrong use; 130 stopped by Ctrl-C, with what was calculated.
+    """
+    scenario, case, telling = asked.scenario, asked.case, asked.telling
+    inputs = [scenario, *([case] if case else [])]
+    arguments.check_streams(inputs)
+    asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
+    _check_method(asked)
+    to = one_text(asked.wanted, inputs)
+    needs("simulation", "vstatics simulate")
+    if asked.sampling.samples is not None:
+        from vstatics.simulation.cli.samples import run_samples
+
+        return run_samples(asked)
+    out = asked.sampling.out
+    _check_format(asked, to.form)
+    if to.form == "parquet":
+        needs("parquet", "Parquet")
+    read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    read = read.allowing(telling.allow)
+    if asked.damage:
+        expect_fatigue(read.reading)
+    _check_step(asked.step, read.scenario.duration)
+    from vstatics.simulation.run import simulate as simulated
+    from vstatics.sweep.kept.asked import read_asked
+
+    columns = [] if out is None else read_asked(out, read.scenario)
+    try:
+        with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
+            motion = simulated(
+                read.scenario,
+                step=asked.step,
+                rtol=asked.rtol,
+                method=asked.method,
+                watch=watch,
+                columns=columns,
+            )
+    except CaseError as error:
+        raise ReadError(map(read.locate, error.problems)) from None
+    happened = [*run_problems(read, motion)]
+    problems = [*read.reading.warnings, *happened]
+    notes = [one for one in happened if one.severity == "note"]
+    tell(problems, telling, scenario)
+    tell(notes, telling._replace(notes=True), scenario)
+    show(scenario, to, read, motion, damage=asked.damage)
+    if watch.interrupted and motion.stopped is not None:
+        return stopped_by(signal.SIGINT)
+    failed = motion.stopped is not None or telling.fails(problems)
+    return FAILED if failed else DONE
+
+
+def _check_method(asked: SimulateOptions) -> None:
+    """Refuse what the published method has not."""
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    refuse(
+        *(
+            (
+                given is not None and asked.method != "events",
+                f"{option} is for the method `events`.",
+            )
+            for option, given in events.items()
+        )
+    )
+
+
+def _check_format(asked: SimulateOptions, form: str) -> None:
+    """Refuse what a format has no place for."""
+    refuse(
+        (
+            asked.sampling.out is not None and form not in WITH_COLUMNS,
+            f"--out asks for columns over time: expected -o with {' '.join(known(WITH_COLUMNS))}.",
+        ),
+        (
+            asked.damage and form in ("csv", "npz", "parquet"),
+            "--damage is told in text and JSON: expected -o with .txt or .json.",
+        ),
+    )
+
+
+def _check_step(step: float | None, duration: float) -> None:
+    """Refuse more instants than anybody reads.
+
+    Raises
+    ------
+    BadParameter
+    """
+    if step is not None and duration / step > MOST_STEPS:
+        message = f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_STEPS:g}"
+        raise click.BadParameter(message, param_hint="--step")
+
+
+def show(
+    scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
+) -> None:
+    """Write a motion in the format that is asked for."""
+    from vstatics.core.tables.straight import in_both_units
+    from vstatics.simulation.record.answer import lay_out, motion_answer
+    from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
+    from vstatics.simulation.record.grids import motion_grids
+    from vstatics.vehicle.damage.grids import damage_grid
+
+    title = read.name or read.scenario.case.name or file_name(scenario)
+    targets = bool(read.scenario.targets)
+    shown = texts.CaseOutput(
+        [title],
+        {
+            "csv": lambda _: as_csv(motion, raw=to.style.raw),
+            "npz": lambda _: as_npz(motion),
+            "parquet": lambda _: as_parquet(motion),
+        },
+        lambda: in_both_units(
+            read.scenario.case, [*motion_grids(motion), *[damage_grid(motion.damage)] * damage]
+        ),
+        lambda: motion_answer(motion, read.scenario.case.name, targets=targets, damage=damage),
+        lay_out,
+    )
+    files.write_pages(texts.alone(file_name(scenario), shown, to), to.output)

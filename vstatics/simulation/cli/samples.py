@@ -1,0 +1,135 @@
+"""`vstatics simulate --samples`: many runs with numbers that are drawn, and their statistics."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeAlias, cast
+
+import click
+import numpy as np
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.frame.formats import Destination, OutputOptions
+from vstatics.core.cli.frame.one_case import CaseAnswer, show
+from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.jobs.files import is_stream
+from vstatics.core.jobs.stopping import StoppedError
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.suffixes import format_of, known
+from vstatics.simulation.cli.options import SimulateOptions
+from vstatics.sweep import build
+from vstatics.sweep.cli.run import SweepRun, carry_out, tell_noticed, tell_reason
+from vstatics.sweep.cli.subject import read_scenario_subject, spare
+from vstatics.sweep.formats import Format
+from vstatics.sweep.kept.statistics import columns_statistics, samples_answer, statistics_grids
+from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.tasks import calculate
+from vstatics.sweep.variants.subject import Document, VariedScenario
+from vstatics.vehicle.cli.strengths import expect_fatigue
+
+ROWS = ("csv", "jsonl", "npz", "parquet")
+"""Formats of the variants themselves, which are read again for the statistics."""
+
+
+def run_samples(asked: SimulateOptions) -> int:
+    """Run the variants, write them if that is asked for, and show the statistics.
+
+    Raises
+    ------
+    ReadError
+        If there can be no such samples.
+    UsageError
+    """
+    sampling, wanted, telling = asked.sampling, asked.wanted, asked.telling
+    sampling.sharing.check(wanted.output)
+    form = _format(wanted)
+    scenario = Document(*files.read_input(asked.scenario))
+    subject, problems = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
+    varied = replace(cast("VariedScenario", subject), rtol=asked.rtol, limit=asked.limit)
+    spare(varied, wanted.output)
+    out = sampling.out
+    if asked.damage:
+        expect_fatigue(varied.own.reading)
+        out = out and f"{out},damage"  # else it is told without being asked for
+    options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
+    try:
+        build.check_packages(SweepOptions(), form or "csv", sampling.sharing.scheduler)
+        plan = build.sample_plan(varied, options)
+        run = SweepRun(
+            plan,
+            form or "csv",
+            wanted.output,
+            sampling.sharing,
+            wanted.style.raw,
+            telling,
+        )
+        found, told = _written(run) if form else _collected(run)
+    except CaseError as error:
+        raise ReadError(error.problems) from error
+    if isinstance(found, int):
+        return found
+    answer = samples_answer(plan.names, columns_statistics(found))
+    to = Destination("text", None, wanted.style) if form else wanted.destination([])
+    shown = CaseAnswer(lambda: statistics_grids(answer), answer)
+    show(scenario.file, to, varied.own.name or varied.own.scenario.case.name, shown)
+    return FAILED if telling.fails([*problems, *told]) else DONE
+
+
+def _format(wanted: OutputOptions) -> Format | None:
+    """In which format the variants are written; none if only statistics are shown."""
+    if wanted.output is None or is_stream(wanted.output):
+        return None
+    told = wanted.form or format_of(wanted.output, ROWS)
+    if told not in ROWS:
+        expected = " ".join(known(ROWS))
+        raise click.UsageError(f"{wanted.output}: --samples writes {expected}, expected a suffix")
+    return cast("Format", told)
+
+
+Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
+"""Columns of variants, or an exit status; and what was said of their runs."""
+
+
+def _written(run: SweepRun) -> Collected:
+    """The columns of the variants, which lie in a file then."""
+    from vstatics.core.readers import sweep_tables
+
+    status, told = carry_out(run)
+    if status:
+        return status, told
+    output = Path(str(run.output))  # without a bound: the command has just written it
+    read = sweep_tables.read(output.read_bytes(), str(output))
+    return {name: np.array(numbers) for name, numbers in read.columns.items()}, told
+
+
+def _collected(run: SweepRun) -> Collected:
+    """The columns of the variants in memory."""
+    from vstatics.core.cli.frame.progress import progress
+    from vstatics.sweep.chunk import joined
+
+    plan = run.plan
+    count = plan.variants.count
+    called = run.task.workers(run.sharing.processes, run.sharing.scheduler)
+    chunks = []
+    try:
+        with called, progress(count, "runs", quiet=run.quiet) as advance:
+            for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
+                chunks.append(chunk)
+                advance(len(chunk.variants))
+    except StoppedError as stopped:
+        files.say(f"stopped after {sum(len(one.variants) for one in chunks)} of {count} runs")
+        return stopped_by(stopped.signal), ()
+    made = joined(chunks)
+    reasons = [f"{number} {status}" for status, number in made.counts.items() if status != "ok"]
+    if reasons:
+        files.say(f"{count} runs, of which {' and '.join(reasons)}")
+    told = tell_noticed(run, made.noticed)
+    if not made.counts.get("ok"):
+        files.say("no run has a result")
+        tell_reason(plan)
+        return FAILED, told
+    tables = np.concatenate([made.values, made.columns], axis=1)
+    return dict(zip((*plan.names, *plan.headings), tables.T, strict=True)), told

@@ -1,0 +1,98 @@
+"""The run of a scenario that stands for its case, for pictures and pages."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.cases import CalculatedCase
+from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.extras import missing
+from vstatics.core.jobs.files import STDIN_NAME
+
+if TYPE_CHECKING:
+    from vstatics.core.statics.results import Results
+    from vstatics.page.report.material import Naming
+    from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+LIMIT_OPTION = click.option(
+    "--limit",
+    type=float,
+    callback=value(above_0),
+    metavar="SECONDS",
+    help="So long a run may take by the clock; then it stops, with what it has.",
+)
+"""Of the commands that run scenarios."""
+INSTANTS = 400
+"""Of a run that is drawn, at least."""
+
+
+def named_by_run(results: Results, outcome: CalculatedCase) -> Results:
+    """The results of the case with the name of the scenario, if it has one, for its pictures."""
+    if outcome.scenario is None or not outcome.scenario.name:
+        return results
+    return results._replace(case=results.case.replace(name=outcome.scenario.name))
+
+
+def needs(extra: str, purpose: str) -> None:
+    """Refuse what needs a package that is not there."""
+    if message := missing(extra, purpose):
+        raise ReadError([Problem("E014", message)])
+
+
+def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
+    """The run of what names its case by a scenario, with enough instants for pictures.
+
+    What is to be said of it is printed.
+
+    Parameters
+    ----------
+    outcome : CalculatedCase
+    out : str
+        Columns that it is to have besides, such as ``jerks[out]``.
+
+    Raises
+    ------
+    ReadError
+        If it can't begin, with the places of what keeps it from that; of columns that are not.
+    """
+    read = outcome.scenario
+    if read is None:
+        return None
+    needs("simulation", "a run")
+    from vstatics.simulation.run import simulate as simulated
+    from vstatics.sweep.kept.asked import read_asked
+
+    scenario = read.scenario
+    columns = read_asked(out, scenario) if out else []
+    try:
+        motion = simulated(scenario, step=scenario.duration / INSTANTS, columns=columns)
+    except CaseError as error:
+        raise ReadError(map(read.locate, error.problems)) from None
+    files.show(outcome.telling.printed(run_problems(read, motion)))
+    return motion
+
+
+def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
+    """Messages of a run, and why it stopped, at their places."""
+    file = read.spots.place(())._replace(line=0, column=0, text="")
+    for message in motion.messages:
+        text = f"gear {message.gear}: {message.text}" if message.gear else message.text
+        yield Problem(message.id, text, (), file)
+    if motion.stopped is not None:
+        yield read.locate(motion.stopped)
+
+
+def naming_of(outcome: CalculatedCase) -> Naming:
+    """The name of the file for what has none itself, and what happens in a scenario."""
+    from vstatics.page.report.material import Naming
+
+    path, read = outcome.file, outcome.scenario
+    file = "" if path == STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
+    return Naming(file) if read is None else Naming(read.name or file, read.description)

@@ -1,0 +1,21 @@
+"""The scripts and the style of a page with a run that moves."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+from vstatics.core.tables.html import Markup
+
+
+def _resource(name: str) -> Markup:
+    return Markup((files(__package__) / name).read_text(encoding="utf-8"))
+
+
+LICENCE = _resource("uPlot-LICENSE.txt")
+SCRIPTS = (
+    Markup(f"/*!\n{LICENCE.strip()}\n*/\n{_resource('uPlot.iife.min.js').strip()}"),
+    _resource("panels.js"),
+    _resource("run.js"),
+)
+"""The plotter with its licence, then those of a run."""
+STYLE = Markup(f"{_resource('uPlot.min.css').strip()}\n{_resource('run.css')}")

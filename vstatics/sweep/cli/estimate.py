@@ -1,0 +1,139 @@
+"""What is known of a sweep before it is carried out: how many, how large, how long."""
+
+from __future__ import annotations
+
+import io
+import math
+import time
+from contextlib import suppress
+from dataclasses import replace
+
+from vstatics.core.cli.frame.estimates import CommandEstimate, free_room, size_text
+from vstatics.core.errors import CaseError, ReadError, of_file
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.core.model.transmission import Transmission
+from vstatics.sweep import blocks
+from vstatics.sweep.chunk import Chunk
+from vstatics.sweep.cli.subject import limited
+from vstatics.sweep.formats import Format
+from vstatics.sweep.formats.tables import write_parquet
+from vstatics.sweep.kept.best import BEST
+from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.tasks import data_of
+
+TRIED = 1.0
+"""So long a run is tried, to tell how long it takes. [s]"""
+SPOTS, ROWS = 16, 16
+"""The size of a row is that of so many rows at so many spots of a sweep."""
+LONGEST_NUMBER = 32
+"""No number takes more bytes, with what stands around it but its name."""
+
+
+def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPieces) -> None:
+    """Refuse an output that can't have room on its disk, before anything is written.
+
+    Where a condition or an objective decides how many rows there are it can't be told.
+    Parquet is packed, and nobody knows how well; but its pieces lie there unpacked before.
+
+    Raises
+    ------
+    ReadError
+        With both sizes.
+    """
+    if plan.where is not None or plan.objectives:
+        return
+    free = free_room(pieces.output)
+    if free is None:
+        return
+    free += pieces.size()
+    longest = sum(LONGEST_NUMBER + len(name.encode()) for name in plan.output_headings)
+    if longest * plan.count <= free:
+        return
+    size = _row_bytes(plan, form) * plan.count
+    if size > free:
+        what = "its pieces would have" if form == "parquet" else "would have"
+        message = (
+            f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
+            "variants or columns, --where, --best, or another disk"
+        )
+        if pieces.finished():
+            message += "; with more room the same command with --resume goes on"
+        raise ReadError([of_file("E017", output, message)])
+
+
+def _row_bytes(plan: SweepPlan, form: Format) -> float:
+    """The mean length of a row, all over the sweep."""
+    last = max(plan.variants.count - ROWS, 0)
+    starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
+    ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
+    parts = [blocks.calculate(plan, *two) for two in ends]
+    length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
+    return length / sum(len(part.places) for part in parts)
+
+
+def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
+    """The length of a block as a file of Parquet, which is packed about as well as the whole."""
+    file = io.BytesIO()
+    write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
+    return file.tell()
+
+
+def most_rows(plan: SweepPlan) -> int:
+    """The rows that there may be."""
+    count = plan.count
+    if not plan.objectives:
+        return count
+    return min(count, plan.best or (BEST if len(plan.objectives) == 1 else count))
+
+
+def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
+    """How many variants, how large, about how long, by a block of the sweep."""
+    variants, headings = plan.variants.count, plan.output_headings
+    needed = _long_run(plan)
+    if needed:
+        plan = replace(plan, subject=limited(plan.subject, TRIED))
+    start, stop = blocks.middle(plan)
+    first = 100 if isinstance(plan.subject, Transmission) else 1
+    blocks.calculate(plan, start, min(start + first, stop))  # the first time costs more
+    began = time.perf_counter()
+    rows = blocks.calculate(plan, start, stop)
+    data = data_of(form, rows)
+    measured = (time.perf_counter() - began) / max(stop - start, 1)
+    seconds = (needed or measured) * variants
+    part = len(rows.places) / max(stop - start, 1)
+    count = round(part * variants)
+    if plan.objectives:
+        expected = f"the best, at most {min(count, most_rows(plan))}"
+    else:
+        expected = str(count) if plan.where is None else f"about {count}"
+    whole = sum(memoryview(one).nbytes for one in data)
+    if form == "parquet":
+        whole = _packed_bytes(plan, rows)
+    length = whole / max(len(rows.places), 1)
+    size = "small" if plan.objectives else f"about {size_text(length * count)}"
+    said = {
+        "variants": str(variants),
+        "rows": expected,
+        "columns": f"{len(headings)}: {_listed(headings)}",
+        "size": size,
+    }
+    jobs_used = min(jobs, max(plan.pieces, 1))
+    return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
+
+
+def _long_run(plan: SweepPlan) -> float:
+    """What a run takes that is not done soon; 0 of others, and of cases [s]."""
+    subject = plan.subject
+    if isinstance(subject, Transmission):
+        return 0.0
+    from vstatics.simulation.bounds import Pace
+    from vstatics.simulation.run import simulate
+
+    pace = Pace(subject.own.scenario.duration, TRIED)
+    with suppress(CaseError):  # other variants may begin
+        simulate(subject.own.scenario, rtol=subject.rtol, watch=pace)
+    return min(pace.needed, subject.limit or math.inf)
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(names if len(names) <= 8 else [*names[:7], "...", names[-1]])

@@ -1,0 +1,138 @@
+"""What a sweep is of, as it is read from files: a case, or a scenario and its case."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from dataclasses import replace
+
+import click
+
+from vstatics.core import readers
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.documents import case_of, is_a
+from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.readers.documents import case_document
+from vstatics.core.readers.named.node_paths import child
+from vstatics.core.readers.named.nodes import Mapping, Node, Scalar
+from vstatics.core.readers.reading import Reading
+from vstatics.sweep.options import PlacedFile, SweepOptions
+from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
+from vstatics.sweep.variants.table_file import headings
+
+_LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
+_STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
+ReadSubject = tuple[Subject, list[Problem]]
+"""A case or a scenario, and what is doubtful of the case."""
+
+
+def read_subject(
+    options: SweepOptions, input_format: readers.Format | None, telling: Telling
+) -> ReadSubject:
+    """Read the case or the scenario of a sweep, and print the warnings.
+
+    A case may lack the load that varies.
+
+    Raises
+    ------
+    ReadError
+        If it can't be read; with the problems to print.
+    """
+    file = options.case or ""
+    try:
+        data, name = files.read_input(file, regular=isinstance(file, PlacedFile))
+    except ReadError as error:
+        if not isinstance(file, PlacedFile):
+            raise
+        message = f"{file} {error.problems[0].message}"
+        raise ReadError([Problem("E018", message, place=file.place)]) from None
+    if input_format is None and is_a("scenario", data, name):
+        return read_scenario_subject(Document(data, name), telling)
+    try:
+        reading = arguments.read_data(data, name, input_format, telling)
+    except ReadError:
+        found = _with_load(Document(data, name), input_format, options)
+        if found is None:
+            raise
+        reading = found.allowing(telling.allow)
+        arguments.show_problems(reading.warnings, telling, name)
+    return reading.case, list(reading.warnings)
+
+
+def _with_load(
+    case: Document, input_format: readers.Format | None, options: SweepOptions
+) -> Reading | None:
+    """A case without a load, read with one that stands in for those that vary."""
+    varied = [text.text for text in options.vary]
+    with suppress(OSError, ReadError):
+        if options.variants is not None:
+            varied.append(headings(options.variants))
+        halves = sorted({half for text in varied for half in _LOAD.findall(text)})
+        document = case_document(*case, input_format) if halves else None
+        root = document and document.root
+        if document and isinstance(root, Mapping) and not child(root, "load"):
+            told: list[tuple[Scalar, Node]] = [
+                (Scalar(half, 1, 1), Scalar(_STAND_INS[half], 1, 1)) for half in halves
+            ]
+            load = Scalar("load", 1, 1), Mapping(told, 1, 1)
+            return document.reading(root._replace(entries=[*root.entries, load]))
+    return None
+
+
+def read_scenario_subject(
+    scenario: Document,
+    telling: Telling,
+    case: str | None = None,
+    case_format: readers.Format | None = None,
+) -> ReadSubject:
+    """Read the case of a scenario, that which it names or another, and both together."""
+    from vstatics.simulation.scenario.file import read_scenario
+
+    of_case = Document(*case_of(read_scenario(*scenario), case))
+    subject = VariedScenario(scenario, of_case, case_format=case_format)
+    try:
+        reading = subject.own.reading
+    except ReadError as error:
+        raise ReadError(telling.printed(error.problems)) from None
+    arguments.show_problems(reading.warnings, telling, subject.case.file)
+    return subject, list(reading.warnings)
+
+
+def spare(subject: Subject, output: str | None) -> None:
+    """Refuse an output that would write over the case of a scenario.
+
+    Raises
+    ------
+    UsageError
+    """
+    if isinstance(subject, VariedScenario):
+        files.spare([subject.case.file], output)
+
+
+def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
+    """Refuse options that say something about gears, where a scenario tells what happens.
+
+    Raises
+    ------
+    UsageError
+    """
+    if isinstance(subject, VariedScenario) and (coast is not None or idle is not None):
+        option = "--coast" if coast else "--idle" if coast is None else "--drive"
+        raise click.UsageError(f"{option} is for a case; a scenario says itself what happens.")
+
+
+def limited(subject: Subject, limit: float | None) -> Subject:
+    """A scenario each run of which may take so many seconds.
+
+    Raises
+    ------
+    UsageError
+        Of a case, which has no runs.
+    """
+    if limit is None:
+        return subject
+    if not isinstance(subject, VariedScenario):
+        raise click.UsageError("--limit is for a scenario: a case has no runs.")
+    return replace(subject, limit=limit)

@@ -1,0 +1,289 @@
+"""A map: contours of a column over two varied numbers, and where operation ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from contourpy import contour_generator
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from matplotlib.tri import LinearTriInterpolator, Triangulation
+
+from vstatics.core.errors import CaseError
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.numbers import typeset
+from vstatics.core.tables.written_results import WrittenSweep
+from vstatics.pictures.drawing.head import sheet_head
+from vstatics.pictures.drawing.labels import Point, height, ticks, widest, width
+from vstatics.pictures.drawing.line_styles import Look, mixed
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import MARGIN, SMALL_NUMBER, Style
+from vstatics.sweep.pictures.columns import (
+    DrawnColumns,
+    DrawnRows,
+    axis,
+    numbers,
+    parts,
+    results_of,
+    running,
+    said_of,
+)
+
+MAP_SIZE = (300.0, 230.0)
+"""Width and height of a panel, at most. [pt]"""
+MAPS_SIDE_BY_SIDE = 2
+MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
+"""For the scales. [pt]"""
+MAP_HEAD_HEIGHT = 22.0
+"""For the gear over a panel. [pt]"""
+MAP_LEVELS = 9
+"""Contours, about."""
+MOST_LEVELS = 16
+"""Contours, where fewer even steps would leave many values between two."""
+CROWDED_BAND = 0.35
+"""Levels are no even steps where more than this part of all values lies between two."""
+LEAST_BAND = 0.02
+"""No band is narrower than this part of all values."""
+LEAST_FILLED = 0.5
+"""A table of all x and y of which at least this part has rows is a grid."""
+GRID_OF_POINTS = 121
+"""Points that are no grid are drawn on one of so many values in each direction."""
+
+
+class Surface(NamedTuple):
+    """A column over a grid: NaN where there is no operation."""
+
+    name: str
+    x: Floats
+    y: Floats
+    z: Floats
+    """(y, x)."""
+    instead: str = ""
+    """What is said where no row has a number."""
+
+
+def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]:
+    """Draw a map of each gear, or of each value of a column, all to the same levels.
+
+    Raises
+    ------
+    CaseError
+        If a column is none, or there is nothing to draw.
+    """
+    upward = next(iter(asked.y), "")
+    left = running(sweep, [upward, asked.by])
+    x = asked.x or (left[0] if len(left) == 2 - bool(upward) else "")
+    x = axis(sweep, x, [upward, asked.by], "--x")
+    y = axis(sweep, upward, [x, asked.by], "--y")
+    z = asked.z or next(iter(results_of(sweep, [x, y, asked.by])), "")
+    if not z:
+        raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
+    surfaces = [
+        _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))._replace(
+            instead=f"{style.text('no number')}: {said_of(sweep, one)}"
+        )
+        for one in parts(sweep, asked, (x, y))
+    ]
+    every = np.concatenate([one.z[np.isfinite(one.z)] for one in surfaces])
+    if not every.size:
+        raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
+    levels = contour_levels(every)
+    ends = _ends(surfaces, "x"), _ends(surfaces, "y")
+    limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
+    meanings = [(limits, "limit of operation", _limit_look(style))]
+    named = f"{z}: {x}, {y}"
+    columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
+    wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)
+    size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
+    up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
+    across = columns * (MAP_SCALE_WIDTH + wide + MARGIN) + MARGIN
+    head = sheet_head(named, "", meanings, across - 2 * MARGIN, style)
+    most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
+    figures = []
+    for start in range(0, len(surfaces), most):
+        shown = surfaces[start : start + most]
+        rows = math.ceil(len(shown) / columns)
+        pen = head.over((across, rows * up), MARGIN, style)
+        for place, surface in enumerate(shown):
+            row, column = divmod(place, columns)
+            corner = (
+                column * (MAP_SCALE_WIDTH + wide + MARGIN) + MAP_SCALE_WIDTH,
+                (rows - 1 - row) * up + MAP_SCALE_HEIGHT,
+            )
+            panel = pen.panel(corner, size, *(AxisScale(*one) for one in ends))
+            _draw(panel, surface, levels, (x, y))
+        figures.append(pen.figure)
+    return figures
+
+
+def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:
+    """The least and the largest of an axis."""
+    every = np.concatenate([getattr(one, name) for one in surfaces])
+    return float(every.min()), float(every.max())
+
+
+def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
+    """The rows of a panel as a grid.
+
+    Raises
+    ------
+    CaseError
+        If they lie on a line.
+    """
+    known = np.isfinite(x) & np.isfinite(y)
+    x, y, z = x[known], y[known], z[known]
+    xs, column = np.unique(x, return_inverse=True)
+    ys, row = np.unique(y, return_inverse=True)
+    if min(len(xs), len(ys)) < 2:
+        raise CaseError("E434", "a map needs two numbers that vary: expected --kind curves")
+    if len(x) >= LEAST_FILLED * len(xs) * len(ys):
+        table = np.full((len(ys), len(xs)), np.nan)
+        table[row, column] = z
+        return Surface(part.name, xs, ys, table)
+    xs, ys = (np.linspace(one.min(), one.max(), GRID_OF_POINTS) for one in (x, y))
+    exists = np.isfinite(z)
+    try:
+        net = Triangulation(x[exists], y[exists])
+        drawn = LinearTriInterpolator(net, z[exists])(*np.meshgrid(xs, ys))
+    except (ValueError, RuntimeError):
+        raise CaseError("E434", "the points of the sweep span no area to draw a map on") from None
+    return Surface(part.name, xs, ys, np.ma.filled(drawn, np.nan))
+
+
+def contour_levels(values: Floats) -> list[float]:
+    """Round numbers between values: even steps if they part them, or as many between any two.
+
+    So an efficiency of .5 in a corner does not take the levels from .9 to .97.
+
+    >>> contour_levels(np.linspace(0.0, 10.0, 101))
+    [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    >>> contour_levels(1 - 0.5 * np.linspace(0.0, 1.0, 1001) ** 8)
+    [0.8, 0.9, 0.98]
+    """
+    low, high = float(values.min()), float(values.max())
+    for most in (MAP_LEVELS, MOST_LEVELS):
+        even = [one for one in ticks(low, high, most + 1) if low < one < high]
+        between, _ = np.histogram(values, [-math.inf, *even, math.inf])
+        if between.max() <= CROWDED_BAND * len(values):
+            return even
+    quantiles = np.quantile(values, np.linspace(0.0, 1.0, MAP_LEVELS + 2)).tolist()
+    found: list[float] = []
+    for before, one, after in zip(quantiles, quantiles[1:], quantiles[2:], strict=False):
+        gap = min(one - before, after - one)
+        if gap > LEAST_BAND * (high - low):
+            unit = 10.0 ** math.floor(math.log10(gap))
+            step = max(digit * unit for digit in (1, 2, 5) if digit * unit <= gap)
+            level = float(f"{round(one / step) * step:.12g}")
+            if before < level < after and level not in found:
+                found.append(level)
+    return found
+
+
+def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str, str]) -> None:
+    (wide, high), style = pen.size, pen.style
+    xs, ys = (
+        (values - scale.low) / (scale.high - scale.low) * length
+        for values, scale, length in (
+            (surface.x, pen.x, wide),
+            (surface.y, pen.y, high),
+        )
+    )
+    hidden = np.ma.masked_invalid(surface.z)
+    made: Any = contour_generator(xs, ys, hidden, fill_type="OuterOffset")
+    edges = [-math.inf, *levels, math.inf]
+    for place, (low, up) in enumerate(pairwise(edges)):
+        colour = mixed(style.power, style.paper, 0.1 + 0.9 * place / max(len(levels), 1))
+        _fill(pen, made.filled(low, up), colour)
+    taken: list[tuple[float, float, float, float]] = []
+    for level in levels:
+        text = typeset(f"{level:g}")
+        lines = made.lines(level)
+        for piece in lines:
+            places = [(float(x), float(y)) for x, y in piece]
+            pen.line(*places, width=0.7, color=style.ink, title=f"{surface.name} {text}".strip())
+        _label(pen, lines, text, taken)
+    if hidden.mask is not np.ma.nomask and hidden.mask.any():
+        bounds: Any = contour_generator(xs, ys, np.where(np.isfinite(surface.z), 1.0, 0.0))
+        for piece in bounds.lines(0.5):
+            pen.line(*((float(x), float(y)) for x, y in piece), **_limit_look(style))
+    _scales(pen, names)
+    pen.text(0, high + 8, surface.name, va="bottom", bold=True)
+    if not np.isfinite(surface.z).any():
+        pen.text(wide / 2, high / 2, surface.instead, ha="center", va="center")
+
+
+def _limit_look(style: Style) -> Look:
+    return {"color": style.lost, "width": 1.8}
+
+
+def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) -> None:
+    """The polygons of a band, each with its holes."""
+    left, low = pen.corner
+    for points, offsets in zip(*filled, strict=True):
+        codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
+        codes[offsets[:-1]] = Path.MOVETO
+        codes[offsets[1:] - 1] = Path.CLOSEPOLY
+        path = Path(points + np.array([left, low]), codes)
+        pen.add(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.2, zorder=0.2))
+
+
+def _label(
+    pen: Pen,
+    lines: Sequence[Floats],
+    text: str,
+    taken: list[tuple[float, float, float, float]],
+) -> None:
+    """The number of a level where it covers no other: on its longest line, near the middle.
+
+    At the edge it is moved inward, so that it still stands on its line.
+    """
+    long, tall = width(text, SMALL_NUMBER) + 3, 1.2 * SMALL_NUMBER
+    half, up = long / 2, tall / 2
+    for at in _places(lines):
+        x = min(max(at[0], half), pen.size[0] - half)
+        y = min(max(at[1], up), pen.size[1] - up)
+        box = x - half, y - up, x + half, y + up
+        if not any(
+            box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]
+            for other in taken
+        ):
+            taken.append(box)
+            centred: Look = {"ha": "center", "va": "center_baseline"}
+            pen.text(x, y, text, size=SMALL_NUMBER, over=True, **centred)
+            return
+
+
+PLACES_TRIED = 48
+"""Of a line for its number."""
+
+
+def _places(lines: Sequence[Floats]) -> Iterator[Point]:
+    """Points along lines where a number may stand, the middle of the longest first."""
+    for piece in sorted(lines, key=lambda one: -_along(one)[-1]):
+        along = _along(piece)
+        places = np.linspace(0.0, along[-1], PLACES_TRIED + 1)
+        for at in sorted(places, key=lambda one: abs(one - along[-1] / 2)):
+            yield float(np.interp(at, along, piece[:, 0])), float(np.interp(at, along, piece[:, 1]))
+
+
+def _along(piece: Floats) -> Floats:
+    """How far each point of a line is from its start."""
+    steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _scales(pen: Pen, names: tuple[str, str]) -> None:
+    """Both scales with the names of what they are of."""
+    wide, high = pen.size
+    across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
+    up = ticks(pen.y.low, pen.y.high, max(int(high / (3 * height(""))), 2))
+    pen.scale("bottom", across)
+    pen.scale("left", up)
+    pen.frame()
+    pen.name("bottom", names[0], 26)
+    pen.name("left", names[1], widest(tick_texts(up)) + 16)

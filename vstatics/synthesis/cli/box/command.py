@@ -1,0 +1,165 @@
+"""`vstatics synth box`: whole gearboxes for wanted ratios of gears."""
+
+from __future__ import annotations
+
+import os
+import time
+from typing import NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files, formats
+from vstatics.core.cli.frame.estimates import CommandEstimate, about, duration_text
+from vstatics.core.cli.frame.exit_status import DONE
+from vstatics.core.cli.frame.formats import Destination, OutputOptions
+from vstatics.core.cli.frame.progress import progress
+from vstatics.core.cli.frame.sharing import Sharing, shared
+from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.extras import missing, require
+from vstatics.core.jobs.files import is_stream
+from vstatics.synthesis.cli.box.options import BoxAsked, options
+
+LOADING_SECONDS = 5.0
+"""More than loading machine code that is kept takes: a longer time is that of compiling. [s]"""
+
+
+@click.command()
+@options
+@formats.options(*formats.TABLES)
+@shared("a search into -o that was stopped")
+@click.option("--complete", is_flag=True, help="Fail if there may be boxes that are not found.")
+@click.option("--dry-run", is_flag=True, help="Only about how many boxes, and how long.")
+@arguments.quiet
+def box(
+    asked: BoxAsked,
+    wanted: OutputOptions,
+    sharing: Sharing,
+    complete: bool,
+    dry_run: bool,
+    quiet: bool,
+) -> int:
+    """Find all gearboxes of N planetary sets and M shift elements with wanted ratios.
+
+    All schemes of the sets are tried with all inputs and outputs, and with all choices of
+    brakes (of links but input and output) and clutches (between any two links). A box is
+    found where ratios of its sets leave no gear further from the wanted one than the
+    tolerance. Found boxes are told by mean loss of the forward gears; boxes with equal ratios
+    in all gears are one family, and none of these is the best by its ratios.
+
+    -o DIR writes all of them as cases, each with a stick diagram, and tables, and a page; of
+    an earlier search there it replaces all files, and refuses if one has been edited since.
+
+    \b
+    Examples:
+      vstatics synth box --sets 2 --elements 4 --engaged 2 --own-input
+                --ratios 2.45,1.45,1,-2.2
+      vstatics synth box --sets 4 --elements 5 --engaged 3 --tolerance .005
+                --ratios 4.70,3.13,2.10,1.67,1.28,1,.84,.67,-3.30 -o found/
+      vstatics synth box --sets 3 --meshed 1 --fixed 1 --elements 5 --engaged 2
+                --ratios 4.17,2.34,1.52,1.14,.87,.69,-3.4 --limit torque=4 -f json
+
+    \b
+    While it runs, finished pieces lie in DIR.parts or FILE.parts; --resume takes
+    them up after an interruption, also with other filters.
+    Needs numba and networkx: pip install "vstatics[boxes]". The diagrams of -o DIR
+    need matplotlib: "vstatics[boxes,plot]".
+    Exit status: 0 done; 1 no box is found, not finished, or not --complete; 2 wrong use;
+    130 or 143 stopped by Ctrl-C or SIGTERM.
+    """
+    try:
+        require("boxes", "synth box")
+        to = wanted.destination([], several=True)
+        if to.output and os.path.islink(to.output.rstrip("/")) and not is_stream(to.output):  # noqa: PTH114
+            raise click.UsageError(f"{to.output} is a link: expected a directory or a file")
+        if to.is_folder:
+            _check_folder(str(to.output))
+        sharing.check(to.output, "a file or a directory to go on with: -o DIR")
+        if sharing.scheduler is not None:
+            require("dask", "--scheduler")
+        if dry_run:
+            _estimate(asked, to, sharing.processes, quiet=quiet)
+            return DONE
+        from vstatics.synthesis.cli.box.run import BoxRun, carry_out
+
+        return carry_out(BoxRun(asked, to, sharing, quiet, complete))
+    except CaseError as error:  # is shown as what ends a reading
+        raise ReadError(error.problems) from error
+
+
+def _check_folder(output: str) -> None:
+    """Refuse a directory that can't be one, before anything is searched.
+
+    Raises
+    ------
+    UsageError
+    """
+    if not output:
+        raise click.UsageError("-o names nothing: expected a directory or a file.")
+    if os.path.exists(output.rstrip("/") or "/") and not os.path.isdir(output):  # noqa: PTH110, PTH112
+        raise click.UsageError(f"{output} is a file: expected a directory")
+    from vstatics.synthesis.cli.box.output import of_others
+
+    if name := of_others(output):
+        path = os.path.join(output, name)  # noqa: PTH118
+        what = f"{path} is not as a search wrote it, so it may be yours, and would be lost"
+        raise click.UsageError(f"{what}; move it away, or expected another directory")
+
+
+class BoxSearchEstimate(NamedTuple):
+    """About how many boxes will be looked at and found."""
+
+    searched: float
+    found: float
+    exact: bool
+    at_least: bool
+    """Whether some of it was not tried to its end, so that it may take longer."""
+    seconds: float
+    compile_seconds: float
+    """Time in which machine code was compiled or loaded. [s]"""
+
+
+def _compiled_text(seconds: float) -> str:
+    """Return how long the machine code of the search took to compile, and whether it is kept."""
+    from vstatics.core.numerics.compiled import CACHE
+
+    later = "and kept for later calls" if CACHE else "and again at each call: it cannot be kept"
+    return f"now, in {duration_text(seconds)}, {later}"
+
+
+def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
+    """Tell about how many boxes there are, and how long they take, to be written too."""
+    from vstatics.synthesis.boxes.pieces.estimate import box_estimate
+    from vstatics.synthesis.boxes.pieces.found import prepare
+
+    began = time.process_time()
+    with progress(None, "compiled", quiet=quiet):
+        prepare(asked.search)
+    compiling = time.process_time() - began
+    with progress(None, "pieces tried", quiet=quiet):
+        found = box_estimate(asked.search)
+    say = (lambda number: f"{number:.0f}") if found.exact else about
+    seconds = found.seconds / min(jobs, max(found.pieces, 1))
+    counts = round(found.boxes), round(found.found)
+    said = {
+        "boxes": say(found.boxes),
+        "found": say(found.found) if found.exact or found.found else "few, or none",
+    }
+    if to.is_folder:
+        from vstatics.synthesis.cli.box.output import drawn_count, writing_seconds
+
+        writing = writing_seconds(counts[1]) / jobs
+        count = drawn_count(counts[1])
+        drawn = f"{say(count)} diagrams" if count or not counts[1] else missing("plot", "a diagram")
+        said["files"] = f"{say(counts[1])} cases, {drawn}, in about {duration_text(writing)}"
+        seconds += writing
+    if compiling > LOADING_SECONDS:
+        said["compiled"] = _compiled_text(compiling)
+    known = CommandEstimate(
+        said,
+        BoxSearchEstimate(*counts, found.exact, found.at_least, seconds, compiling),
+        seconds,
+        jobs,
+        found.at_least,
+    )
+    files.write_output(known.text(to.form), None)

@@ -1,0 +1,192 @@
+"""Carrying out a search for boxes: to stdout, a file or a directory; interrupted ones go on."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import NamedTuple
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.frame.formats import Destination
+from vstatics.core.cli.frame.progress import progress
+from vstatics.core.cli.frame.sharing import Sharing, going_on_later, kept_pieces
+from vstatics.core.jobs.alone import Workers
+from vstatics.core.jobs.files import is_stream
+from vstatics.core.jobs.finished_pieces import FinishedPieces
+from vstatics.core.jobs.piece_file import ASSEMBLED
+from vstatics.core.jobs.stopping import StoppedError
+from vstatics.core.jobs.workers import workers
+from vstatics.core.numerics.compiled import CACHE_TROUBLE
+from vstatics.synthesis.boxes.box import COARSEST
+from vstatics.synthesis.boxes.choice import family_count, ranked
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
+from vstatics.synthesis.boxes.pieces.cut import cut
+from vstatics.synthesis.boxes.pieces.found import prepare
+from vstatics.synthesis.boxes.pieces.work import (
+    MOST_MEASURED,
+    BoxWork,
+    SearchedPieces,
+    check_most,
+    description,
+    find,
+    measure,
+    portions,
+)
+from vstatics.synthesis.cli.box.options import BoxAsked
+from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
+
+NEAREST_SECONDS = 10.0
+"""A search that took longer is not made again for the box that comes nearest; so long it is
+looked for."""
+FINEST = 0.01
+"""The least tolerance with which that one is looked for. [-]"""
+
+
+class BoxRun(NamedTuple):
+    """What is searched for, by whom, and where to."""
+
+    asked: BoxAsked
+    to: Destination
+    sharing: Sharing
+    quiet: bool
+    complete: bool
+    """Whether a list that may lack boxes is a failure."""
+
+    def workers(self, pieces: int) -> Workers:
+        """Who does so many pieces."""
+        asked, scheduler = self.asked, self.sharing.scheduler
+        work = BoxWork(asked.search, asked.efficiency, pieces, asked.weights)
+        jobs = max(min(self.sharing.processes, pieces), 1)
+        return workers(work, work.describe, jobs=jobs, scheduler=scheduler)
+
+
+def carry_out(run: BoxRun) -> int:
+    """Search, write what is found, and tell what became of it; the exit status."""
+    began = time.perf_counter()
+    with progress(None, "made ready", quiet=run.quiet):
+        prepare(run.asked.search)  # once, not in every process
+        count = cut(run.asked.search)
+    for why in CACHE_TROUBLE[:1]:
+        files.say(f"machine code that is kept can't be used, so it is compiled again: {why}")
+    found = _to_stream(run, count) if is_stream(run.to.output) else _to_store(run, count)
+    if isinstance(found, int):
+        return found
+    took = time.perf_counter() - began
+    if not (run.quiet or is_stream(run.to.output)):
+        files.say(_summary(str(run.to.output), found, took))
+    if found.boxes:
+        return FAILED if run.complete and found.given_up else DONE
+    if found.with_ratios:
+        files.say(f"no box is found: {_boxes(found.with_ratios)} with these ratios, none as wanted")
+    else:
+        search = run.asked.search
+        within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
+        missed = _nearest(run) if took < NEAREST_SECONDS else ""
+        files.say(f"no box is found: none of {found.searched} comes within {within}{missed}")
+    return FAILED
+
+
+def _nearest(run: BoxRun) -> str:
+    """A word on the box that comes nearest, where it is found soon by wider tolerances."""
+    search, end = run.asked.search, time.perf_counter() + NEAREST_SECONDS
+    if search.tolerances or search.sequence is not None:
+        return ""  # there is no one tolerance that tells which is nearer
+    while search.tolerance < COARSEST:
+        search = search._replace(tolerance=min(max(2 * search.tolerance, FINEST), COARSEST))
+        wider = run._replace(asked=run.asked._replace(search=search))
+        count, nearest = cut(search), None
+        try:
+            with wider.workers(count) as called:
+                for _, piece in called.each(find, range(count)):
+                    near = [*piece.boxes, *([nearest] if nearest else [])]
+                    nearest = min(near, key=lambda box: box.error, default=None)
+                    if time.perf_counter() > end:
+                        return ""
+        except StoppedError:
+            return ""
+        if nearest is not None:
+            least = measured(search, nearest, run.asked.efficiency, run.asked.weights)
+            gears = ", ".join(f"{gear.name}: {gear.ratio:.4g}" for gear in least.gears)
+            return f"; the nearest has {gears}: --tolerance {rounded_up(nearest.error):g} finds it"
+    return f", nor within {COARSEST:g}"
+
+
+def rounded_up(error: float) -> float:
+    """An error in three digits, no less than it is.
+
+    >>> rounded_up(0.0339211)
+    0.034
+    """
+    unit = 10.0 ** (math.floor(math.log10(error)) - 2)
+    return float(f"{math.ceil(error / unit) * unit:.3g}")
+
+
+def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
+    """Search, and write to stdout or what is no file; an exit status if it is stopped."""
+    pieces = SearchedPieces(count)
+    try:
+        with run.workers(count) as called:
+            found = _found(run, pieces, called)
+    except StoppedError as stopped:
+        files.say(f"stopped after {pieces.done} of {count} pieces of the search")
+        return stopped_by(stopped.signal)
+    files.write_data(found.text(run.to.form, run.to.style), run.to.output)
+    return found
+
+
+def _to_store(run: BoxRun, count: int) -> FoundBoxes:
+    """Search, and write a file or a directory; pieces lie beside it meanwhile."""
+    output = str(run.to.output).rstrip("/") or "/"
+    with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
+        whole = f"{count} pieces of the search"
+        with going_on_later(
+            output, store, lambda: kept_pieces(len(store.finished()), whole, store, output)
+        ):
+            made, quiet = description(run.asked.search, count), run.quiet
+            run.sharing.open(store, output, made, count, "piece is searched", quiet=quiet)
+            with run.workers(count) as called:
+                found = _found(run, SearchedPieces(count, store), called)
+                if run.to.is_folder:
+                    write_folder(output, found, run.to.style, called, quiet=quiet)
+                    store.drop()
+                else:
+                    store.folder.replace(ASSEMBLED, found.text(run.to.form, run.to.style))
+                    store.finish()
+    if run.to.is_folder and run.to.form != "xlsx":
+        files.write_data(found.text(run.to.form, run.to.style), None)
+    return found
+
+
+def _found(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
+    """Search what is not searched, and measure what is found."""
+    with progress(pieces.count, "pieces", quiet=run.quiet) as advance:
+        advance(pieces.done)
+        for piece, found in called.each(find, pieces.pending):
+            pieces.take(piece, found)
+            advance(1)
+    asked = run.asked
+    if pieces.given_up:
+        those = f"{pieces.given_up} choices of shift elements could not be looked at to the end"
+        advice = "expected narrower --bounds, or more --ratios"
+        files.say(f"warning: {those}, and some of them may be boxes, too; {advice}")
+    boxes = [box for box in pieces.boxes() if asked.wanted.before(box)]
+    check_most(len(boxes), MOST_MEASURED)
+    figured: list[MeasuredBox] = []
+    with progress(len(boxes), "boxes", quiet=run.quiet) as advance:
+        for _, some in called.each(measure, portions(boxes)):
+            figured += some
+            advance(len(some))
+    chosen = ranked(asked.search, figured, asked.wanted, asked.order)
+    return FoundBoxes(asked.search, pieces.searched, pieces.found, chosen, pieces.given_up)
+
+
+def _summary(output: str, found: FoundBoxes, seconds: float) -> str:
+    """What became of the search."""
+    families = family_count(found.boxes)
+    count = f"{_boxes(len(found.boxes))} in {families} {'family' if families == 1 else 'families'}"
+    return f"{output}: {count} of {found.searched} that were looked at; {seconds:.3g} s"
+
+
+def _boxes(count: int) -> str:
+    return f"{count} {'box' if count == 1 else 'boxes'}"

@@ -1,0 +1,50 @@
+"""Gears of a box whose ratios are not told, as they are typed: how many, their spread and steps."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from vstatics.core.cli.frame.options import refuse
+from vstatics.core.cli.frame.values import pair
+from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
+
+ends = partial(pair, example="1.2:1.8")
+"""Reads two numbers with a colon between."""
+
+
+def gear_counts(text: str) -> tuple[int, int]:
+    """The fewest and the most gears; one number is both.
+
+    >>> gear_counts("6:8"), gear_counts("6")
+    ((6, 8), (6, 6))
+    """
+    parts = text.split(":")
+    if len(parts) > 2 or not all(part.strip().isdecimal() for part in parts):
+        raise ValueError("expected how many, such as 6:8")
+    return int(parts[0]), int(parts[-1])
+
+
+def wanted_sequence(
+    gears_wanted: tuple[int, int] | None,
+    spread: tuple[float, float] | None,
+    steps: tuple[float, float] | None,
+    *,
+    falling: bool,
+) -> WantedSequence | None:
+    """What is asked of the gears besides --ratios.
+
+    Raises
+    ------
+    UsageError
+
+    Examples
+    --------
+    >>> wanted_sequence((6, 8), (5.0, 7.0), None, falling=True).steps
+    (1.0, 1000000.0)
+    """
+    said = spread is not None or steps is not None or falling
+    alone = "--spread, --steps, --falling say what --gears have: expected --gears A:B"
+    refuse((said and gears_wanted is None, alone))
+    if gears_wanted is None:
+        return None
+    return WantedSequence(*gears_wanted, spread or ANY_QUOTIENT, steps or ANY_QUOTIENT, falling)

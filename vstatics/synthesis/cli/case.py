@@ -1,0 +1,164 @@
+"""`vstatics synth case`: a scheme as a case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import click
+
+from vstatics.core import readers
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.values import separated, value, wrong_value
+from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.jobs.files import STDOUT, is_stream
+from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.synthesis.cli.case_file import case_format, write_case
+from vstatics.synthesis.gears.case_of_scheme import MOST_OF_SCHEME, NEUTRAL, scheme_case, set_name
+from vstatics.synthesis.structures.scheme import SetScheme, link_name
+
+FIRST, STEP = -2.0, -0.1
+"""The ratios that sets have where none are given: all different, so that no two gears agree
+by chance."""
+
+
+@click.command()
+@click.argument("scheme", metavar="CODE", callback=value(SetScheme.of_code))
+@click.option("--input", "input_link", required=True, metavar="LINK", help="The input, such as L0.")
+@click.option(
+    "--output", "output_link", required=True, metavar="LINK", help="The output, such as L4."
+)
+@click.option(
+    "--ratios",
+    multiple=True,
+    metavar="R,..",
+    help="Internal ratio of each set in turn (sun to ring, the carrier held), or as P1=R; may "
+    "be repeated. Without it there are others in their place.",
+)
+@click.option(
+    "-f",
+    "--format",
+    "form",
+    type=click.Choice([*readers.READERS]),
+    help="Format of the case; else told by the suffix of -o, else yaml.",
+)
+@click.option(
+    "-o",
+    "--write",
+    "target",
+    type=click.Path(),
+    metavar="FILE",
+    default=STDOUT,
+    help="Write to this file, whole or not at all; one that is there is replaced.",
+)
+def case(
+    scheme: SetScheme,
+    input_link: str,
+    output_link: str,
+    ratios: tuple[str, ...],
+    form: str | None,
+    target: str,
+) -> int:
+    """Write the scheme of CODE as a case: sets, shift elements, gears.
+
+    Link 0 of the code is L0 of the case, 1 is L1. Every link has a brake, but input and
+    output, which a clutch joins; where that gives few combinations, clutches join the input
+    to all other links too. Gears are the combinations that give a ratio, each ratio once.
+    Input and output have inertias in place of those of engine and load, but in a deck.
+
+    \b
+    Examples:
+      vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 --ratios -2,-2.5 -o box.yaml
+      vstatics run box.yaml
+
+    \b
+    Exit status: 0 done; 1 the format can't keep all of it; 2 wrong use.
+    """
+    form = form or ("yaml" if is_stream(target) else case_format(target, []))
+    with wrong_value("--ratios"):
+        given = _ratios(scheme, ratios)
+    with wrong_value("--input"):
+        first = _link(scheme, input_link)
+    with wrong_value("--output"):
+        last = _link(scheme, output_link)
+        if first == last:
+            raise ValueError(f"read {link_name(first)}, which is the input; expected another link")
+    try:
+        with wrong_value("CODE"):
+            made = scheme_case(scheme, first, last, given)
+    except CaseError as error:
+        raise click.BadParameter(_of_sets(error.problems), param_hint="--ratios") from None
+    if locked := scheme.locked_sets:
+        links = {link for number in locked for link in scheme.sets[number - 1]}
+        sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
+        files.say(f"warning: {sets}, so they turn as one body whatever their ratios are")
+    if not any(gear.engaged for gear in made.gears):
+        files.say(f"warning: no combination of its elements gives a gear but {NEUTRAL}, neutral")
+    elif len(made.gears) >= MOST_OF_SCHEME:
+        files.say(f"there may be more gears than the {MOST_OF_SCHEME} of the case")
+    if not ratios:
+        some = spoken(f"{one:g}" for one in given)
+        files.show([Problem("N002", f"no ratios are given: the sets have {some}")])
+    if form == "deck":  # it has none, and these are only in place of others
+        made = made.replace(inertias={}, description="")
+        files.say("a deck holds no inertias: those of input and output are left out")
+    return DONE if write_case(made, target, form) else FAILED
+
+
+def _link(scheme: SetScheme, given: str) -> int:
+    """The link of a name, or of its number in the code."""
+    names = [link_name(link) for link in range(scheme.links)]
+    word = given.strip()
+    for link, name in enumerate(names):
+        if word.upper() == name or word == str(link):
+            return link
+    there = f"the scheme has {names[0]} to {names[-1]}"
+    raise ValueError(f"read {quoted(given)}, but {there}")
+
+
+def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
+    """The ratio of each set."""
+    names = [set_name(number) for number in range(1, len(scheme.sets) + 1)]
+    if not given:
+        return [round(FIRST + STEP * number, 1) for number in range(len(names))]
+    found: dict[str, float] = {}
+    words = separated(given)
+    for number, word in enumerate(words):
+        name, equals, text = (one.strip() for one in word.rpartition("="))
+        if not equals:
+            if number >= len(names):
+                raise ValueError(f"read {len(words)} ratios, expected {_expected(names)}")
+            name = names[number]
+        if name not in names:
+            hint = nearest(name, names) or f"; expected {spoken(names, 'or')}"
+            raise ValueError(f"read a ratio of {quoted(name)}, but there is no such set{hint}")
+        if name in found:
+            raise ValueError(f"{name} has two ratios, expected one")
+        found[name] = _number(text)
+    if missing := [name for name in names if name not in found]:
+        raise ValueError(f"{spoken(missing)} without a ratio, expected {_expected(names)}")
+    return [found[name] for name in names]
+
+
+def _number(text: str) -> float:
+    try:
+        number = calculated(text)
+    except ValueError as error:
+        raise ValueError(f"read {quoted(text)}: {error}") from None
+    if number.behind:
+        raise ValueError(f"read {quoted(text)}, expected a number such as -2.5 or -73/35")
+    return number.value
+
+
+def _expected(names: Sequence[str]) -> str:
+    return f"{len(names)}, one for each set" if len(names) > 1 else "one"
+
+
+def _of_sets(problems: Sequence[Problem]) -> str:
+    """Problems of ratios, each with the set that has it."""
+    parts = []
+    for problem in problems:
+        numbers = [part for part in problem.path if isinstance(part, int)]
+        where = f"{set_name(numbers[0])}: " if numbers else ""
+        parts.append(where + problem.message)
+    return "; ".join(parts)

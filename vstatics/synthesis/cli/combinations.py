@@ -1,0 +1,204 @@
+"""`vstatics synth combinations`: which gears the shift elements of a case give."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE, FAILED
+from vstatics.core.cli.frame.one_case import OneCase, file_name, one_case, problems_of
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.frame.values import separated, value, wrong_value
+from vstatics.core.errors import CaseError, ReadError, listed, of_file, plural, quoted
+from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.gears.search import CombinationSearch
+
+
+def _sizes(texts: Sequence[str]) -> list[int]:
+    asked = separated(texts)
+    for text in asked:
+        if not (text.isascii() and text.isdigit() and len(text) <= 9):
+            expected = "expected a whole number of elements, or several: 2,3"
+            raise ValueError(f"read {quoted(text)}, {expected}")
+    return list(dict.fromkeys(map(int, asked)))
+
+
+class Trials(NamedTuple):
+    """How many combinations may be tried, and whether any is."""
+
+    at_most: int
+    dry_run: bool
+
+
+@click.command()
+@click.option(
+    "--engaged",
+    multiple=True,
+    callback=value(_sizes),
+    metavar="K",
+    help="So many elements are engaged; several as 2,3. "
+    "[default: as many as leave one degree of freedom]",
+)
+@click.option(
+    "--elements",
+    multiple=True,
+    metavar="auto|NAME,...",
+    help="auto: all clutches and brakes that the scheme may have; else these of the case only, "
+    "a name with commas in double quotes.",
+)
+@click.option(
+    "--ports",
+    multiple=True,
+    metavar="all|IN:OUT,...",
+    help="Between these links in place of the case's own ports; all: each ordered pair.",
+)
+@click.option(
+    "--sort",
+    type=click.Choice(["torques"]),
+    help="Direct drives first, then gears, each by the largest torque of an element.",
+)
+@gathered(
+    "trials",
+    Trials,
+    click.option(
+        "--at-most",
+        type=click.IntRange(min=1),
+        default=1_000_000,
+        show_default=True,
+        metavar="N",
+        help="Try no more combinations than these.",
+    ),
+    click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
+)
+@written_case
+@one_case
+def combinations(
+    one: OneCase,
+    engaged: list[int],
+    elements: tuple[str, ...],
+    ports: tuple[str, ...],
+    sort: str | None,
+    trials: Trials,
+    target: str | None,
+) -> int:
+    """Tell what each combination of shift elements of CASE does; - is standard input.
+
+    All sets of exactly K elements, by the speeds of input and output that they allow:
+    blocked, the input can't turn; parking, the output stands; neutral, both turn
+    independently; gear, a fixed ratio; direct, 1 whatever the ratios of the
+    mechanisms. Free: other links are left undetermined. A freewheel counts as one
+    that holds.
+
+    With --elements auto the elements are a clutch between any two links and a brake
+    on any link but input and output; F-1-2 and T-3 are new ones, by their links.
+
+    Torques are those of the engaged elements without losses, over the input's; slip is that
+    of a direct drive by one element while the output stands: their product is 1.
+
+    \b
+    Examples:
+      vstatics synth combinations box.yaml
+      vstatics synth combinations box.yaml --engaged 1,2 -f json
+      vstatics synth combinations box.yaml --elements auto --sort torques
+      vstatics synth combinations box.yaml --elements auto --write gears.yaml
+      vstatics synth combinations box.yaml --ports all --elements auto -f json
+
+    \b
+    Exit status: 0 done; 1 the case is in error, no gear is there to write;
+    2 wrong use.
+    """
+    to, telling = one.destination(), one.telling
+    form = None if target is None else case_format(target, [one.case], to.output)
+    from vstatics.synthesis.cli.combinations_output import (
+        check_room,
+        show,
+        show_estimate,
+        show_ports,
+    )
+    from vstatics.synthesis.gears.ports import between, port_pairs
+    from vstatics.synthesis.gears.search import (
+        AUTO,
+        CombinationSearch,
+        chosen_elements,
+        refuse_converters,
+    )
+
+    if ports and (trials.dry_run or target):
+        raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
+    reading = one.read()
+    with problems_of(reading):
+        refuse_converters(reading.case)
+    chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
+    with wrong_value("--elements"):
+        if chosen != [AUTO]:
+            chosen_elements(reading.case, chosen)
+    with wrong_value("--ports"):
+        pairs = port_pairs(reading.case, separated(ports))
+    cases = [between(reading.case, pair) for pair in pairs] or [reading.case]
+    with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
+        searches = [CombinationSearch(case, engaged, chosen) for case in cases]
+    with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
+        for each in searches:
+            each.check(None if trials.dry_run else trials.at_most // len(searches))
+    search, kept, by_torque = searches[0], True, sort is not None
+    if pairs:
+        show_ports(searches, one.case, to, telling, by_torque=by_torque)
+    elif trials.dry_run:
+        show_estimate(search, one.case, to)
+    else:
+        check_room(search, to, by_torque=by_torque)
+        _told_freewheels(search, telling)
+        if target is not None and form is not None:
+            kept = _write(search, target, form, one)
+        show(search, one.case, to, telling, by_torque=by_torque)
+    return FAILED if not kept or telling.fails(reading.warnings) else DONE
+
+
+def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
+    """Names of elements; a comma separates them unless it is in quotes, or all is one name."""
+    return [one for text in asked for one in ([text] if text in names else separated([text]))]
+
+
+@contextmanager
+def _hint(hint: str) -> Iterator[None]:
+    """Say which options help with what is wrong with the case."""
+    try:
+        yield
+    except CaseError as error:
+        raise CaseError(
+            [
+                one._replace(message=f"{one.message}; {hint}") if one.path else one
+                for one in error.problems
+            ]
+        ) from None
+
+
+def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
+    names = [element.name for element in search.elements if element.is_freewheel]
+    if names and not telling.quiet:
+        message = f"note: a freewheel counts as an element that holds: {listed(names)}"
+        files.say(f"{message}; --write keeps the gears in which they do")
+
+
+def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> bool:
+    """Write a case with the gears; whether all is kept."""
+    from vstatics.synthesis.gears.found_gears import found_gears
+
+    try:
+        found = found_gears(search)
+    except CaseError as error:
+        message = f"{error.problems[0].message}; {target} is not written"
+        raise ReadError([of_file("E020", file_name(one.case), message)]) from None
+    if found.slipping and not one.telling.quiet:
+        files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
+    if found.free and not one.telling.quiet:
+        what = f"{found.free} {plural('gear', found.free)} with other links undetermined"
+        files.say(f"{target}: left out: {what}")
+    return write_case(found.case, target, form)

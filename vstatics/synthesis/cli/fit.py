@@ -1,0 +1,147 @@
+"""`vstatics synth fit`: ratios of mechanisms for wanted ratios of gears."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.frame.progress import progress
+from vstatics.core.cli.frame.values import named, pair, value, wrong_use
+from vstatics.core.errors import Problem, listed, of_file, spoken
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.named.scalars import number
+from vstatics.core.readers.reading import Reading
+from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
+from vstatics.synthesis.ratios.fitting import (
+    TOLERANCE,
+    Fit,
+    fitted_case,
+    left_out_by_fit,
+    lost_by_fit,
+)
+from vstatics.synthesis.ratios.fitting import fit as fitted
+from vstatics.synthesis.ratios.grids import dry_document, dry_grids, fit_grids
+from vstatics.synthesis.ratios.problem import doubts, fit_problem
+
+
+class FitOptions(NamedTuple):
+    """What is looked for."""
+
+    ratios: Mapping[str, float]
+    bounds: Mapping[str, tuple[float, float]]
+    weights: Mapping[str, float]
+    tolerance: float
+
+
+@click.command()
+@gathered(
+    "asked",
+    FitOptions,
+    click.option(
+        "--ratios",
+        multiple=True,
+        required=True,
+        metavar="GEAR=I,...",
+        callback=value(named("GEAR=RATIO", number), "--ratios"),
+        help="What gears should have, by their names, such as 1=4.7,2=3.13,R=-3.3; a name with "
+        "commas in double quotes; may be given several times.",
+    ),
+    click.option(
+        "--bounds",
+        multiple=True,
+        metavar="MECHANISM=LOW:HIGH,...",
+        callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
+        help="Between which numbers its ratio is looked for, or the one that it has; `all` for "
+        "those that are not named. Else it keeps its sign, and its size is up to 14, between "
+        "moving links on the same side of 1.",
+    ),
+    click.option(
+        "--weights",
+        multiple=True,
+        metavar="GEAR=W,...",
+        callback=value(named("GEAR=WEIGHT", number), "--weights"),
+        help="Weights of the squares of ln(i/wanted); 1 when not given.",
+    ),
+    click.option(
+        "--tolerance",
+        type=float,
+        default=TOLERANCE,
+        show_default=True,
+        metavar="T",
+        help="A ratio is met where |ln(i/wanted)| is no more.",
+    ),
+)
+@click.option("--dry-run", is_flag=True, help="Only say what is varied, and what gears can have.")
+@written_case
+@one_case
+def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> int:
+    """Find ratios of the mechanisms of CASE for wanted ratios of gears; - is standard input.
+
+    The sum of squares of ln(i/wanted) is least, within bounds; all solutions that differ are
+    found from many starts. The ratios of the case itself matter only for their signs, and where
+    the wanted ones leave a choice. Teeth are left out of account: a drawn element has the ratio
+    of its wheels, one of shared planets several, between its central wheels.
+
+    \b
+    Examples:
+      vstatics synth fit cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
+      vstatics synth fit box.yaml --ratios 1=4.7,2=3.13 --bounds P1=-4:-1.5 -f json
+      vstatics synth fit box.yaml --ratios 1=4.7 --write fitted.yaml
+
+    \b
+    Exit status: 0 all wanted ratios are met; 1 some are not, or the case is in error;
+    2 wrong use, such as a ratio that the gear can't have.
+    """
+    to = one.destination()
+    form = "" if target is None else case_format(target, [one.case], to.output)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        own, file = reading.case, file_name(one.case)
+        with wrong_use(FitOptions._fields):
+            if dry_run:
+                problem = fit_problem(own, *asked)
+                notes = warnings_of("W804", doubts(problem), file)
+                known = dry_document(problem)
+                return CaseAnswer(lambda: dry_grids(known), known, notes)
+            with progress(None, "steps", quiet=one.telling.quiet) as advance:
+                found = fitted(own, **asked._asdict(), advance=advance)
+        return CaseAnswer(
+            lambda: fit_grids(found),
+            found,
+            _notes(found, file),
+            failed=bool(found.unmet),
+            write=lambda: target is None or _write(own, found, target, form, one.telling),
+        )
+
+    return one.answer(calculate, to)
+
+
+def _write(case: Transmission, found: Fit, target: str, form: str, telling: Telling) -> bool:
+    """Write the case with the ratios found; whether it keeps all of the other."""
+    lost = lost_by_fit(case)
+    kept = write_case(fitted_case(case, found.ratios), target, form)
+    for what in lost:
+        files.say(f"{target}: not kept: {what}")
+    for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
+        files.say(f"{target}: left out: {what}")
+    return kept and not lost
+
+
+def _notes(found: Fit, file: str) -> list[Problem]:
+    """What is not met, and what to know of the solution."""
+    notes = []
+    if found.unmet:
+        off = "infinitely" if math.isinf(found.residual) else f"up to {100 * found.residual:.3g} %"
+        notes.append(of_file("E021", file, f"not met: {spoken(found.unmet)}, off by {off}"))
+    told = [*found.warnings]
+    if found.free:
+        choice = f"the wanted ratios leave a choice of {listed(found.free)}"
+        told.append(f"{choice}: they are as near as may be to the case's own")
+    return notes + warnings_of("W805", told, file)

@@ -1,0 +1,40 @@
+"""`vstatics synth`: the gearbox to be found; each of its commands is a module."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.core.cli.frame.lazy_group import LazyGroup
+
+COMMANDS = {
+    "structures": ("vstatics.synthesis.cli.structures", "All schemes of so many planetary sets."),
+    "case": ("vstatics.synthesis.cli.case", "A case of one of them."),
+    "combinations": (
+        "vstatics.synthesis.cli.combinations",
+        "What each combination of shift elements of a case does.",
+    ),
+    "fit": ("vstatics.synthesis.cli.fit", "Ratios of mechanisms for wanted ratios of gears."),
+    "box": ("vstatics.synthesis.cli.box.command", "Whole gearboxes for wanted ratios of gears."),
+    "teeth": ("vstatics.synthesis.cli.teeth", "Integer teeth for wanted ratios of gears or sets."),
+}
+
+
+class SynthesisCommands(LazyGroup):
+    """The commands of `vstatics synth`."""
+
+    modules = COMMANDS
+
+
+@click.group(cls=SynthesisCommands)
+def synth() -> None:
+    """Find a gearbox: schemes of planetary sets, gears of a case, ratios, whole gearboxes.
+
+    \b
+    Examples:
+      vstatics synth structures --sets 3 --classes sets
+      vstatics synth case 0-1-2-0-3-1 --input L0 --output L1 -o box.yaml
+      vstatics synth combinations box.yaml --elements auto --write gears.yaml
+      vstatics synth fit box.yaml --ratios 1=3.5 --write fitted.yaml
+      vstatics synth box --sets 1 --elements 2 --engaged 1 --ratios 3,1 -o found/
+      vstatics synth teeth fitted.yaml --write teeth.yaml
+    """

@@ -1,0 +1,223 @@
+"""`vstatics synth teeth`: integer teeth for wanted ratios of gears or sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import click
+
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.progress import progress
+from vstatics.core.cli.frame.values import named, pair, separated, told, value, wrong_use
+from vstatics.core.errors import Problem, listed, of_file, quoted
+from vstatics.core.readers.named.scalars import number
+from vstatics.core.readers.reading import Reading
+from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
+from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, doubts_before, find_teeth
+from vstatics.synthesis.teeth.grids import asked_grids, teeth_grids
+from vstatics.synthesis.teeth.limits import CLEARANCE, TeethLimits
+from vstatics.synthesis.teeth.problem import own_ratios, teeth_problem
+from vstatics.synthesis.teeth.solutions import TeethAnswer, asked_document, case_with_teeth
+from vstatics.synthesis.teeth.targets import TeethError
+
+
+def _whole(text: str) -> int:
+    read = told(number)(text)
+    if read != int(read):
+        raise ValueError(f"read {quoted(text)}, expected a whole number")
+    return int(read)
+
+
+def _several(texts: Sequence[str]) -> list[str]:
+    """The values of an option without names, none of which is empty."""
+    found = separated(texts)
+    if not all(found):
+        raise ValueError(f"read {quoted(','.join(texts))}")
+    return found
+
+
+def _modules(texts: Sequence[str]) -> tuple[float, ...]:
+    return tuple(map(told(number), _several(texts)))
+
+
+def _counts(texts: Sequence[str]) -> tuple[int, ...]:
+    """Numbers of planets, each alone, or all from one to another."""
+    found: list[int] = []
+    for text in _several(texts):
+        low, colon, high = text.partition(":")
+        first = _whole(low)
+        last = _whole(high) if colon else first
+        if not first <= last < first + 100:
+            raise ValueError(f"read {quoted(text)}, expected a number, or LOW:HIGH")
+        found += range(first, last + 1)
+    return tuple(found)
+
+
+def _whole_pair(text: str) -> tuple[int, int]:
+    low, high = pair(text, "17:60")
+    if low != int(low) or high != int(high):
+        raise ValueError("expected whole numbers of teeth, such as 17:60")
+    return int(low), int(high)
+
+
+@click.command()
+@click.option(
+    "--ratios",
+    multiple=True,
+    metavar="NAME=I,...",
+    callback=value(named("NAME=RATIO", number), "--ratios"),
+    help="What gears should have, such as 1=4.7,R=-3.3, or sets, such as P1=-2.03; a name with "
+    "commas in double quotes. Else what the gears of the case have.",
+)
+@gathered(
+    "limits",
+    TeethLimits,
+    click.option(
+        "--range",
+        "ranges",
+        multiple=True,
+        metavar="WHEEL=LOW:HIGH,...",
+        callback=value(named("WHEEL=LOW:HIGH", _whole_pair), "--range"),
+        help="Fewest and most teeth, or the number there is to be: of the wheels of one name, "
+        "sun=17:60, of one of them, P2.ring=40:121, or of all others, all=17:90. Else 17 to 60, "
+        "rings to 121, wheels of pairs to 100, and as far as what the case has. Fewer than 17 mean "
+        "a shifted profile.",
+    ),
+    click.option(
+        "--planets",
+        multiple=True,
+        metavar="N,...",
+        callback=value(_counts, "--planets"),
+        help="How many planets there may be; else as many as the case says, or 3 to 5.",
+    ),
+    click.option(
+        "--clearance",
+        metavar="C",
+        callback=value(told(number), "--clearance"),
+        default=f"{CLEARANCE:g}",
+        show_default=True,
+        help="Modules between the tips of neighbouring planets.",
+    ),
+    click.option(
+        "--centre",
+        multiple=True,
+        metavar="PAIR=A,...",
+        callback=value(named("PAIR=MODULES", number), "--centre"),
+        help="Distance of the axes of an external gear pair in modules, half the sum of its teeth; "
+        "pairs on the same two shafts need it, since their axes are not compared.",
+    ),
+    click.option(
+        "--modules",
+        multiple=True,
+        metavar="M,...",
+        callback=value(_modules, "--modules"),
+        help="Modules to choose from [mm], one for all wheels that mesh; else all have the same.",
+    ),
+    click.option(
+        "--largest-diameter",
+        metavar="D",
+        callback=value(told(number), "--largest-diameter"),
+        help="Of an element over its ring or planets [mm]; needs --modules.",
+    ),
+    click.option(
+        "--shift",
+        metavar="N",
+        callback=value(_whole, "--shift"),
+        default="0",
+        show_default=True,
+        help="Teeth by which axes may differ, up to 2, as shifted profiles make up for it; else "
+        "they coincide. Then wheels may have 14 teeth.",
+    ),
+)
+@click.option(
+    "--error",
+    type=click.Choice(["ln", "absolute"]),
+    default="ln",
+    show_default=True,
+    help="What is least in its largest value: |ln(i/target)|, or |i - target|.",
+)
+@click.option(
+    "--dry-run", is_flag=True, help="Only say which wheels of which kinds are looked for."
+)
+@written_case
+@one_case
+def teeth(
+    one: OneCase,
+    ratios: Mapping[str, float],
+    limits: TeethLimits,
+    error: TeethError,
+    dry_run: bool,
+    target: str | None,
+) -> int:
+    """Find teeth of the elements of CASE for wanted ratios; - is standard input.
+
+    All teeth fulfil the conditions: axes coincide, planets go in and don't touch, no wheel is
+    undercut (14 to 16 teeth, where a range has them, need a shifted profile), no tips foul one
+    another in a ring. The 20 best are given, each with other teeth, by
+    the largest error of all that is wanted; it is proven that no others are better. A mechanism
+    without teeth counts as a planetary set, or as a pair of wheels where it has two links:
+    --dry-run tells which.
+
+    \b
+    Examples:
+      vstatics synth teeth cases/belaz7516.yaml --ratios 2=4,4=2.01,5=1.4925,R2=-5.12
+      vstatics synth teeth box.yaml --range sun=17:60,P2.ring=40:121 --planets 3,4 -f json
+      vstatics synth teeth box.yaml --ratios P1=-2.03 --write teeth.yaml
+
+    \b
+    Exit status: 0 teeth are found; 1 none fulfil the conditions, or the case is in error;
+    2 wrong use, such as a wheel that there is not.
+    """
+    to = one.destination()
+    form = "" if target is None else case_format(target, [one.case], to.output)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        own, file = reading.case, file_name(one.case)
+        with wrong_use(_OPTIONS):
+            asked = ratios or own_ratios(own)
+            if dry_run:
+                problem = teeth_problem(own, asked, limits, error)
+                notes = warnings_of("W801", doubts_before(problem), file)
+                return CaseAnswer(lambda: asked_grids(problem), asked_document(problem), notes)
+            try:
+                with progress(None, "regions", quiet=one.telling.quiet) as advance:
+                    found = find_teeth(own, asked, limits, error=error, advance=advance)
+            except NoTeethError as failed:
+                why = [problem.in_file(file) for problem in failed.problems]
+                return CaseAnswer(list, TeethAnswer([]), why, failed=True)
+
+        def write() -> bool:
+            best = found.solutions[0]
+            return target is None or write_case(
+                case_with_teeth(own, found.problem, best), target, form
+            )
+
+        return CaseAnswer(
+            lambda: teeth_grids(found),
+            TeethAnswer(found.solutions),
+            [*_notes(found, file)],
+            write=write,
+        )
+
+    return one.answer(calculate, to)
+
+
+_OPTIONS = (
+    *("ratios", "range", "planets", "clearance", "centre"),
+    *("modules", "largest-diameter", "shift"),
+)
+
+
+def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
+    """What to know of the solutions."""
+    yield from warnings_of("W802", found.doubts, file)
+    if found.problem.unused:
+        message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
+        yield of_file("N801", file, message)
+    if not found.is_proven:
+        message = (
+            f"the search was ended: that others are better is possible, "
+            f"but none has an error below {found.bound:.3g}"
+        )
+        yield from warnings_of("W803", [message], file)

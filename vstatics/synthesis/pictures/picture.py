@@ -1,0 +1,179 @@
+"""Found boxes at a glance: mean loss over the largest torque, and stick diagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
+
+from vstatics.core.errors import CaseError
+from vstatics.core.extras import require
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.summary.contrast import letters
+from vstatics.core.texts import Language
+from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
+from vstatics.pictures.drawing.labels import POINTS_PER_INCH, Point, height, wrapped
+from vstatics.pictures.drawing.pen import Pen, blank
+from vstatics.pictures.drawing.style import MARGIN, SIZE, SMALL_NUMBER, Style, number
+from vstatics.pictures.schemes.bare import BareStick, bare_stick
+from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, drawn_boxes
+from vstatics.synthesis.pictures.points import (
+    POINTS_SCALE_WIDTH,
+    draw_points,
+    families_width,
+    points_words,
+    torque_name,
+)
+
+POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
+"""Of the axes, over diagrams or alone. [pt]"""
+BOXES_SCALE_HEIGHT = 34.0
+"""For the scale. [pt]"""
+CAPTION_LINE_HEIGHT = 11.0
+"""From line to line. [pt]"""
+MOST_DRAWN_DIAGRAMS = 8
+"""So many diagrams are drawn."""
+DIAGRAMS_SIDE_BY_SIDE = 2
+DIAGRAM_GAP = 16.0
+"""Between diagrams. [pt]"""
+LARGEST_DIAGRAM_SCALE = 0.62
+"""Scale of a diagram, at most."""
+
+
+class BoxCell(NamedTuple):
+    """A diagram with what stands over it; lengths in points."""
+
+    heading: str
+    caption: Sequence[str]
+    stick: BareStick
+    part: float
+    """Its scale."""
+
+    @property
+    def size(self) -> Point:
+        """Of all of it."""
+        wide, high = (self.part * length for length in self.stick.size)
+        return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
+
+    def draw(self, page: Pen, x: float, top: float, room: float) -> None:
+        """At its left upper corner, the diagram in the middle of its room."""
+        page.text(x, top, self.heading, bold=True, va="top")
+        y = top
+        for line in self.caption:
+            y -= CAPTION_LINE_HEIGHT
+            page.text(x, y, line, color=page.style.soft, va="top")
+        wide, high = (self.part * length for length in self.stick.size)
+        corner = x + (room - wide) / 2, y - CAPTION_LINE_HEIGHT - high
+        pen = page.panel(corner, (wide, high))
+        self.stick.draw(pen._replace(letters=SMALL_NUMBER / (SIZE * self.part)))
+
+
+def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:
+    """The pages of a picture of found boxes as files.
+
+    Raises
+    ------
+    CaseError
+        If there is no box, or matplotlib is not installed.
+    ReadError
+        If the case of one that is drawn is none.
+    """
+    require("plot", "a picture")
+    with settings_of(style):
+        figures = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
+    return files_of(figures, form, style, "found boxes")
+
+
+def render_points(
+    listing: BoxListing, drawn: Sequence[ListedBox], language: Language = "en"
+) -> bytes:
+    """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
+    style = Style(language, titled=False)
+    with settings_of(style):
+        figure = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).figure
+    return written(figure, "svg", style, "found boxes")
+
+
+def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
+    """Points of all boxes over the diagrams of some, which go on on further pages.
+
+    Raises
+    ------
+    CaseError
+        If there is no box.
+    """
+    if not drawn:
+        raise CaseError("E009", "no box was found, so there is nothing to draw")
+    count = DIAGRAMS_SIDE_BY_SIDE
+    room = (style.width - 2 * MARGIN - (count - 1) * DIAGRAM_GAP) / count
+    cells = [_cell(box, room, style) for box in drawn]
+    rows = [cells[at : at + count] for at in range(0, len(cells), count)]
+    high = [max(cell.size[1] for cell in row) for row in rows]
+    over = _page(listing, drawn, 0.0, POINTS_HEIGHT, style).figure.get_figheight() * POINTS_PER_INCH
+    figures: list[Figure] = []
+    while rows:
+        above = 2 * MARGIN if figures else over
+        fit = sum(total + above <= style.height for total in accumulate(high)) or int(bool(figures))
+        below = sum(high[:fit])
+        page = (
+            blank(style.width, below + 2 * MARGIN, style)
+            if figures
+            else _page(listing, drawn, below, POINTS_HEIGHT, style)
+        )
+        top = below + MARGIN
+        for row, tall in zip(rows[:fit], high[:fit], strict=True):
+            for column, cell in enumerate(row):
+                cell.draw(page, MARGIN + column * (room + DIAGRAM_GAP), top, room)
+            top -= tall
+        figures.append(page.figure)
+        rows, high = rows[fit:], high[fit:]
+    return figures
+
+
+def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
+    """A box in a width [pt]."""
+    case = box.transmission()
+    stick = bare_stick(case, style, is_small=True)
+    part = min(LARGEST_DIAGRAM_SCALE, room / stick.size[0])
+    heading = f"{box.number}   {style.text('family')} {box.family}"
+    return BoxCell(heading, _caption(box, case, room, style), stick, part)
+
+
+def _page(
+    listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
+) -> Pen:
+    """The points in axes so high, on a page with so much room below them [pt]."""
+    families = families_width(listing, drawn, style)
+    wide = style.width - 2 * MARGIN - POINTS_SCALE_WIDTH - families
+    low = MARGIN + below + BOXES_SCALE_HEIGHT + height(torque_name(wide, style)) - height("")
+    words = points_words(listing, style.width - 2 * MARGIN, style, has_more=True)
+    page = blank(style.width, low + high + words.high + MARGIN, style)
+    pen = page.panel((MARGIN + POINTS_SCALE_WIDTH, low), (wide, high))
+    draw_points(pen, listing, drawn)
+    return page
+
+
+def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> list[str]:
+    """What stands over a diagram, below its heading: ratios, figures, names of its letters."""
+    names = [element.name for element in case.shift_elements]
+    called = zip(letters(len(names)), names, strict=True)
+    ratios = {name: gear.ratio for name, gear in box.gears.items()}
+    said = [f"{name}: {number(ratio)}" for name, ratio in ratios.items()]
+    forward = [ratio for ratio in ratios.values() if ratio > 0]
+    spread = [f"{style.text('spread')} {number(max(forward) / min(forward))}"] * (len(forward) > 1)
+    figures = (
+        (style.text("loss"), f"{100 * box.loss:.2f} %"),
+        (style.text("torque"), f"{box.torque:.2f}"),
+        (style.text("planets"), f"{box.planet_speed:.2f}"),
+        (style.text("slip"), f"{box.slip:.2f}"),
+        (style.text("brakes"), f"{box.brakes}"),
+        (style.text("clutches"), f"{box.clutches}"),
+    )
+    texts = (
+        "; ".join([", ".join(said), *spread]),
+        ", ".join(f"{name} {value}".replace("nan", "–") for name, value in figures),
+        ", ".join(map(" ".join, called)),
+    )
+    return [line for text in texts for line in wrapped(text, room).split("\n")]

@@ -1,0 +1,256 @@
+"""Found boxes as points: mean loss over the largest torque, families told apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from vstatics.core.tables.numbers import certain
+from vstatics.pictures.drawing.groups import grouped
+from vstatics.pictures.drawing.labels import (
+    LINE_HEIGHT,
+    Span,
+    height,
+    ticks,
+    title_width,
+    widest,
+    wrapped,
+)
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import TITLE, Style
+from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
+from vstatics.synthesis.pictures.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
+
+MARKERS = "os^Dv"
+"""Of families, by turns, as their colours."""
+AXIS_ROOM = 0.06
+"""Beside the outermost points, as a part of the axis."""
+LEAST_AXIS_ROOM = 0.05
+"""At least, as a part of the largest number."""
+CROWD = 1000
+"""From so many points of one look on they are small."""
+FEW_POINTS = 300
+"""Up to so many points each says what it is."""
+POINTS_SCALE_WIDTH = 40.0
+"""From the words over the axes to these. [pt]"""
+LOGARITHMIC_RATIO = 8.0
+"""A scale is logarithmic if the largest value is so many times the smallest."""
+BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
+"""From the axes to the signs of families, from these to their names. [pt]"""
+TICK_ROOM = 30.0
+"""From number to number across, at least. [pt]"""
+OVER_AXES = 12.0
+"""From the axes to the words over them. [pt]"""
+PointLook = tuple[str, str]
+"""Colour and marker."""
+
+
+def has_place(box: ListedBox) -> bool:
+    """Whether a box has both figures."""
+    return math.isfinite(box.loss) and math.isfinite(box.torque)
+
+
+def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> None:
+    """All boxes that have both figures as points, those with a diagram by their numbers.
+
+    Parameters
+    ----------
+    pen : Pen
+        In the rectangle of the axes: losses in % over torques.
+    drawn : sequence of ListedBox
+        Those with a diagram; their families have colours, others are grey.
+    """
+    boxes, style = [box for box in listing.boxes if has_place(box)], pen.style
+    x, y = box_scale([box.torque for box in boxes]), box_scale([100 * box.loss for box in boxes])
+    pen = pen._replace(x=x, y=y)
+    _scales(pen)
+    looks = _looks(drawn, style)
+    spots = list(_spots(pen, boxes))
+    alike = grouped(
+        ((looks.get(one.boxes[0].family), any(box.pareto for box in one.boxes)), one)
+        for one in spots
+    )
+    for (look, is_pareto), own in alike.items():
+        for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
+            _draw_spots(pen, some, look, is_pareto=is_pareto)
+    has_more = number_spots(pen, spots, {box.number for box in drawn})
+    room = POINTS_SCALE_WIDTH + pen.size[0] + families_width(listing, drawn, style)
+    points_words(listing, room, style, has_more=has_more).draw(pen)
+    _draw_families(pen, _families(listing, looks, style))
+
+
+def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
+    """Of the families of boxes with a diagram."""
+    return {
+        family: (style.colour(place), MARKERS[place % len(MARKERS)])
+        for place, family in enumerate(dict.fromkeys(box.family for box in drawn))
+    }
+
+
+def _scales(pen: Pen) -> None:
+    numbers, text = _ticks(pen.y, 8), pen.style.text
+    pen.scale("left", numbers, grid=True)
+    pen.scale("bottom", _ticks(pen.x, min(8, int(pen.size[0] / TICK_ROOM))), grid=True)
+    pen.frame("left", "bottom")
+    torque = torque_name(pen.size[0], pen.style)
+    pen.name("bottom", torque, 24 + (height(torque) - height("")) / 2)
+    loss = text("mean loss, forward gears, %")
+    pen.name("left", loss, min(widest(tick_texts(numbers)) + 14, POINTS_SCALE_WIDTH - 4))
+
+
+def torque_name(wide: float, style: Style) -> str:
+    """What is across axes so wide [pt], in lines: it may go on below the words at their left."""
+    said = style.text("largest torque of an engaged element / input torque")
+    return wrapped(said, wide + 2 * POINTS_SCALE_WIDTH)
+
+
+def _ticks(scale: AxisScale, most: int) -> list[float]:
+    """Round numbers of a scale: 1, 2, 5, 10 and so on where it is logarithmic."""
+    if not scale.is_log:
+        return ticks(scale.low, scale.high, most)
+    powers = range(math.floor(math.log10(scale.low)), math.ceil(math.log10(scale.high)) + 1)
+    found = [digit * 10.0**power for power in powers for digit in (1, 2, 5)]
+    return [one for one in found if scale.low <= one <= scale.high]
+
+
+def box_scale(values: Sequence[float]) -> AxisScale:
+    """A scale for numbers, logarithmic where they differ much."""
+    if values and 0 < LOGARITHMIC_RATIO * min(values) < max(values):
+        low, high = (math.exp(end) for end in _ends([math.log(one) for one in values]))
+        return AxisScale(low, high, is_log=True)
+    return AxisScale(*_ends(values))
+
+
+def _ends(values: Sequence[float]) -> Span:
+    """The ends of an axis: beside all values, and apart where these differ by rounding.
+
+    >>> _ends([2.0, 2.0]), _ends([])
+    ((1.9, 2.1), (0.0, 1.0))
+    """
+    if not values:
+        return 0.0, 1.0
+    low, high = certain(min(values)), certain(max(values))
+    room = (
+        max(AXIS_ROOM * (high - low), LEAST_AXIS_ROOM * max(abs(low), abs(high))) or LEAST_AXIS_ROOM
+    )
+    return low - room, high + room
+
+
+def _spots(pen: Pen, boxes: Sequence[ListedBox]) -> Iterable[BoxPoint]:
+    """Boxes by their places; those of a family that coincide are together."""
+    found: dict[tuple[int, int, int], BoxPoint] = {}
+    for box in boxes:
+        at = pen.across(box.torque), pen.up(100 * box.loss)
+        found.setdefault((box.family, *rounded(at)), BoxPoint(at, [])).boxes.append(box)
+    return found.values()
+
+
+def _draw_spots(
+    pen: Pen, spots: Sequence[BoxPoint], look: PointLook | None, *, is_pareto: bool
+) -> None:
+    style, (colour, marker) = pen.style, look or (pen.style.faint, "o")
+    edge, thick = (style.ink, 1.2) if is_pareto else (style.paper, 0.4)
+    pen.line(
+        *(spot.at for spot in spots),
+        title=_said(spots[0], style) if len(spots) == 1 else "",
+        color=colour,
+        linestyle="none",
+        marker=marker,
+        markeredgecolor=edge,
+        markeredgewidth=thick,
+        markersize=LARGE_SPOT if is_pareto else SPOT if len(spots) < CROWD else SPOT / 2,
+        zorder=3 + is_pareto + 2 * (look is not None),
+    )
+
+
+def _said(spot: BoxPoint, style: Style) -> str:
+    """What a point is."""
+    numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
+    family = f"{style.text('family')} {first.family}"
+    loss = f"{style.text('loss')} {100 * first.loss:.2f} %"
+    return f"{numbers}: {family}, {loss}, {style.text('torque')} {first.torque:.2f}"
+
+
+class PointsWords(NamedTuple):
+    """What stands over the axes, each in lines."""
+
+    title: str
+    notes: str
+
+    @property
+    def high(self) -> float:
+        """With the gap to the axes [pt]."""
+        title_high = height(self.title, TITLE) if self.title else 0.0
+        return OVER_AXES + height(self.notes) + title_high
+
+    def draw(self, pen: Pen) -> None:
+        """Over the axes, from the left of their scale."""
+        x, y = -POINTS_SCALE_WIDTH, pen.size[1] + OVER_AXES
+        look: Look = {"va": "bottom", "linespacing": LINE_HEIGHT}
+        pen.text(x, y, self.notes, color=pen.style.soft, **look)
+        pen.text(x, y + height(self.notes) + 2, self.title, size=TITLE, bold=True, **look)
+
+
+def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
+    """What stands over the axes in a width [pt]; whether a place has more boxes than one."""
+    found, families, searched = len(listing.boxes), len(listing.families), listing.searched
+    said = style.text(
+        "{searched} looked at, {count} family with equal ratios|"
+        "{searched} looked at, {count} families with equal ratios",
+        searched=searched,
+        count=families,
+    )
+    notes = [said] * style.titled
+    placeless = sum(not has_place(box) for box in listing.boxes)
+    if placeless:
+        more = style.text("without loss or torque")
+        notes.append(f"{more}: {placeless}")
+    if has_more:
+        more = style.text("+1: one more at this place")
+        notes.append(more)
+    title = style.text("Found boxes: {found}", found=found)
+    return PointsWords(
+        wrapped(title, room, title_width) * style.titled, wrapped("; ".join(notes), room)
+    )
+
+
+def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> float:
+    """That the names of families need beside the axes [pt]."""
+    entries = _families(listing, _looks(drawn, style), style)
+    return BESIDE_POINTS + TO_FAMILY + widest(text for _, _, text in entries)
+
+
+def _families(
+    listing: BoxListing, looks: Mapping[int, PointLook], style: Style
+) -> list[tuple[PointLook, str, str]]:
+    """The families that have a colour, how many are grey, what has a dark edge."""
+    families = listing.families
+    entries = [
+        (look, style.paper, f"{style.text('family')} {family} ({len(families[family])})")
+        for family, look in looks.items()
+    ]
+    rest = len(families) - len(looks)
+    if rest:
+        others = style.text("{rest} others", rest=rest)
+        entries.append(((style.faint, "o"), style.paper, others))
+    if any(box.pareto for box in listing.boxes):
+        pareto = style.text("Pareto list")
+        entries.append(((style.paper, "o"), style.ink, pareto))
+    return entries
+
+
+def _draw_families(pen: Pen, entries: Sequence[tuple[PointLook, str, str]]) -> None:
+    x, step = pen.size[0] + BESIDE_POINTS, min(13.0, pen.size[1] / max(len(entries), 1))
+    for row, ((colour, marker), edge, text) in enumerate(entries):
+        y = pen.size[1] - 4 - step * row
+        pen.line(
+            (x, y),
+            color=colour,
+            marker=marker,
+            markeredgecolor=edge,
+            markersize=LARGE_SPOT - 1,
+            linestyle="",
+        )
+        pen.text(x + TO_FAMILY, y, text, va="center")

@@ -1,0 +1,30 @@
+"""The stick diagram of a found box, as a file of its own."""
+
+from __future__ import annotations
+
+from vstatics.core.model.transmission import Transmission
+from vstatics.pictures.drawing.files import settings_of, written
+from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.schemes.bare import bare_stick
+
+
+def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
+    """The stick diagram of the case of a box, as SVG; its mechanisms are sun, ring and carrier.
+
+    Parameters
+    ----------
+    title : str, optional
+        Over it; the name of the case if it is not given.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, ShiftElement
+    >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
+    >>> stick_diagram(case)[:5]
+    b'<?xml'
+    """
+    style = Style()
+    with settings_of(style):
+        shown = case.name if title is None else title
+        figure = bare_stick(case, style).drawn(shown).figure
+    return written(figure, "svg", style, shown)

@@ -1,0 +1,191 @@
+"""Found boxes as one page of HTML, and what stands beside their cases in a directory."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from vstatics.core.errors import CaseError
+from vstatics.core.extras import missing
+from vstatics.core.tables.answer import plain_data
+from vstatics.core.tables.html import Markup, joined, table, tag
+from vstatics.core.tables.numbers import typeset
+from vstatics.core.texts import spoken, tr
+from vstatics.page.report.asked import EVERYTHING
+from vstatics.page.report.html_page import framed, stamped
+from vstatics.page.report.overview import line_of
+from vstatics.page.report.page_pictures import inline
+from vstatics.page.report.parts import figure
+from vstatics.page.report.sections import Part
+from vstatics.pictures.drawing.style import Style
+from vstatics.synthesis.boxes.listing import BoxListing, WantedOfBoxes, drawn_boxes
+from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears
+from vstatics.synthesis.report.box_parts import (
+    all_grid,
+    asked_range,
+    asked_ratio,
+    box_link,
+    family_grid,
+    middle,
+    shown_box,
+)
+
+MOST_SHOWN_BOXES = 40
+"""So many boxes have a diagram on the page."""
+MOST_LISTED = 1000
+"""So many boxes stand in its table."""
+
+
+def box_pages(listing: BoxListing) -> dict[str, bytes]:
+    """Return the page of found boxes and, with the extra for it, their picture, by file name.
+
+    Parameters
+    ----------
+    listing : BoxListing
+        With boxes.
+
+    Raises
+    ------
+    CaseError
+        If there is no box.
+    """
+    pages = {"boxes.html": boxes_page(listing).encode(errors="backslashreplace")}
+    if not missing("plot", "a picture"):
+        from vstatics.synthesis.pictures.picture import render_boxes
+
+        [pages["boxes.svg"]] = render_boxes(listing, "svg", Style())
+    return pages
+
+
+def boxes_page(
+    listing: BoxListing,
+    document: Mapping[str, Any] | None = None,
+    digits: int | None = None,
+    stamp: Mapping[str, str] = EVERYTHING.stamp,
+) -> str:
+    """The page, as HTML; without matplotlib it has no pictures.
+
+    Parameters
+    ----------
+    document : mapping, optional
+        From which the listing was read; the page carries it, with the boxes that it lists.
+    digits : int, optional
+        After the point, where they are not those that suit a number.
+    stamp : mapping of str to str, optional
+        A head: who made it, for what, when.
+
+    Raises
+    ------
+    CaseError
+        If there is no box.
+    ReadError
+        If the case of one that is drawn is none.
+    """
+    if not listing.boxes:
+        raise CaseError("E009", "no box was found, so there is nothing to show")
+    without = missing("plot", "a picture")
+    parts = [
+        Part("Overview", list(_overview(listing, without))),
+        Part("Boxes", list(_tables(listing, digits))),
+        Part("Diagrams", list(_diagrams(listing, without, digits))),
+    ]
+    found = len(listing.boxes)
+    title = tr("{count} found box|{count} found boxes", count=found)
+    data = document or plain_data(listing._replace(boxes=()))
+    boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
+    listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
+    return framed(title, [*stamped(stamp), *_about(listing)], parts, listed)
+
+
+def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
+    """All boxes, as far as they are listed, and their families."""
+    drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN_BOXES)}
+    yield table(all_grid(listing, MOST_LISTED, drawn).with_digits(digits))
+    if len(listing.boxes) > MOST_LISTED:
+        yield tag(
+            "p",
+            tr("These are the first {some} of {all}.", some=MOST_LISTED, all=len(listing.boxes)),
+        )
+    yield table(family_grid(listing).with_digits(digits))
+
+
+def _about(listing: BoxListing) -> Iterator[Markup]:
+    if listing.wanted:
+        targets = "; ".join(_asked(listing.wanted))
+        yield tag("p", typeset(tr("Wanted: {targets}.", targets=targets)), class_="told")
+
+
+def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
+    """What was asked of the gears, in words."""
+    ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
+    if not wanted.gears:
+        middles = [middle(ends) for ends in wanted.ratios]
+        names = names_of_gears(middles)
+        yield ", ".join(f"{names[place]}: {ratios[place]}" for place in in_order(middles))
+        return
+    least, most = wanted.gears
+    count = str(most) if least == most else asked_range((least, most))
+    yield tr("forward gears: {number}", number=count)
+    for text, ends in (("spread {range}", wanted.spread), ("steps {range}", wanted.steps)):
+        if ends:
+            yield tr(text, range=asked_range(ends))
+    if wanted.falling:
+        yield tr("no step larger than the one below it")
+    if ratios:
+        yield tr("besides: {ratios}", ratios=", ".join(ratios))
+
+
+def _line(listing: BoxListing) -> Markup:
+    """How many there are, and the best of them."""
+    facts: list[tuple[str, str]] = [
+        (tr("looked at"), str(listing.searched)),
+        (tr("choices of shift elements given up"), str(listing.given_up)),
+        (tr("families, of equal ratios"), str(len(listing.families))),
+        (tr("in the Pareto list"), str(sum(box.pareto for box in listing.boxes))),
+    ]
+    known = [box for box in listing.boxes if math.isfinite(box.loss)]
+    if known:
+        least = min(known, key=lambda box: round(box.loss, 9))  # the first of those that are alike
+        facts.append(
+            (tr("least mean loss"), joined(f"{100 * least.loss:.3f} %, ", box_link(least)))
+        )
+    known = [box for box in listing.boxes if math.isfinite(box.torque)]
+    if known:
+        least = min(known, key=lambda box: round(box.torque, 9))
+        said = f"{least.torque:.3f} {tr('× input')}, "
+        facts.append((tr("least torque"), joined(said, box_link(least))))
+    return line_of(facts)
+
+
+def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
+    yield _line(listing)
+    if without:
+        yield tag("p", tr("There are no pictures: {why}", why=without))
+        return
+    from vstatics.synthesis.pictures.picture import render_points
+
+    svg = render_points(listing, drawn_boxes(listing, MOST_SHOWN_BOXES), spoken())
+    name = tr("Mean loss over the largest torque")
+    yield figure(name, inline(svg, "boxes", name))
+    yield tag("p", tr("Numbers are those of boxes with a diagram; one colour is one family."))
+
+
+def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
+    """The boxes that tell most: the Pareto list, the first of each family."""
+    shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
+    rest = len(listing.boxes) - len(shown)
+    if rest:
+        said = tr("Here are boxes of the Pareto list and the first of each family")
+        more = tr(
+            "{count} more is in the table only.|{count} more are in the table only.", count=rest
+        )
+        yield tag("p", f"{said}; {more}")
+    for box in shown:
+        case = box.transmission()
+        svg = None
+        if not without:
+            from vstatics.synthesis.pictures.stick import stick_diagram
+
+            svg = stick_diagram(case, "")
+        yield from shown_box(box, svg, digits, listing.wanted)

@@ -1,0 +1,132 @@
+"""`vstatics torsion dump`: the largest torque when the clutch is dumped, in closed form."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.exit_status import DONE
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, of_case, show
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.values import value
+from vstatics.core.readers.reading import Reading
+from vstatics.core.tables.answer import Schema, documents, head, list_of, schema
+from vstatics.torsion.cli.case import gear_names, located, slope_notes, static_torque
+from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
+
+
+def _rate(given: float) -> float:
+    if not 0 < given < math.inf:
+        raise ValueError(f"{given:g} is no rate, expected one above 0")
+    return given
+
+
+@click.command()
+@click.option(
+    "--rate",
+    type=float,
+    callback=value(_rate),
+    metavar="K",
+    help="Also the dynamic factor of a clutch whose torque grows as 1 - exp(-K t), in 1/s.",
+)
+@arguments.some_gears
+@gathered(
+    "one",
+    OneCase,
+    click.argument("case", type=click.Path(), metavar="FILE"),
+    *of_case,
+    static_torque,
+)
+def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
+    """Tell the largest torque when the clutch is dumped; - is standard input.
+
+    FILE is YAML with inertias on one shaft, J1 (engine), J2 (disc), J3 (transmission),
+    J4 (wheels), J5 (vehicle), the compliance E between J3 and J4, the torques M_C0 at
+    which the clutch and M_phi at which the tyres break away, and omega1, the speed of
+    the engine before: in kg*m^2, rad/(N*m), N*m and rad/s, or in any one system of
+    relative units. `J4: .inf` is for clamped wheels, `M_phi: .inf` for tyres that
+    always grip.
+
+    Or FILE is a case with inertias, springs and `dump`, where J1 to J5 are lists of its
+    links. Numbers are those of the links: M_C0 on the first of J2, omega1 of the first of
+    J1, M_phi on the first of J4, of all wheels together. In each gear all is reduced to
+    the link `to`, else the first of J2, and so are the torques that are told. E is the
+    compliance from J2 to J5 held, by all that is elastic on the way.
+
+    The formulas are those of Tsitovich and Algin (1981). Cases A: the clutch slips; B:
+    it grabs; V: it grabs and breaks away again.
+
+    \b
+    Examples:
+      vstatics torsion dump dump.yaml
+      vstatics torsion dump dump.yaml --rate 50 -f json | jq .max_torque
+      vstatics torsion dump box.yaml --gear 1
+
+    \b
+    \b
+    Exit status: 0 done; 1 the file is in error, or a gear has no such torque;
+    2 wrong use.
+    """
+    to = one.destination()
+    from vstatics.torsion.clutch.file import is_of_case, read_dump
+
+    read = data, name = files.read_input(one.case)
+    if one.input_format == "deck" or is_of_case(data, name):
+        return one.answer(partial(_of_case, gears, rate), to, "torsion", read)
+    if gears:
+        raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
+    if one.static_torque is not None:
+        raise click.UsageError(f"--torque is for a case, but {name} has numbers alone")
+    from vstatics.torsion.clutch.grids import grids
+
+    numbers = read_dump(data, name)
+    made = numbers.torque(rate)
+    show(one.case, to, name, CaseAnswer(lambda: grids(made), DumpAnswer(made)))
+    return DONE
+
+
+def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
+    """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
+    from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
+    from vstatics.torsion.clutch.grids import gear_grids, gears_grids
+
+    found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
+    faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+    notes = slope_notes(reading, [gear.name for gear in found])
+    alone = bool(gears) and len(found) == 1
+    return CaseAnswer(
+        lambda: gear_grids(found[0]) if alone else gears_grids(found),
+        GearDumpAnswer(found[0]) if alone else GearsDumpAnswer(found),
+        [*faults, *notes],
+        failed=bool(faults),
+    )
+
+
+def json_schema() -> Schema:
+    """The schema of ``vstatics torsion dump -f json``: of numbers, of a gear, of several."""
+    from vstatics.torsion.clutch.gear_dump import GearDump
+
+    of_gear, torques, start = schema(GearDump), schema(DumpTorque)["required"], head(DUMP_FORM)
+    failed, made = of_gear["then"], of_gear["else"]
+    properties = start | made["properties"] | failed["properties"] | {"gears": list_of(of_gear)}
+    free = [*start, "file", "engagement"]
+    forms = (["gears"], failed["required"], torques, made["required"])
+    document = {
+        "type": "object",
+        "properties": properties,
+        "required": [*start],
+        "additionalProperties": False,
+        "oneOf": [_exactly(form, properties, free) for form in forms],
+    }
+    return documents("dump", "A clutch that is dumped, of vstatics torsion dump", document)
+
+
+def _exactly(form: Sequence[str], properties: Schema, free: Sequence[str]) -> Schema:
+    """These keys, and none of the others but those that are free."""
+    others = [name for name in properties if name not in {*form, *free}]
+    return {"required": [*form], "properties": dict.fromkeys(others, False)}

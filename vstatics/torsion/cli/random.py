@@ -1,0 +1,113 @@
+"""`vstatics torsion random`: deviations, crossings and life under a random torque or motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.values import value
+from vstatics.core.errors import Problem, quoted
+from vstatics.core.readers.reading import Reading
+from vstatics.torsion.cli.case import (
+    CASE_OPTIONS,
+    WorkingAsked,
+    link_name,
+    located,
+    working_notes,
+    working_options,
+)
+from vstatics.torsion.cli.response import speeds_of
+
+if TYPE_CHECKING:
+    from vstatics.core.numerics.arrays import Floats
+    from vstatics.torsion.random.random_vibration import Excitation, GearRandom
+
+
+@click.command()
+@click.option("--at", required=True, metavar="LINK", help="The link that is excited, by its name.")
+@click.option(
+    "--by",
+    type=click.Choice(["torque", "motion"]),
+    default="torque",
+    show_default=True,
+    help="What the spectrum is of: a torque on LINK [N*m], or its angle [rad].",
+)
+@click.option(
+    "--input",
+    "source",
+    required=True,
+    type=click.Path(),
+    metavar="FILE",
+    help="YAML with `white`, `variance` and `correlation`, or `points`.",
+)
+@click.option(
+    "--omega",
+    metavar="A:B:N",
+    callback=value(speeds_of, "--omega"),
+    help="Where spectra are asked for, in rad/s: N from A to B, or a list with commas.",
+)
+@working_options()
+@gathered("one", OneCase, *CASE_OPTIONS)
+def random(
+    one: OneCase,
+    at: str,
+    by: Excitation,
+    source: str,
+    omega: Floats | None,
+    asked: WorkingAsked,
+) -> int:
+    """Calculate the random vibration of CASE in every gear; - is standard input.
+
+    Standard deviations of twists, torques and links, upward crossings, half widths of the
+    peaks of modes, and the life of devices with `fatigue`. A spectrum is two-sided over
+    omega: the variance is twice its integral from 0 on. What has no variance has no value.
+
+    \b
+    Examples:
+      vstatics torsion random box.yaml --at engine --input engine.yaml
+      vstatics torsion random box.yaml --at road --by motion --input road.yaml
+
+    \b
+    Exit status: 0 done; 1 the case or FILE is in error or a gear can't be
+    excited; 2 wrong use.
+    """
+    to = one.destination(source)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.answers import RandomAnswer
+        from vstatics.torsion.random.grids import random_grids
+        from vstatics.torsion.random.random_vibration import random_vibration
+        from vstatics.torsion.random.spectrum_file import read_spectrum
+
+        case = reading.case
+        link = link_name(case, at, "--at")
+        spectrum = read_spectrum(*files.read_input(source))
+        working = asked.of(case)
+        names = [one.gear.name for one in working]
+        found = random_vibration(
+            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=asked.ratios
+        )
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        return CaseAnswer(
+            lambda: random_grids(found),
+            RandomAnswer(case.name, link, by, found),
+            [*faults, *_lifeless(reading, found), *working_notes(reading, working)],
+            failed=bool(faults),
+        )
+
+    return one.answer(calculate, to, extra="torsion")
+
+
+def _lifeless(reading: Reading, found: Sequence[GearRandom]) -> Iterator[Problem]:
+    """Devices with a fatigue strength whose torque is told in no gear."""
+    excited = [gear for gear in found if not gear.error]
+    told = {name for gear in excited for name in gear.devices}
+    for number, name in enumerate(reading.case.fatigue, 1):
+        if excited and name not in told:
+            text = f"{quoted(name)} is rigid or open: its life is not told; give it a `stiffness`"
+            yield reading.locate(Problem("W880", text, ("fatigue", number)))

@@ -1,0 +1,203 @@
+"""`vstatics torsion response`: amplitudes and torques under harmonic torques."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.values import numbers, told, value
+from vstatics.core.errors import listed, plural
+from vstatics.core.readers.reading import Reading
+from vstatics.torsion.cli.case import (
+    CASE_OPTIONS,
+    WorkingAsked,
+    link_name,
+    located,
+    working_notes,
+    working_options,
+)
+
+if TYPE_CHECKING:
+    from vstatics.core.numerics.arrays import Floats
+    from vstatics.torsion.forced.harmonic_torques import GearResponse, Harmonic
+    from vstatics.torsion.system.working_points import WorkingGear
+
+MOST_SPEEDS = 100_000
+
+
+def speeds_of(text: str) -> Floats:
+    """Speeds [rpm] from A:B:N, or a list."""
+    import numpy as np
+
+    from vstatics.sweep.variants.steps import Steps
+
+    parts = text.split(":")
+    if len(parts) != 3:
+        return np.array(numbers("a speed of 0 or more, or A:B:N")(text))
+    first, last = numbers("a speed of 0 or more")(",".join(parts[:2]))
+    count = parts[2].strip()
+    if not (count.isascii() and count.isdigit() and 1 < int(count[:9]) <= MOST_SPEEDS):
+        raise ValueError(f"read {count[:20]!r}, expected how many speeds, from 2 to {MOST_SPEEDS}")
+    return Steps(first, last, int(count))[np.arange(int(count))]
+
+
+def _rpm(text: str) -> Floats:
+    """The same, perhaps with a unit behind each speed."""
+    from vstatics.core.readers.named.units import quantity
+    from vstatics.sweep.variants.scenario_numbers import common_unit
+
+    bare, unit = common_unit(text)
+    if unit and text.count(unit) != len(bare.split(":")[:2] if ":" in bare else bare.split(",")):
+        raise ValueError(f"read bare speeds beside those in {unit}, expected a unit behind each")
+    return speeds_of(bare) * (told(lambda one: quantity(f"1 {one}", "speed"))(unit) if unit else 1)
+
+
+class Exciting(NamedTuple):
+    """Orders, and the table of their torques."""
+
+    orders: Sequence[float] | None = None
+    torque: str | None = None
+
+    def harmonics(self) -> list[Harmonic]:
+        """What excites: by the table, or of 1 N*m."""
+        from vstatics.torsion.forced.harmonic_torques import Harmonic
+        from vstatics.torsion.forced.torque_table import read_torque_table
+
+        if self.torque is None:
+            return [Harmonic(order) for order in dict.fromkeys(self.orders or ())]
+        found = read_torque_table(*files.read_input(self.torque))
+        if self.orders is None:
+            return found
+        by_order = {one.order: one for one in found}
+        for order in self.orders:
+            if order not in by_order:
+                known = ", ".join(f"{one:g}" for one in by_order)
+                message = f"{self.torque} has no order {order:g}; it has {known}"
+                raise click.BadParameter(message, param_hint="--orders")
+        return [by_order[order] for order in dict.fromkeys(self.orders)]
+
+
+def _input_of(gears: Sequence[WorkingGear]) -> str:
+    """The name of the input of all gears.
+
+    Raises
+    ------
+    UsageError
+        If gears have different inputs.
+    """
+    inputs = dict.fromkeys(case.link_name(case.gear_input(gear)) for case, gear, *_ in gears)
+    if len(inputs) > 1:
+        raise click.UsageError(f"Missing option '--at': gears have the inputs {listed([*inputs])}")
+    return next(iter(inputs))
+
+
+def _unbounded(gear: GearResponse) -> str:
+    """That resonances without damping have no largest value, if there are any."""
+    speeds = [f"{one.speed:.6g}" for one in gear.resonances if not one.damped]
+    if not speeds:
+        return ""
+    names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
+    return (
+        f"nothing damps the {names}: there is no bound near, and the largest values are those of "
+        "the speeds that are asked for"
+    )
+
+
+@click.command()
+@click.option(
+    "--at",
+    metavar="LINK",
+    help="The link on which the torque acts, by its name; the input when not given.",
+)
+@gathered(
+    "exciting",
+    Exciting,
+    click.option(
+        "--orders",
+        metavar="N,...",
+        callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
+        help="Orders, by revolutions of LINK: 1 N*m each, or those of the table that count.",
+    ),
+    click.option(
+        "--speed",
+        required=True,
+        metavar="A:B:N",
+        callback=value(_rpm, "--speed"),
+        help="Speeds of LINK in rpm, or with their unit: N of them from A to B, or a list.",
+    ),
+    click.option(
+        "--torque",
+        type=click.Path(),
+        metavar="FILE",
+        help="CSV with the columns order, amplitude [N*m] and phase [rad] or `phase [deg]`.",
+    ),
+)
+@click.option(
+    "--sum",
+    "with_sum",
+    is_flag=True,
+    help="All orders together: the largest value over a cycle, and the RMS.",
+)
+@working_options()
+@gathered("one", OneCase, *CASE_OPTIONS)
+def response(
+    one: OneCase,
+    at: str | None,
+    exciting: Exciting,
+    speed: Floats,
+    with_sum: bool,
+    asked: WorkingAsked,
+) -> int:
+    """Calculate the forced vibration of CASE in every gear; - is standard input.
+
+    A harmonic torque acts on LINK, by default the input. For each order: amplitudes of
+    links [rad] and torques of devices [N*m] over the speeds, and where an order meets a
+    natural frequency that LINK takes part in; such speeds are added. Springs with `points`
+    and converters have their slopes under the load of CASE. Text shows the largest values,
+    CSV (a line for each), XLSX and JSON all. There is no value where an undamped system is
+    hit exactly.
+
+    \b
+    Examples:
+      vstatics torsion response box.yaml --orders 2 --speed 600:3000:9
+      vstatics torsion response box.yaml --at engine --torque m.csv --speed 900
+
+    \b
+    Exit status: 0 done; 1 the case is in error or a gear has no response;
+    2 wrong use.
+    """
+    to = one.destination(*([exciting.torque] if exciting.torque else []))
+    if exciting == Exciting():
+        raise click.UsageError("expected --orders, --torque or both")
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.answers import ResponseAnswer
+        from vstatics.torsion.forced.grids import largest_grids, row_grids, speed_grids, sum_grids
+        from vstatics.torsion.forced.harmonic_torques import response as responses
+
+        case = reading.case
+        harmonics = exciting.harmonics()
+        working = asked.of(case)
+        link = _input_of(working) if at is None else link_name(case, at, "--at")
+        names = [one.gear.name for one in working]
+        found = responses(case, link, harmonics, speed, names, speed_ratios=asked.ratios)
+        if with_sum:
+            found = [gear.with_sum() for gear in found]
+        notes = working_notes(reading, working)
+        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in found), "N630")
+        grids = speed_grids if to.form == "xlsx" else largest_grids
+        return CaseAnswer(
+            lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],
+            ResponseAnswer(case.name, link, found),
+            [*faults, *notes, *unbounded],
+            failed=bool(faults),
+        )
+
+    return one.answer(calculate, to, extra="torsion")

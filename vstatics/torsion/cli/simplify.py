@@ -1,0 +1,212 @@
+"""`vstatics torsion simplify`: a scheme with fewer masses and the same low frequencies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from vstatics.core import readers
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.formats import TABLES, OutputOptions, TextStyle
+from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings_of
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.frame.values import separated, value
+from vstatics.core.errors import ReadError, spoken
+from vstatics.core.model.parts import damping
+from vstatics.core.model.springs import Spring
+from vstatics.core.model.transmission import Mechanism, ShiftElement, Transmission
+from vstatics.core.readers.reading import Reading
+from vstatics.core.writers.saving import case_data
+from vstatics.torsion.cli.case import chosen_gear, gear_of, located, slope_notes, static_torque
+
+if TYPE_CHECKING:
+    from vstatics.torsion.reduction.scheme import TorsionScheme
+    from vstatics.torsion.reduction.simplification import Simplification, SimplificationRule
+
+RULES = ("partial", "r", "b", "u")
+FORMS = [form for form in TABLES if form != "xlsx"]
+"""Of the steps, which are printed."""
+
+
+def _of_steps(
+    case: str,
+    form: str,
+    input_format: readers.Format | None,
+    coast: bool | None,
+    telling: Telling,
+    static_torque: float | None,
+) -> OneCase:
+    """A case whose steps are printed."""
+    return OneCase(
+        case,
+        OutputOptions(FORMS, form, None, TextStyle()),
+        input_format,
+        telling,
+        coast,
+        static_torque,
+    )
+
+
+def _names(text: str) -> list[str]:
+    return separated([text])
+
+
+class Reducing(NamedTuple):
+    """By which rule masses are taken out, and which before all others."""
+
+    rule: SimplificationRule | None
+    remove: Sequence[str] | None
+    merge: Sequence[str] | None
+
+    def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
+        """A scheme with so many natural frequencies."""
+        from vstatics.torsion.reduction.merging import simplify_merging
+        from vstatics.torsion.reduction.simplification import simplify
+
+        if self.merge:
+            removed = self.remove or ()
+            return simplify_merging(scheme, frequencies, self.rule, removed, self.merge)
+        return simplify(scheme, frequencies, self.rule, self.remove or ())
+
+
+@click.command()
+@chosen_gear
+@click.option(
+    "--links",
+    "frequencies",
+    type=click.IntRange(1),
+    required=True,
+    metavar="N",
+    help="How many natural frequencies remain: in a chain as many as elastic links, one less than "
+    "masses.",
+)
+@gathered(
+    "way",
+    Reducing,
+    click.option(
+        "--rule",
+        type=click.Choice(RULES),
+        help="partial: by systems of one and two masses, of a chain; r, b, u: by systems of one "
+        "mass, whose inertia is shared by K, by K^2, or not at all. Else partial for a chain, r "
+        "for any other.",
+    ),
+    click.option(
+        "--remove",
+        metavar="A,B",
+        callback=value(_names),
+        help="These masses first, in this order; a name with commas in double quotes.",
+    ),
+    click.option(
+        "--merge",
+        metavar="A+B,C+D",
+        callback=value(_names),
+        help="Behind these, masses that turn as one, as those of equal branches do.",
+    ),
+)
+@gathered(
+    "one",
+    _of_steps,
+    click.argument("case", type=click.Path()),
+    click.option(
+        "-f",
+        "--format",
+        "form",
+        type=click.Choice(FORMS),
+        default="text",
+        show_default=True,
+        help="Format of the steps.",
+    ),
+    click.option(
+        "-o",
+        "--output",
+        type=click.Path(),
+        metavar="FILE",
+        help="Write the scheme as a case: YAML or JSON.",
+    ),
+    arguments.input_format,
+    arguments.coast,
+    arguments.telling,
+    static_torque,
+)
+def simplify(
+    one: OneCase,
+    gear: str | None,
+    frequencies: int,
+    way: Reducing,
+    output: str | None,
+) -> int:
+    """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
+
+    Step by step the partial system with the highest frequency is taken out, so that the
+    lowest frequencies hardly change. It warns where a kept one is above half of a partial
+    frequency.
+
+    \b
+    Examples:
+      vstatics torsion simplify box.yaml --gear 1 --links 3
+      vstatics torsion simplify box.yaml --gear 1 --links 3 -o simple.yaml
+      vstatics torsion simplify box.yaml --links 3 --merge 'left hub+right hub'
+
+    \b
+    Exit status: 0 done; 1 the case is in error or has no such scheme;
+    2 wrong use.
+    """
+    written = _format_of(output, one.case)
+
+    def calculate(reading: Reading) -> CaseAnswer:
+        from vstatics.torsion.answers import SimplificationAnswer
+        from vstatics.torsion.reduction.grids import simplification_grids
+        from vstatics.torsion.reduction.reduced_scheme import gear_scheme
+        from vstatics.torsion.reduction.scheme import scheme_case
+
+        own = reading.case
+        chosen = gear_of(own, gear)
+        scheme = gear_scheme(own, chosen)
+        if isinstance(scheme, str):
+            raise ReadError(located(reading, [(chosen.name, scheme)], "E517"))
+        found = way.simplified(scheme, frequencies)
+
+        def write() -> bool:
+            if output is not None:
+                ends = [
+                    own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
+                ]
+                made = scheme_case(found.scheme, own.name, ends, chosen.name)
+                files.write_data(case_data(made, written)[0], output)
+            return True
+
+        notes = slope_notes(reading, [chosen.name])
+        told = [doubt.message for doubt in found.warnings]
+        return CaseAnswer(
+            lambda: simplification_grids(found),
+            SimplificationAnswer(own.name, chosen.name, found.rule, found.steps, told),
+            [*warnings_of("W502", [*told, *_lost(own)], file_name(one.case)), *notes],
+            write=write,
+        )
+
+    return one.answer(calculate, extra="torsion")
+
+
+def _format_of(output: str | None, case: str) -> str:
+    """What the scheme is written in."""
+    if output is None:
+        return ""
+    files.spare([case], output)
+    form = readers.format_of_name(output)
+    if form not in ("yaml", "json"):
+        raise click.UsageError(f"{output}: expected a case in YAML or JSON, .yaml or .json")
+    return form
+
+
+def _lost(case: Transmission) -> list[str]:
+    """What a scheme does not have: its dampings are viscous."""
+    devices: list[Spring | Mechanism | ShiftElement]
+    devices = [*case.springs, *case.mechanisms, *case.shift_elements]
+    names = [one.name for one in devices if damping(one.damping).loss_factor]
+    if not names:
+        return []
+    return [f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"]

@@ -1,0 +1,262 @@
+"""The response of a link to a harmonic torque on it: its amplitude over its speed, by orders.
+
+Each gear has a panel, a line for each order, of 1 N*m. Speeds and orders are those of the
+Campbell diagram.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from vstatics.core.errors import CaseError, listed
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
+from vstatics.pictures.drawing.labels import height, ticks, width, wrapped
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import AxisScale, Pen
+from vstatics.pictures.drawing.style import MARGIN, Style, number
+from vstatics.pictures.drawing.words import gear_title, title
+from vstatics.torsion.pictures.orders.excited import Order
+from vstatics.torsion.pictures.orders.resonances import GearMode
+from vstatics.torsion.pictures.orders.response_lines import (
+    ResponseLine,
+    ResponsePanel,
+    response_panels,
+)
+from vstatics.torsion.pictures.orders.running import draw_running, running_sign
+from vstatics.torsion.tolerances import LEAST_PARTICIPATION
+
+RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
+"""Of a panel beside others; where the page would be too low for them. [pt]"""
+LONE_RESPONSE_HEIGHT = 230.0
+"""Of one that stands alone. [pt]"""
+AMPLITUDE_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 40.0, 40.0
+"""For the scales. [pt]"""
+PANEL_HEAD = 18.0
+"""For the gear above its panel. [pt]"""
+BETWEEN_PANELS = 12.0
+"""[pt]"""
+MOST_DECADES = 7
+"""Of the scale of amplitudes."""
+SLOW = 0.04
+"""Below this part of the speeds amplitudes, which grow without end there, make no scale."""
+
+
+class _ResponseSheet(NamedTuple):
+    """All gears, with what they share."""
+
+    panels: Sequence[ResponsePanel]
+    orders: Sequence[Order]
+    running: Sequence[float]
+    """Speeds at which the input runs, where the torque is on it. [rpm]"""
+    fastest: float
+    """The highest speed. [rpm]"""
+    slowest: float
+    """The lowest speed. [rpm]"""
+    decades: tuple[float, float]
+    """The ends of the scale, logarithms of amplitudes [rad]."""
+    style: Style
+
+    @property
+    def link(self) -> str:
+        """On which the torque acts, where it is the same in all gears."""
+        links = {one.link for one in self.panels}
+        return next(iter(links)) if len(links) == 1 else ""
+
+    def look(self, order: Order) -> Look:
+        """The line of an order; those that fire are thick."""
+        place, wide = self.orders.index(order), 1.9 if order.fires else 1.0
+        return {
+            "color": self.style.colour(place),
+            "linestyle": self.style.dash(place),
+            "width": wide,
+        }
+
+
+def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
+    """Draw the response in each gear of a case, or in some, on pages.
+
+    Raises
+    ------
+    CaseError
+        If scipy is not installed, or nothing can be excited in these gears.
+    ValueError
+        If there is no such link.
+    """
+    asked, panels = response_panels(results, style, gears)
+    lines = [line for panel in panels for line in panel.lines]
+    if not lines:
+        names = listed([one.gear for one in panels])
+        raise CaseError("E741", f"no response in gear {names}: {panels[0].why}")
+    running = [] if style.excited.at else asked.running
+    decades = _decades(lines, asked.fastest)
+    sheet = _ResponseSheet(panels, asked.orders, running, *asked[2:], decades, style)
+    columns = min(2, len(panels))
+    high, on_page = _rows(results, sheet, math.ceil(len(panels) / columns))
+    parts = range(0, len(panels), on_page * columns)
+    return [
+        _figure(results, sheet, panels[start : start + on_page * columns], (columns, high))
+        for start in parts
+    ]
+
+
+def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, int]:
+    """The height of panels [pt], and how many rows of them a page has."""
+    if len(sheet.panels) == 1:
+        return LONE_RESPONSE_HEIGHT, 1
+    if math.isinf(sheet.style.height):
+        return RESPONSE_HEIGHT, rows
+    room = sheet.style.height - _head(results, sheet).high - MARGIN - SPEED_SCALE_HEIGHT
+    high = room / rows - PANEL_HEAD - BETWEEN_PANELS
+    if high >= LEAST_RESPONSE_HEIGHT:
+        return min(high, RESPONSE_HEIGHT), rows
+    return RESPONSE_HEIGHT, max(1, int(room / (PANEL_HEAD + RESPONSE_HEIGHT + BETWEEN_PANELS)))
+
+
+def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
+    """Title and key."""
+    style = sheet.style
+    link = sheet.link or style.text("the input")
+    subject = style.text(
+        "amplitude of {link} by a torque of 1 N·m on it",
+        link=link,
+    )
+    signs: list[Meaning] = [
+        (True, _order_words(one, style), sheet.look(one)) for one in sheet.orders
+    ]
+    signs += running_sign(sheet.running, style)
+    return sheet_head(title(results.case, subject), "", signs, style.width - 2 * MARGIN, style)
+
+
+def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
+    """Whole powers of ten around the amplitudes."""
+    logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
+    every = np.concatenate(logs)
+    every = every[np.isfinite(every)]
+    high = math.ceil(float(every.max(initial=-30.0)))
+    low = math.floor(float(every.min(initial=high - 1.0)))
+    return float(max(low, high - MOST_DECADES)), float(high)
+
+
+def _logs(amplitudes: Floats) -> Floats:
+    """Logarithms, NaN of what is none."""
+    known = np.where(amplitudes > 0, amplitudes, np.nan)
+    logs: Floats = np.log10(known)
+    return logs
+
+
+def _figure(
+    results: Results,
+    sheet: _ResponseSheet,
+    panels: Sequence[ResponsePanel],
+    size: tuple[int, float],
+) -> Figure:
+    """Panels beside and below one another, in so many columns, of a height [pt]."""
+    style, (columns, high) = sheet.style, size
+    rows = math.ceil(len(panels) / columns)
+    pitch = PANEL_HEAD + high + BETWEEN_PANELS
+    whole = style.width, rows * pitch + SPEED_SCALE_HEIGHT
+    pen = _head(results, sheet).over(whole, MARGIN, style)
+    left = MARGIN + 14.0
+    across = (style.width - left - MARGIN) / columns
+    wide = across - AMPLITUDE_SCALE_WIDTH
+    scales = AxisScale(sheet.slowest, sheet.fastest), AxisScale(*sheet.decades)
+    for place, panel in enumerate(panels):
+        row, column = divmod(place, columns)
+        corner = (
+            left + column * across + AMPLITUDE_SCALE_WIDTH,
+            SPEED_SCALE_HEIGHT + (rows - 1 - row) * pitch,
+        )
+        own = pen.panel(corner, (wide, high), *scales).within("panel", gear=panel.gear)
+        is_lowest = place + columns >= len(panels)
+        _draw_panel(own, panel, sheet, is_lowest=is_lowest)
+    middle = SPEED_SCALE_HEIGHT + (rows * pitch) / 2
+    pen.text(
+        MARGIN,
+        middle,
+        style.text("amplitude, rad"),
+        rotation=90,
+        ha="center",
+        va="center",
+    )
+    return pen.figure
+
+
+def _order_words(order: Order, style: Style) -> str:
+    """What a line is."""
+    return f"{order.name}{style.text(', fires')}" if order.fires else order.name
+
+
+def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
+    """A gear with its lines."""
+    (wide, high), style = pen.size, sheet.style
+    head = gear_title(panel.gear, style)
+    pen.text(0.0, high + 4.0, head, va="bottom", bold=True)
+    if panel.why:
+        pen.frame()
+        why = wrapped(panel.why, wide - 12.0)
+        pen.text(wide / 2, high / 2, why, ha="center", va="center")
+        return
+    draw_running(pen, sheet.running, style)
+    _draw_scales(pen, sheet, is_lowest=is_lowest)
+    for line in panel.lines:
+        order = line.order
+        own = pen.within("line", order=f"{order.number:g}", firing=json.dumps(order.fires))
+        own.plot(
+            line.speeds,
+            _logs(line.amplitudes),
+            title=f"{head}, {order.name}",
+            **sheet.look(order),
+        )
+    by_order = {line.order: line for line in panel.lines}
+    for order, mode in panel.peaks:
+        _draw_peak(pen, by_order[order], mode, sheet)
+
+
+def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
+    """Decades upward, speeds across with numbers below the lowest panel."""
+    style, (wide, _) = sheet.style, pen.size
+    low, high = (int(one) for one in sheet.decades)
+    decades = list(range(low, high + 1))
+    pen.scale("left", decades, [_power(one) for one in decades], grid=True)
+    speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / 34.0)))
+    pen.scale("bottom", speeds, [f"{one:g}" for one in speeds] if is_lowest else [], grid=True)
+    pen.frame()
+    if is_lowest:
+        rpm = style.text("rpm")
+        said = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
+        if not sheet.link or width(said) > wide:  # gears have links of their own, or a long name
+            said = style.text("speed, {rpm}", rpm=rpm)
+        pen.name("bottom", said, 12.0 + 1.5 * height(""))
+
+
+def _power(exponent: int) -> str:
+    """A power of ten.
+
+    >>> _power(-4)
+    '10⁻⁴'
+    """
+    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(one)] if one != "-" else "⁻" for one in str(exponent))
+
+
+def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
+    """A resonance on its line, where the line is there and within the scale."""
+    speed = line.order.speed(mode.frequency)
+    at = int(np.argmin(np.abs(line.speeds - speed)))
+    value = _logs(line.amplitudes[at : at + 1])[0]
+    low, high = sheet.decades
+    if mode.participation <= LEAST_PARTICIPATION or not low <= value <= high:
+        return
+    style = sheet.style
+    said = style.text("mode {number}", number=mode.number)
+    rpm, rad = style.text("rpm"), style.text("rad")
+    said = f"{line.order.name}, {said}: {speed:.0f} {rpm}, {number(10.0**value)} {rad}"
+    dot = {"marker": "o", "markersize": 2.2, "zorder": 3, "color": sheet.look(line.order)["color"]}
+    pen.line((pen.across(float(line.speeds[at])), pen.up(float(value))), title=said, **dot)

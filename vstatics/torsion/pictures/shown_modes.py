@@ -1,0 +1,51 @@
+"""The natural modes that pictures show, and what they say where there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from vstatics.core.errors import CaseError, listed
+from vstatics.core.extras import require
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.status import CONFLICT, TIED_UP
+from vstatics.pictures.drawing.style import Style
+
+if TYPE_CHECKING:
+    from vstatics.torsion.vibration.gear_modes import GearModes
+
+
+def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
+    """The natural modes of gears by their numbers from 1, or of all.
+
+    Raises
+    ------
+    CaseError
+        If scipy is not installed, or none of these gears has a mode.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission, solve
+    >>> modes_of(solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], inertias={1: 1})))
+    Traceback (most recent call last):
+    vstatics.core.errors.CaseError: gear 1 has no natural frequency: nothing is elastic; ...
+    """
+    require("torsion", "a picture of natural modes")
+    from vstatics.torsion.vibration.gear_modes import modes
+
+    found = modes(results.case, list(gears) or None)
+    if not any(gear.modes for gear in found):
+        names = listed([gear.name for gear in found])
+        whose = f"gear {names} has" if len(found) == 1 else f"gears {names} have"
+        why = next((said for gear in found for said in (gear.error, *gear.warnings) if said), "")
+        because = f": {why}" if why else ""
+        raise CaseError("E412", f"{whose} no natural frequency{because}")
+    return found
+
+
+def why_none(gear: GearModes, style: Style) -> str:
+    """What stands in the place of the modes of a gear that has none."""
+    for status in (TIED_UP, CONFLICT):
+        if gear.error.startswith(status.english):
+            return style.text(status.english)
+    return gear.error or style.text("no natural frequency")

@@ -1,0 +1,175 @@
+"""What a vehicle must fulfil, and what is doubtful about it and the transmission that drives it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+from vstatics.core.errors import Problem, spoken
+from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.part_checks import no_unit
+from vstatics.core.model.springs import ends
+from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
+
+ABOVE_NOTHING = ("mass", "radius", "final_drive")
+
+
+def of_vehicle(vehicle: Vehicle) -> Iterator[Problem]:
+    """What is wrong in a vehicle."""
+    for name in NUMBERS_OF_VEHICLE:
+        value = getattr(vehicle, name)
+        least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
+        right = 0 <= value < math.inf and (value > 0 or name not in ABOVE_NOTHING)
+        if not right:
+            message = f"read {value:g}, expected a number {least}"
+            yield Problem("E268", message, ("vehicle", name))
+    for name, sign in (("engine", 1), ("overrun", -1)):
+        before = -math.inf
+        for number, (speed, torque) in enumerate(getattr(vehicle, name), 1):
+            path = "vehicle", name, number
+            if not 0 <= speed < math.inf or speed <= before:
+                message = f"read {speed:g} rad/s, expected speeds of 0 or more in ascending order"
+                yield Problem("E268", message, path)
+            if not 0 <= sign * torque < math.inf:
+                side = "0 or more" if sign > 0 else "0 or less"
+                yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
+            before = speed
+
+
+def doubts_of_vehicle(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+    """What was meant otherwise, it seems."""
+    yield from _mass_twice(case, vehicle)
+    yield from _units_forgotten(vehicle)
+    yield from _machines_beside(case)
+    everywhere = set.intersection(*map(case.bypassed, case.gears)) if case.gears else set()
+    converters = [
+        one.name
+        for place, one in enumerate(case.mechanisms)
+        if one.kind == "converter" and place not in everywhere
+    ]
+    if converters:
+        message = (
+            f"{spoken(converters)} stays at its speed ratio at every speed, also at rest: forces "
+            "and the engine's speed are those at that ratio, not of a converter that finds its own"
+        )
+        yield Problem("W891", message, ("vehicle",))
+
+
+LARGEST_TYRE = 2.5
+"""Radius of those of dumpers, with a margin. [m]"""
+FASTEST_ENGINE = 3000.0
+"""No engine or motor of a vehicle turns as fast, 28,600 rpm. [rad/s]"""
+
+
+def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
+    """Numbers in mm or rpm that were written without their unit."""
+    if vehicle.radius > LARGEST_TYRE:
+        yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
+    fastest = max((speed for speed, _ in vehicle.engine), default=0.0)
+    if fastest > FASTEST_ENGINE:
+        yield no_unit(fastest, "rad/s", "an engine", ("vehicle", "engine"))
+
+
+def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
+    """Gears in which a vehicle is not driven."""
+    for number, gear in enumerate(case.gears, 1):
+        if why := beside_engine(gear, case.link_name):
+            message = (
+                f"it has {why}: power passes by more than engine and output, so nothing of "
+                "`vehicle` is told in this gear; `summary --duty` takes points of it"
+            )
+            yield Problem("W890", message, ("gears", number))
+
+
+MASS_AGAIN = 0.5
+"""Wheels and shafts have some hundredths of the inertia of the vehicle; this part is its mass."""
+
+
+def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+    """Outputs, with what is geared to them, that have about the inertia of the vehicle."""
+    mass, inertias = _at_output(case, vehicle)
+    total = sum(inertias.values())
+    if total >= MASS_AGAIN * mass:
+        given = sorted(inertias, key=lambda link: -inertias[link])
+        names = spoken([case.link_name(link) for link in given])
+        reduced = "" if {*given} <= {*(case.outputs or (case.output,))} else REDUCED
+        message = (
+            f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
+            f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
+            "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
+        )
+        yield Problem("W202", message, ("inertias", next(iter(given))))
+
+
+REDUCED = " by the speed of the output"
+
+
+def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
+    """That runs and vibration leave the mass of a vehicle out, where inertias do not have it."""
+    if case.vehicle is None:
+        return
+    mass, inertias = _at_output(case, case.vehicle)
+    if sum(inertias.values()) < MASS_AGAIN * mass:
+        message = (
+            "runs and vibration leave it out, only `inertias` move there: its mass would be an "
+            f"inertia of {mass:.4g} kg*m^2 on the output, mass*(radius/final_drive)^2"
+        )
+        yield Problem("N607", message, ("vehicle",))
+
+
+def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mapping[int, float]]:
+    """The mass of a vehicle, and inertias geared to the outputs, by the output's speed [kg*m^2]."""
+    outputs = case.outputs or (case.output,)
+    mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
+    return mass, {
+        link: case.inertias[link] * speed**2
+        for link, speed in _speeds_behind(case, outputs).items()
+        if case.inertias.get(link)
+    }
+
+
+def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
+    """Speeds of outputs, and of what pairs of wheels and shafts join to them, by the output's.
+
+    What pairs join to an input past the outputs is the side of the engine, as in a box of one
+    gear: a flywheel may have half of the mass of the vehicle there.
+    """
+    limits = {*outputs, 0}
+    inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in limits]
+    before = _geared(case, inputs, limits)
+    found = _geared(case, outputs, {0})
+    return {link: speed for link, speed in found.items() if link in outputs or link not in before}
+
+
+def _geared(
+    case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
+) -> dict[int, float]:
+    """Speeds of what pairs join to some links, by theirs; the way there does not pass `limits`."""
+    found, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
+    while new:
+        link = new.pop()
+        for one, other, speed in pairs:
+            if one == link and other not in found and other not in limits:
+                found[other] = found[link] * speed
+                new.append(other)
+    return found
+
+
+def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
+    """Links that one mechanism joins at a fixed ratio, and the speed of the second by the first's.
+
+    So does a set whose third link is the housing, and so do springs as shafts, such as tyres.
+    """
+    for one in case.mechanisms:
+        parts = {one.first: 1.0, one.second: -one.ratio, one.third: one.ratio - 1}
+        turning = [(link, part) for link, part in parts.items() if link and part]
+        if not one.kind and len(turning) == 2:
+            (first, of_first), (second, of_second) = turning
+            yield first, second, -of_first / of_second
+            yield second, first, -of_second / of_first
+    for spring in case.springs:
+        joined = ends(spring.twist)
+        if joined and all(joined):
+            first, second = joined
+            yield first, second, 1.0
+            yield second, first, 1.0

@@ -1,0 +1,75 @@
+"""The keys of the vehicle that a box is in."""
+
+from __future__ import annotations
+
+from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
+from vstatics.core.model.torsional_keys import ABOVE_0
+from vstatics.vehicle.case.vehicle import vehicle_of
+
+_POINTS = ListOf(
+    RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"), "points", unique=False
+)
+VEHICLE = ByKey(
+    "Vehicle",
+    "The vehicle that the box is in, for `vstatics summary` and `vstatics cycle`.",
+    (
+        KeyShape("mass", Leaf("mass"), "Of the vehicle, in kg.", required=True, limits=ABOVE_0),
+        KeyShape("radius", Leaf("length"), "Of the wheels, in m.", required=True, limits=ABOVE_0),
+        KeyShape(
+            "rolling",
+            NUMBER,
+            "Coefficient of the rolling resistance.",
+            default=0,
+            limits={"minimum": 0},
+            examples=(0.011,),
+        ),
+        KeyShape(
+            "drag_area",
+            Leaf("area"),
+            "Coefficient of air drag by frontal area, in m^2; the density of air is 1.2 kg/m^3.",
+            default=0,
+            limits={"minimum": 0},
+            examples=(0.68,),
+        ),
+        KeyShape(
+            "final_drive",
+            NUMBER,
+            "Speed of the output by that of the wheels.",
+            default=1,
+            limits=ABOVE_0,
+            examples=(3.1,),
+        ),
+        KeyShape(
+            "engine",
+            _POINTS,
+            "Full load: points [speed in rad/s, torque in N*m] in ascending order, straight "
+            "between.",
+            examples=([[100, 150], [200, 320], [600, 250]],),
+        ),
+        KeyShape(
+            "overrun",
+            _POINTS,
+            "Torque with which the engine brakes, points as of `engine`, 0 or below.",
+            examples=([[100, -20], [600, -60]],),
+        ),
+        KeyShape(
+            "fuel",
+            ByKey(
+                "Fuel map",
+                "What the engine takes, for `vstatics cycle`.",
+                (
+                    KeyShape(
+                        "file",
+                        TEXT,
+                        "A CSV file beside the case: `speed [rpm],torque [N*m],fuel [g/h]`, a "
+                        "row for each point of a grid.",
+                        required=True,
+                    ),
+                ),
+                lambda file: file,
+            ),
+            "The fuel map of the engine.",
+        ),
+    ),
+    vehicle_of,
+)

@@ -1,0 +1,221 @@
+"""`vstatics cycle`: a case with a vehicle, driven through a cycle of speeds."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from functools import partial
+from itertools import repeat
+from typing import TYPE_CHECKING
+
+import click
+
+from vstatics.core.cli.frame import cases as arguments
+from vstatics.core.cli.frame import files, formats, texts
+from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.frame.formats import OutputOptions
+from vstatics.core.cli.frame.one_or_many import carry_out
+from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.frame.texts import Job
+from vstatics.core.cli.frame.values import value
+from vstatics.core.errors import CaseError, Problem, ReadError, of_file
+from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.core.statics.results import Results
+from vstatics.core.tables import csv
+from vstatics.core.tables.grid import Grid, grid_of
+
+if TYPE_CHECKING:
+    from vstatics.vehicle.operation.cycle_steps import GearChoice
+    from vstatics.vehicle.operation.drive_cycle import CycleAnswer, DriveCycle
+    from vstatics.vehicle.operation.fuel_map import FuelMap
+    from vstatics.vehicle.operation.shifting import ShiftSpeed
+    from vstatics.vehicle.operation.trace import Trace
+
+
+def _speed(text: str) -> float:
+    """A speed of the engine in rad/s, with its unit as in a load."""
+    from vstatics.core.readers.named.units import quantity
+
+    try:
+        speed = quantity(text, "speed") * math.pi / 30
+    except ValueError as error:
+        raise ValueError(f"read {text!r}, {error}") from None
+    if speed < 0:
+        raise ValueError(f"read {text!r}, expected a speed of 0 or more")
+    return speed
+
+
+def _shifts(text: str) -> list[ShiftSpeed]:
+    from vstatics.vehicle.operation.shifting import read_shifts
+
+    return read_shifts(text)
+
+
+def _choice(least_speed: float | None, shifts: list[ShiftSpeed] | None) -> GearChoice:
+    from vstatics.vehicle.operation.cycle_steps import GearChoice
+
+    if least_speed is not None and shifts is not None:
+        raise click.UsageError("--least-speed and --shift exclude one another")
+    return GearChoice(least_speed, shifts or ())
+
+
+@click.command()
+@click.argument("case", type=click.Path())
+@click.argument("trace", type=click.Path())
+@formats.options(*formats.TABLES)
+@gathered(
+    "choice",
+    _choice,
+    click.option(
+        "--least-speed",
+        callback=value(_speed),
+        metavar="SPEED",
+        help="The highest gear in which the engine turns as fast, '1200 rpm'; else the first in "
+        "which it turns no faster than at its last point.",
+    ),
+    click.option(
+        "--shift",
+        "shifts",
+        callback=value(_shifts),
+        metavar="TEXT",
+        help="Shift speeds of the vehicle, up and down: '1-2: 15 km/h/12 km/h, 2-3: ...'.",
+    ),
+)
+@click.option(
+    "--steps",
+    type=click.Path(),
+    metavar="FILE",
+    help="Also write a CSV of all steps over time, for `plot --kind curves`.",
+)
+@gathered("settings", CaseOptions, arguments.input_format, arguments.idle, arguments.telling)
+def cycle(
+    case: str,
+    trace: str,
+    wanted: OutputOptions,
+    steps: str | None,
+    choice: GearChoice,
+    settings: CaseOptions,
+) -> int:
+    """Drive CASE, which has a `vehicle`, through TRACE: energies, losses, fuel.
+
+    TRACE is a table with the columns time [s] and speed [km/h], and optionally gear, and slope
+    (the sine of its angle) or grade (rise over horizontal distance). Published files of cycles are
+    read as they are. Between two rows speed is the mean, acceleration constant, gear and slope
+    those of the first row. Without a column gear give --least-speed or --shift.
+
+    The engine gives what wheels, inertias, losses and drag take. Where it would brake more
+    than its `overrun`, brakes take the rest. Steps in which it would have to give more, or
+    turn faster, than at full load are warned of. A gear that machines drive, too, by a
+    balance, given speeds or torques, is an error. Fuel is told where the vehicle has a map,
+    `fuel: {file: fuel.csv}`.
+
+    \b
+    Examples:
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm'
+      vstatics cycle car.yaml trace.csv --shift '1-2: 15 km/h/12 km/h'
+      vstatics cycle car.yaml trace.csv -f json | jq .cycle.fuel
+      vstatics cycle car.yaml trace.csv --least-speed '1200 rpm' --steps steps.csv
+      vstatics plot steps.csv --kind curves -o cycle.svg
+
+    \b
+    Exit status: 0 done; 1 a case or the trace is in error, or a gear has no
+    torques; 2 wrong use.
+    """
+    to = wanted.destination([case, trace])
+    files.spare([case, trace], steps)
+    arguments.check_streams([case, trace])
+    arguments.check_order(case, trace)
+    from vstatics.vehicle.operation.trace import read_trace
+
+    read = read_trace(*files.read_input(trace, TABLE_BYTES))
+    show = partial(_shown, trace=read, choice=choice, steps=steps)
+    return carry_out(Job("cycle", settings, to, show), (case,), others=[trace])
+
+
+def _shown(
+    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice, steps: str | None
+) -> texts.CaseOutput:
+    """What a case takes for a cycle."""
+    made = _driven(outcome, results, trace, choice)
+    if steps:
+        with files.stream(steps) as write:
+            for part in _as_sweep(made):
+                write(part.encode())
+
+    def tables() -> Iterator[Grid]:
+        energy = made.energy
+        parts = ("engine", "wheels", "inertias", "brakes")
+        rows = [(name, getattr(energy, name)) for name in parts]
+        rows += [(f"lost: {name}", one) for name, one in energy.lost.items() if one]
+        yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
+        row = made.duration, made.distance, made.fuel
+        headings = "duration, s", "distance, m", "fuel, g"
+        yield grid_of("Cycle", headings, [row], key="cycle")
+
+    def answer() -> CycleAnswer:
+        from vstatics.vehicle.operation.drive_cycle import CycleAnswer
+
+        return CycleAnswer(results.case.name, made)
+
+    titles = [results.case.name or outcome.file]
+    places = {note.id: note.place for note in trace.notes}
+    problems = [
+        of_file(message.id, outcome.file, message.text)
+        if message.id not in places
+        else Problem(message.id, message.text, (), places[message.id])
+        for message in made.messages
+    ]
+    return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
+
+
+def _as_sweep(made: DriveCycle) -> Iterator[str]:
+    from vstatics.vehicle.operation.trace import blocks
+
+    time, *others = made.steps
+    yield csv.lines([["variant", time, "status", *others]])
+    for block in blocks(len(made.gears)):
+        numbers = [made.steps[name][block].tolist() for name in (time, *others)]
+        columns = [range(block.start, block.stop), numbers[0], repeat("ok"), *numbers[1:]]
+        yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
+
+
+def _driven(
+    outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
+) -> DriveCycle:
+    """The cycle of a case.
+
+    Raises
+    ------
+    ReadError
+        With places in the trace, where a row is in error, or in the fuel map.
+    """
+    from vstatics.vehicle.operation.drive_cycle import drive
+
+    vehicle = results.case.vehicle
+    if vehicle is None:
+        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
+        raise ReadError([of_file("E427", outcome.file, message)])
+    fuel = _fuel(outcome.file, vehicle.fuel)
+    try:
+        return drive(results.case, trace, choice, fuel)
+    except CaseError as error:
+        raise ReadError(_located(one, trace, outcome.file) for one in error.problems) from None
+
+
+def _located(problem: Problem, trace: Trace, file: str) -> Problem:
+    """A problem of a row at its place in the trace, any other at the case."""
+    row = next(iter(problem.path), None)
+    if isinstance(row, int):
+        return problem._replace(path=(), place=trace.table.place(row))
+    return problem if problem.place else problem.in_file(file)
+
+
+def _fuel(case: str, name: str) -> FuelMap | None:
+    """The fuel map beside a case, if there is one."""
+    from vstatics.vehicle.operation.fuel_map import read_fuel_map
+
+    if not name:
+        return None
+    path = os.path.join(os.path.dirname(case), name)  # noqa: PTH118, PTH120
+    return read_fuel_map(*files.read_input(path, regular=True))

@@ -1,0 +1,44 @@
+"""`vstatics damage`: what torques that vary do to devices; each of its commands is a module."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.core.cli.frame.lazy_group import LazyGroup
+
+COMMANDS = {
+    "record": (
+        "vstatics.vehicle.cli.damage.record",
+        "Damage by a record of torques, cycle by cycle.",
+    ),
+    "rayleigh": (
+        "vstatics.vehicle.cli.damage.rayleigh",
+        "Life under random stresses, in closed form.",
+    ),
+    "resize": ("vstatics.vehicle.cli.damage.resize", "A shaft of equal life under other torques."),
+}
+
+
+class DamageCommands(LazyGroup):
+    """The commands of `vstatics damage`; what names none is a case and its record."""
+
+    modules = COMMANDS
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """As click does."""
+        if args and args[0] not in (*COMMANDS, *ctx.help_option_names):
+            args = ["record", *args]
+        return super().parse_args(ctx, args)
+
+
+@click.group(cls=DamageCommands)
+def damage() -> None:
+    """Calculate what torques that vary do to devices: their damage, their life.
+
+    \b
+    Examples:
+      vstatics damage box.yaml record.csv
+      vstatics damage rayleigh --endurance '100 MPa' --deviation '60 MPa' \\
+          --exponent 3 --cycles 4e6 --per-km 100
+      vstatics damage resize --diameter '42 mm' --ratio 2.9
+    """

@@ -1,0 +1,50 @@
+"""What `vstatics damage` commands without a case share: their numbers, and what they answer."""
+
+from __future__ import annotations
+
+import click
+
+from vstatics.core.cli.frame import files, texts
+from vstatics.core.cli.frame.exit_status import DONE
+from vstatics.core.cli.frame.formats import OutputOptions
+from vstatics.core.cli.frame.one_case import one_text
+from vstatics.core.cli.frame.options import Option
+from vstatics.core.cli.frame.values import above_0, told, value
+from vstatics.core.tables.answer import Answer, as_json
+from vstatics.core.tables.grid import Grid
+
+
+def number(name: str, text: str, default: float | None = None) -> Option:
+    """An option of a number above 0, which is required without a default."""
+    return click.option(
+        f"--{name}",
+        type=float,
+        required=default is None,
+        default=default,
+        show_default=default is not None,
+        callback=value(above_0),
+        metavar="X",
+        help=text,
+    )
+
+
+def stress(name: str, text: str) -> Option:
+    """An option of a stress [Pa], an `InUnit`."""
+
+    def read(given: str) -> float:
+        from vstatics.core.readers.named.si_units import in_any_unit
+
+        return above_0(told(lambda text: in_any_unit(text, ["stress"]))(given))
+
+    return click.option(
+        f"--{name}", required=True, callback=value(read), metavar="STRESS", help=text
+    )
+
+
+def write(wanted: OutputOptions, answer: Answer, grid: Grid) -> int:
+    """Write an answer; the exit status."""
+    to = one_text(wanted, [])
+    json = dict.fromkeys(("json", "jsonl"), lambda _: as_json(answer, to.form))
+    shown = texts.CaseOutput([], json, lambda: [grid])
+    files.write_pages(texts.alone("", shown, to), to.output)
+    return DONE

@@ -1,0 +1,78 @@
+"""`vstatics damage resize`: a shaft of equal life under other torques."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import formats
+from vstatics.core.cli.frame.formats import OutputOptions
+from vstatics.core.cli.frame.options import Option
+from vstatics.core.cli.frame.values import above_0, told, value, wrong_value
+from vstatics.vehicle.cli.damage.numbers import number, write
+
+
+class _Diameter(NamedTuple):
+    number: float
+    unit: str
+
+
+def _diameter(text: str) -> _Diameter:
+    """A length, and the unit in which it is given; nothing where it has none."""
+    from vstatics.core.readers.named.arithmetic import calculated
+    from vstatics.core.readers.named.si_units import measured
+
+    above_0(told(lambda given: measured(given, "length"))(text))
+    return _Diameter(*calculated(text))
+
+
+def _part(name: str, text: str) -> Option:
+    return click.option(f"--{name}", type=float, callback=value(above_0), metavar="X", help=text)
+
+
+@click.command()
+@click.option(
+    "--diameter",
+    required=True,
+    callback=value(_diameter),
+    metavar="D",
+    help="Of the shaft that lives long enough: '42 mm'.",
+)
+@_part("ratio", "It stands behind a reduction now: torques by X, X times fewer cycles.")
+@_part("torque", "In place of the ratio: torques by those before.")
+@_part("repeats", "Beside it: cycles by those before.")
+@number("exponent", "Stress to this power by the cycles that are borne is constant.", 6.0)
+@formats.options(*formats.TABLES)
+def resize(
+    diameter: _Diameter,
+    ratio: float | None,
+    torque: float | None,
+    repeats: float | None,
+    exponent: float,
+    wanted: OutputOptions,
+) -> int:
+    """Tell the diameter with which a shaft lives as long as another, and its compliance.
+
+    The diameter is in the unit of the one that is given, compliances are by that of the
+    shaft before; the reduced one is that on the faster shaft of the reduction.
+
+    \b
+    Examples:
+      vstatics damage resize --diameter '42 mm' --ratio 2.9
+      vstatics damage resize --diameter 42 --torque 1.3 --repeats 2 -f json
+
+    \b
+    Exit status: 0 done; 2 wrong use.
+    """
+    from vstatics.vehicle.damage.grids import resized_grid
+    from vstatics.vehicle.damage.resize import resized, resized_by_ratio
+
+    with wrong_value():
+        if ratio is not None and torque is None and repeats is None:
+            made = resized_by_ratio(diameter.number, ratio, exponent)
+        elif ratio is None and torque is not None and repeats is not None:
+            made = resized(diameter.number, torque, repeats, exponent)
+        else:
+            raise click.UsageError("expected --ratio, or --torque and --repeats")
+    return write(wanted, made, resized_grid(made, diameter.unit))

@@ -1,0 +1,75 @@
+"""The duty cycle that a command is given: its options, its file, what is doubtful about it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from vstatics.core.cli.frame import files
+from vstatics.core.cli.frame.options import gathered, refuse
+from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.errors import Problem, of_file
+from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
+from vstatics.core.tables.suffixes import suffix_of
+
+if TYPE_CHECKING:
+    from vstatics.vehicle.duty import Cycle
+    from vstatics.vehicle.duty_file import DutyFile, DutyTable
+    from vstatics.vehicle.operation.load_spectrum import Spectrum
+
+
+class DutyOptions(NamedTuple):
+    """A file of shares or of points, and the exponent of equivalent torques."""
+
+    duty: str | None
+    exponent: float | None
+
+    @property
+    def files(self) -> list[str]:
+        """The file, if there is one."""
+        return [] if self.duty is None else [self.duty]
+
+    def read(self) -> DutyFile | DutyTable | None:
+        """The duty cycle, if there is one.
+
+        Raises
+        ------
+        ReadError, UsageError
+        """
+        is_table = self.duty is not None and suffix_of(self.duty) == ".csv"
+        without = "--exponent: without --duty and a CSV of points"
+        refuse((self.exponent is not None and not is_table, without))
+        if self.duty is None:
+            return None
+        from vstatics.vehicle.duty_file import read_duty, read_duty_table
+
+        text = files.read_input(self.duty, TABLE_BYTES if is_table else DOCUMENT_BYTES)
+        return read_duty_table(*text, self.exponent) if is_table else read_duty(*text)
+
+
+options = gathered(
+    "duty",
+    DutyOptions,
+    click.option(
+        "--duty",
+        type=click.Path(),
+        metavar="FILE",
+        help="A duty cycle: YAML with `energy` or `time`, and a share by gear; or CSV of points "
+        "with `time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
+    ),
+    click.option(
+        "--exponent",
+        type=click.FloatRange(min=0, min_open=True, max=100),
+        callback=value(above_0),  # NaN is in every range
+        metavar="P",
+        help="Of the equivalent torque over a CSV of points.  [default: 3]",
+    ),
+)
+"""Both options; a command gets `duty`."""
+
+
+def doubts(cycle: Cycle | Spectrum | None, file: str) -> list[Problem]:
+    """What is doubtful about the duty cycle of a case."""
+    messages = getattr(cycle, "messages", ())  # shares by gear have none
+    return [of_file(one.id, file, one.text) for one in messages]

@@ -1,0 +1,18 @@
+"""What is asked of a case whose damage is told."""
+
+from __future__ import annotations
+
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.readers.reading import Reading
+
+
+def expect_fatigue(reading: Reading) -> None:
+    """Refuse a case that tells no fatigue strength.
+
+    Raises
+    ------
+    ReadError
+    """
+    if not reading.case.fatigue:
+        message = "the case has no `fatigue`, expected that of a spring or another device"
+        raise ReadError([reading.locate(Problem("E882", message))])

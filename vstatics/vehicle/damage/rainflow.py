@@ -1,0 +1,79 @@
+"""Cycles of a record by rainflow counting, ASTM E1049-85, 5.4.4."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.answer import told
+
+
+@told("range", "mean", count="counted")
+class LoadCycle(NamedTuple):
+    """A cycle, or several that are alike."""
+
+    range: float
+    """The largest value less the least."""
+    mean: float
+    counted: float
+    """How many there are; halves of what does not close."""
+
+    @property
+    def amplitude(self) -> float:
+        """Half the range."""
+        return self.range / 2
+
+
+def extremes(values: Floats) -> Floats:
+    """The values at which a record turns, in order, and both of its ends.
+
+    A record that never changes has none.
+
+    >>> extremes(np.array([0.0, 1, 1, 2, 2, -1, 0])).tolist()
+    [0.0, 2.0, -1.0, 0.0]
+    """
+    changed = values[np.append(True, np.diff(values) != 0)] if len(values) else values
+    if len(changed) < 2:
+        return changed[:0]
+    turns = np.diff(np.sign(np.diff(changed))) != 0
+    turning: Floats = changed[np.concatenate([[True], turns, [True]])]
+    return turning
+
+
+def rainflow(values: Floats) -> list[LoadCycle]:
+    """The cycles of a record, by rising range; those of one range and mean are one entry.
+
+    Examples
+    --------
+    The example of the standard: ranges 3, 4, 6, 8, 9 are counted .5, 1.5, .5, 1, .5 times.
+
+    >>> [(one.range, one.counted) for one in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
+    [(3.0, 0.5), (4.0, 0.5), (4.0, 1.0), (6.0, 0.5), (8.0, 0.5), (8.0, 0.5), (9.0, 0.5)]
+    """
+    counts: dict[tuple[float, float], float] = {}
+    for first, second, count in _counted(extremes(values).tolist()):
+        key = abs(second - first), (first + second) / 2
+        counts[key] = counts.get(key, 0.0) + count
+    return [LoadCycle(*key, count) for key, count in sorted(counts.items())]
+
+
+def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
+    """Both values of each range, and how often it counts."""
+    open_: list[float] = []
+    for value in turning:
+        open_.append(value)
+        while len(open_) > 2:
+            start, end, last = open_[-3:]
+            if abs(last - end) < abs(end - start):
+                break
+            if len(open_) == 3:  # the starting point is in it
+                yield start, end, 0.5
+                del open_[0]
+            else:
+                yield start, end, 1.0
+                del open_[-3:-1]
+    yield from ((start, end, 0.5) for start, end in pairwise(open_))

@@ -1,0 +1,134 @@
+"""A duty cycle as a file: shares for each gear in YAML, or points in CSV."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, get_args
+
+from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.model.shape import ByKey, KeyShape, Shares
+from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.named.nodes import Spots
+from vstatics.core.readers.named.reader import read_document
+from vstatics.core.readers.unit_table import UnitTable, read_unit_table
+from vstatics.core.statics.results import Results
+from vstatics.vehicle.duty import Cycle, Duty, Kind, cycle
+from vstatics.vehicle.operation.load_spectrum import EXPONENT, Spectrum, points_of, spectrum
+
+DUTY = ByKey(
+    "Duty cycle",
+    "Gears with their shares of energy or of time.",
+    tuple(
+        KeyShape(kind, Shares(), f"Share of the {kind} for each gear; of any sum.")
+        for kind in get_args(Kind)
+    ),
+)
+EXPECTED = "`energy` or `time` with a share for each gear"
+
+
+class DutyFile(NamedTuple):
+    """A duty cycle, and where its gears stand."""
+
+    duty: Duty
+    spots: Spots
+
+    def of(self, results: Results) -> Cycle:
+        """The cycle of a case.
+
+        Raises
+        ------
+        ReadError
+            As `cycle` does, with places.
+        """
+        try:
+            return cycle(results, self.duty)
+        except CaseError as error:
+            problems = [one._replace(path=(self.duty.kind, *one.path)) for one in error.problems]
+            raise ReadError([self.spots.locate(problem) for problem in problems]) from None
+
+
+_COLUMNS = (
+    TableColumn("time", "time", optional=True, may_be_bare=True),
+    TableColumn("share", optional=True),
+    TableColumn("gear", is_text=True),
+    TableColumn("speed", "si_speed"),
+    TableColumn("torque", "si_torque"),
+)
+
+
+class DutyTable(NamedTuple):
+    """A duty cycle by points, and where they stand."""
+
+    table: UnitTable
+    exponent: float
+
+    def of(self, results: Results) -> Spectrum:
+        """What it does to a case.
+
+        Raises
+        ------
+        ReadError
+            With the lines of points that cannot be.
+        """
+        table = self.table
+        try:
+            points = points_of(results.case, table.texts["gear"], table.numbers)
+            return spectrum(results.case, points, self.exponent)
+        except CaseError as error:
+            raise ReadError(
+                Problem(one.id, one.message, (), table.place(_row(one))) for one in error.problems
+            ) from None
+
+
+def _row(problem: Problem) -> int:
+    """The row that a problem is of; the first where it is of all."""
+    first = next(iter(problem.path), 0)
+    return first if isinstance(first, int) else 0
+
+
+def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> DutyTable:
+    """Read a duty cycle by points: columns time or share, gear, speed, torque.
+
+    Parameters
+    ----------
+    exponent : float, optional
+        Of the equivalent torque; else 3. [-]
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    """
+    table = read_unit_table(
+        data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
+    )
+    if ("time" in table.numbers) == ("share" in table.numbers):
+        message = "read both `time` and `share`, or neither, expected one of them"
+        raise ReadError([Problem("E121", message, (), table.source.place(1))])
+    return DutyTable(table, exponent or EXPONENT)
+
+
+def read_duty(data: bytes, file: str) -> DutyFile:
+    """Read a duty cycle.
+
+    Parameters
+    ----------
+    data : bytes
+    file : str
+        Its name, for messages.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> read_duty(b'energy: {"1": 1, "2": 3/2}', "duty.yaml").duty
+    Duty(kind='energy', shares={'1': 1.0, '2': 1.5})
+    """
+    values, spots = read_document(data, file, DUTY, EXPECTED)
+    if len(values) != 1:
+        root = spots.place(())
+        spots.found.stop(f"expected {EXPECTED}, and nothing else", root.line, root.column)
+    [(kind, shares)] = values.items()
+    return DutyFile(Duty(kind, shares), spots)

@@ -1,0 +1,302 @@
+"""The steps of a driving cycle: their gears, speeds and forces, what is lost in each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import CaseError, Problem, quoted
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.solve import solve
+from vstatics.core.summary.design_table import is_guess
+from vstatics.core.tables.written_results import GEAR_NUMBER
+from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
+from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
+from vstatics.vehicle.operation.shifting import (
+    EngineSpeeds,
+    ShiftSpeed,
+    by_least_speed,
+    by_shift_speeds,
+    directions,
+)
+from vstatics.vehicle.operation.trace import Trace
+from vstatics.vehicle.operation.traction import engine_alone
+
+
+class GearChoice(NamedTuple):
+    """How gears are picked where the trace has none."""
+
+    least_speed: float | None = None
+    """Of the engine. [rad/s]"""
+    shifts: Sequence[ShiftSpeed] = ()
+
+
+class CycleLosses(NamedTuple):
+    """What steps lose, and what is held meanwhile."""
+
+    energies: dict[str, float]
+    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH`` [J]."""
+    outside: dict[str, None]
+    """Laws that are asked outside their points."""
+
+    held_torques: Floats
+    """(steps, shift elements): what those carry that hold [N*m]."""
+
+    def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
+        """Some steps, of durations [s]."""
+        self.held_torques[rows] = loads.held_torques
+        self.outside.update(dict.fromkeys(loads.outside))
+        for name, powers in (loads.losses() | loads.drag_losses()).items():
+            self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
+
+
+class CycleSteps(NamedTuple):
+    """The steps of a trace, each in its gear."""
+
+    case: Transmission
+    vehicle: Vehicle
+    trace: Trace
+    gears: Integers
+    ratios: Floats
+    """(gears, links): speeds by that of the output, with its sign. [-]"""
+    guessed: Sequence[str] = ()
+    """Gears that are chosen from as forward, though nothing but their order tells that."""
+
+    @classmethod
+    def of(
+        cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
+    ) -> CycleSteps:
+        """The steps with their gears.
+
+        Raises
+        ------
+        CaseError
+            If a gear is none of the case.
+        """
+        still = solve(case)
+        outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
+        inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
+        own = np.arange(len(outputs))
+        with np.errstate(all="ignore"):
+            ratios = still.speeds / still.speeds[own, outputs][:, None]
+            ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
+        wheels = trace.speed / vehicle.radius * vehicle.final_drive
+        engine = EngineSpeeds(wheels, ratios[own, inputs], vehicle.may_turn)
+        driving = np.where(engine_alone(case), still.ratio, math.nan)
+        gears = _gears(case, trace, choice, engine, driving)
+        lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
+        if lacking.size:
+            gear = case.gears[gears[lacking[0]]]
+            why = beside_engine(gear, case.link_name)
+            message = (
+                f"gear {gear.name} has {why or 'no ratio'}, expected one in which the engine alone "
+                "drives the wheels" + "; `summary --duty` takes points of it" * bool(why)
+            )
+            raise CaseError([Problem("E428", message, (int(lacking[0]),))])
+        names = [gear.name for gear in case.gears]
+        ways = directions(driving, names) if choice.least_speed is not None else []
+        guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
+        return cls(case, vehicle, trace, gears, ratios, guessed)
+
+    def at(self, rows: Integers) -> CycleSteps:
+        """Some of the steps; the trace keeps its table."""
+        whole = self.trace
+        trace = whole._replace(
+            duration=whole.duration[rows],
+            speed=whole.speed[rows],
+            acceleration=whole.acceleration[rows],
+            slope=whole.slope[rows],
+        )
+        return self._replace(trace=trace, gears=self.gears[rows])
+
+    @property
+    def forces(self) -> Floats:
+        """At the wheels, of road and mass; 0 where it stands [N]."""
+        trace, vehicle = self.trace, self.vehicle
+        force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
+        return np.where(trace.speed > 0, force, 0.0)
+
+    @property
+    def wheel_speeds(self) -> Floats:
+        """Of the output, without sign [rad/s]."""
+        speeds: Floats = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
+        return speeds
+
+    def _ends(self, kind: str) -> Integers:
+        """Indices of the input or output links of all steps."""
+        of = self.case.gear_input if kind == "input" else self.case.gear_output
+        links = np.array([of(gear) - 1 for gear in self.case.gears])
+        return links[self.gears]
+
+    def link_speeds(self, kind: str) -> Floats:
+        """Speeds of the input or output links [rad/s]."""
+        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
+        return speeds
+
+    @property
+    def engine_speeds(self) -> Floats:
+        """Of the engine, forward [rad/s]."""
+        return np.abs(self.link_speeds("input"))
+
+    def course(self, engine: Floats) -> dict[str, Floats]:
+        """What each step has in its middle, where speeds are their means, by heading."""
+        starts = np.array(self.trace.table.numbers["time"][:-1])
+        return {
+            "time [s]": starts + self.trace.duration / 2,
+            "speed [km/h]": 3.6 * self.trace.speed,
+            GEAR_NUMBER: np.add(self.gears, 1, dtype=np.float64),
+            "engine speed [rpm]": self.engine_speeds * 30 / math.pi,
+            "engine torque [N*m]": engine,
+            "wheel force [N]": self.forces,
+        }
+
+    def _inertia_torque(self, rows: Integers, link: int) -> Floats:
+        """``-J dw/dt`` on a link in some rows [N*m]."""
+        change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
+        inertia = self.case.heavy.get(link, 0.0)
+        torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
+        return torque
+
+    def _at_output(self, case: Transmission, rows: Integers) -> Floats:
+        """That on the output links of a case, on which no torque can be given [N*m]."""
+        total = np.zeros(len(rows))
+        for number, gear in enumerate(case.gears):
+            own = self._inertia_torque(rows, case.gear_output(gear))
+            total = np.where(self.gears[rows] == number, own, total)
+        return total
+
+    def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
+        """Those on all other links, by their paths."""
+        return {
+            f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
+            for gear in case.gears
+            for link, inertia in case.heavy.items()
+            if inertia and link != case.gear_output(gear) and link not in gear.speeds  # held
+        }
+
+    def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
+        """What the output of a case gives to its load [N*m]."""
+        torque: Floats = loads.taken(loads.results.lossy_output_torque_Nm)
+        return torque + self._at_output(case, rows)
+
+    @property
+    def inertia_energy(self) -> float:
+        """What turning links have more at the end of steps than before, over all steps [J]."""
+        before, after = self.trace.ends
+        factor = self.vehicle.final_drive / self.vehicle.radius
+        total = 0.0
+        for link, inertia in self.case.heavy.items():
+            turned = self.ratios[self.gears, link - 1] * factor
+            change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
+            total += float(np.nan_to_num(inertia / 2 * change).sum())
+        return total
+
+    def _from_wheels(self, rows: Integers) -> PointLoads:
+        """The box with its output as input."""
+        here = self.at(rows)
+        speeds = here.link_speeds("output")
+        torques = -here.forces * self.vehicle.radius / self.vehicle.final_drive
+        points = DutyPoints(self.gears[rows], speeds, torques * np.sign(speeds), np.ones(len(rows)))
+        return self._solved(self._turned, rows, points)
+
+    @property
+    def _turned(self) -> Transmission:
+        """The case with outputs as inputs."""
+        gears = [
+            gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
+            for gear in self.case.gears
+        ]
+        return self.case.replace(gears=gears, outputs=())
+
+    def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
+        """Points of some rows.
+
+        Raises
+        ------
+        CaseError
+            If one has no torques.
+        """
+        try:
+            return PointLoads.of(case, points, self._elsewhere(case, rows))
+        except CaseError as error:
+            problems = [
+                one._replace(path=tuple(int(rows[row]) for row in one.path if isinstance(row, int)))
+                for one in error.problems
+            ]
+            raise CaseError(problems) from None
+
+    def engine_torques(self, rows: Integers) -> Floats:
+        """Of the engine, with all losses, in its direction [N*m]."""
+        loads = self._from_wheels(rows)
+        given = self._given(self._turned, rows, loads)
+        engine: Floats = -given * np.sign(self.at(rows).link_speeds("input"))
+        return engine
+
+    def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
+        """What rows lose that the engine drives, or that brake no more than its overrun."""
+        lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
+
+    def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
+        """The energy of brakes where the engine brakes at its overrun [J]."""
+        here = self.at(rows)
+        speeds = here.link_speeds("input")
+        points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
+        loads = self._solved(self.case, rows, points)
+        lost.add(loads, rows, self.trace.duration[rows])
+        torque = self._given(self.case, rows, loads) * np.sign(here.link_speeds("output"))
+        force = torque * self.vehicle.final_drive / self.vehicle.radius
+        power = (force - here.forces) * here.trace.speed
+        return float(power @ here.trace.duration)
+
+
+def _gears(
+    case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
+) -> Integers:
+    """The gear of each step: of the trace, by shift speeds, or the highest that fits.
+
+    Parameters
+    ----------
+    ratios : ndarray, shape (gears,)
+        Of the case; NaN where the engine alone does not drive. [-]
+
+    Raises
+    ------
+    CaseError
+        If a gear is not in the case, nothing gives it, or shifts do not go up.
+    """
+    names = [gear.name for gear in case.gears]
+    ways = {
+        "the column `gear`": bool(trace.gears),
+        "--shift": bool(choice.shifts),
+        "--least-speed": choice.least_speed is not None,
+    }
+    if len(means := [name for name, given in ways.items() if given]) > 1:
+        message = f"{' and '.join(means)} tell the gears, expected one of them"
+        raise CaseError("E426", message, place=trace.place)
+    if choice.least_speed is not None:
+        ahead = next(iter(directions(ratios, names)), [])
+        return by_least_speed(engine, choice.least_speed, ahead)
+    if choice.shifts:
+        try:
+            return by_shift_speeds(case, choice.shifts, trace.speed, engine, ratios)
+        except ValueError as error:
+            raise CaseError("E426", f"--shift: {error}") from None
+    if not trace.gears:
+        if len(names) == 1:
+            return np.zeros(len(trace.speed), np.int64)
+        message = "the trace has no column `gear`, expected one, --shift, or --least-speed"
+        raise CaseError("E426", message, place=trace.place)
+    standing: Booleans = trace.speed <= 0
+    numbers = {name: number for number, name in enumerate(names)}
+    problems = [
+        Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
+        for row, name in enumerate(trace.gears)
+        if name not in numbers and not (standing[row] and not name)
+    ]
+    if problems:
+        raise CaseError(problems)
+    return np.array([numbers.get(name, 0) for name in trace.gears])

@@ -1,0 +1,81 @@
+"""`cycle` in Python: a case with a vehicle through a cycle of speeds that a file holds."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from vstatics.core.arguments import naming, refusing
+from vstatics.core.errors import CaseError
+from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
+from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map
+from vstatics.vehicle.operation.shifting import read_shifts
+from vstatics.vehicle.operation.trace import Trace, read_trace
+
+if TYPE_CHECKING:
+    from vstatics.core.model.transmission import Transmission
+
+
+@refusing(Transmission="vstatics.core.model.transmission")
+@naming
+def cycle(
+    case: Transmission,
+    trace: str | os.PathLike[str] | Trace,
+    *,
+    least_speed: float | None = None,
+    shifts: str = "",
+    fuel: str | os.PathLike[str] | FuelMap | None = None,
+) -> DriveCycle:
+    """Drive a case with a `vehicle` through a cycle of speeds.
+
+    Parameters
+    ----------
+    case : Transmission
+    trace : path-like or Trace
+        Table with columns time [s], speed [km/h], and optionally gear, and slope, a sine [-], or
+        grade, the rise over the horizontal distance [-].
+    least_speed : float, optional
+        The highest gear in which the engine turns as fast, else the lowest in which it turns no
+        faster than at its last point. [rad/s]
+    shifts : str, optional
+        Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
+    fuel : path-like or FuelMap, optional
+        CSV with columns speed, torque, fuel; a case in Python knows no file beside it.
+
+    Returns
+    -------
+    DriveCycle
+        Energies [J], losses [J], fuel [g], the steps, and messages: what the engine can't.
+
+    Raises
+    ------
+    CaseError
+        If the case has no vehicle, or a gear is none of it or has no torques.
+    ReadError
+        If a file is in error, with every problem and its place.
+    OSError
+        If a file cannot be opened.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism, Transmission
+    >>> from vstatics.vehicle.case.vehicle import Vehicle
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
+    ...                     vehicle=Vehicle(1000, 0.5))
+    >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")
+    >>> round(cycle(case, trace).energy.engine, 6)
+    62500.0
+    """
+    if case.vehicle is None:
+        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
+        raise CaseError("E427", message)
+    driven = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
+    burnt = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
+    choice = GearChoice(least_speed, read_shifts(shifts) if shifts else ())
+    return drive(case, driven, choice, burnt)
+
+
+def _read(path: str | os.PathLike[str]) -> tuple[bytes, str]:
+    return read_file(path, TABLE_BYTES), os.fspath(path)

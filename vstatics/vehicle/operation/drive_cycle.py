@@ -1,0 +1,178 @@
+"""A driving cycle: what the engine gives, where it goes, what fuel it takes.
+
+Between two rows of a trace speed is the mean, acceleration constant, gear and slope those of the
+first. The force at the wheels follows; the box is solved from there: its output is the input of
+the calculation, so that the torque of the engine comes out of it with all losses, and inertias
+act as ``-J dw/dt`` on their links. Where the engine would have to brake more than its overrun
+does, brakes take the rest. Standing nothing has a torque.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import listed, not_allowed
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.carried import overloads_at_points
+from vstatics.core.statics.diagnosis import outside_message
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.tables.answer import document, told
+from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
+from vstatics.vehicle.operation.fuel_map import FuelMap
+from vstatics.vehicle.operation.trace import Trace, blocks
+from vstatics.vehicle.operation.traction import bare
+
+
+class CycleEnergy(NamedTuple):
+    """Energies of a cycle [J]; that of the engine is the sum of all others."""
+
+    engine: float
+    wheels: float
+    """Of road and mass."""
+    inertias: float
+    """With what goes, or comes, where shifts change a speed at once."""
+    brakes: float
+    lost: Mapping[str, float]
+    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+
+
+@told("duration", "distance", "fuel", "energy", "messages")
+class DriveCycle(NamedTuple):
+    """What a driving cycle takes."""
+
+    duration: float
+    """[s]"""
+    distance: float
+    """[m]"""
+    fuel: float
+    """[g]; NaN without a fuel map."""
+    energy: CycleEnergy
+    gears: Sequence[str]
+    """Of each step."""
+    beyond: int
+    """Steps in which the engine would have to give more than at full load."""
+    messages: Sequence[Message] = ()
+    """That, and what else is doubtful."""
+    steps: Mapping[str, Floats] = MappingProxyType({})
+    """By heading, with units: what each step has in its middle."""
+
+
+def drive(
+    case: Transmission, trace: Trace, choice: GearChoice, fuel: FuelMap | None = None
+) -> DriveCycle:
+    """Drive a case with a vehicle through a trace.
+
+    Raises
+    ------
+    CaseError
+        If a gear is none of the case, or has no torques; paths of problems are rows of the trace.
+
+    Examples
+    --------
+    1000 kg from rest to 10 m/s in 10 s through a pair of .8: 50 kJ at the wheels.
+
+    >>> from vstatics import Gear, Mechanism
+    >>> from vstatics.vehicle.case.vehicle import Vehicle
+    >>> from vstatics.vehicle.operation.trace import read_trace
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
+    ...                     vehicle=Vehicle(1000, 0.5))
+    >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")
+    >>> made = drive(case, trace, GearChoice())
+    >>> round(made.energy.engine, 6), round(made.energy.lost["pair"], 6), made.distance
+    (62500.0, 12500.0, 50.0)
+    """
+    assert case.vehicle is not None  # noqa: S101 - who asks knows
+    steps = CycleSteps.of(bare(case), case.vehicle, trace, choice)
+    engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
+    lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
+    brakes = 0.0
+    if (trace.speed > 0).any():
+        for rows in _blocks(trace.speed > 0):
+            engine[rows] = steps.engine_torques(rows)
+        over = engine < case.vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
+        over &= trace.speed > 0
+        if over.any():
+            engine[over] = case.vehicle.overrun_torque(speeds[over])
+        for rows in _blocks((trace.speed > 0) & ~over):
+            steps.add_losses(rows, lost)
+        brakes = math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
+    energy = CycleEnergy(
+        float((engine * speeds) @ trace.duration),
+        float((steps.forces * trace.speed) @ trace.duration),
+        steps.inertia_energy,
+        brakes,
+        lost.energies,
+    )
+    full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
+    beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
+    taken, course = math.nan, steps.course(engine)
+    outside = [*lost.outside]
+    if fuel is not None:
+        turning = np.where(trace.speed > 0, speeds, 0.0)
+        rates = fuel.at(turning, engine)
+        taken = float(rates @ trace.duration)
+        course["fuel [g/h]"] = 3600 * rates
+        outside += ["vehicle.fuel"] * bool(fuel.is_beyond(turning, engine).any())
+    distance = float(trace.speed @ trace.duration)
+    gears = [case.gears[index].name for index in steps.gears]
+    duration = float(trace.duration.sum())
+    notes = (Message(note.id, note.message) for note in trace.notes)
+    doubts = *notes, *_doubts(steps, beyond), *_overloads(case, steps, lost.held_torques)
+    doubts += (outside_message(outside),) * bool(outside)
+    messages = not_allowed(doubts, case.untold)
+    return DriveCycle(duration, distance, taken, energy, gears, beyond, messages, course)
+
+
+def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
+    wanted = np.flatnonzero(are_wanted)
+    for part in blocks(len(wanted)):
+        yield wanted[part]
+
+
+def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
+    """What the engine can't, and which gears may be the wrong ones."""
+    if steps.guessed:
+        text = f"forward is taken as {listed(steps.guessed)}, which are written first"
+        yield Message(
+            "N417", f"{text}: as many gears go the other way, and no name, as R, tells which"
+        )
+    vehicle, speeds = steps.vehicle, steps.engine_speeds
+    too_fast = ~vehicle.may_turn(speeds)
+    if too_fast.any():
+        last, fastest = (one * 30 / math.pi for one in (vehicle.engine[-1][0], speeds.max()))
+        text = (
+            f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would turn at up to "
+            f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
+        )
+        yield Message("W428", text)
+    if beyond:
+        text = "the engine would have to give more than at full load"
+        yield Message("W429", f"in {beyond} of {len(speeds)} steps {text}")
+
+
+def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:
+    """What shift elements can't carry, by (steps, elements) torques [N*m]."""
+
+    def where(row: int) -> str:
+        start = steps.trace.table.numbers["time"][row]
+        return f"from {start:.6g} s on, gear {case.gears[int(steps.gears[row])].name}"
+
+    yield from overloads_at_points(case, torques, "steps", where)
+
+
+SAME_ENGINE_TORQUE = 1e-9
+"""Torques of the engine that differ by no more are one. [N*m]"""
+
+
+@document("vstatics-cycle")
+class CycleAnswer(NamedTuple):
+    """What `vstatics cycle` answers."""
+
+    name: str
+    cycle: DriveCycle

@@ -1,0 +1,94 @@
+"""What an engine takes over speed and torque: a grid in CSV, bilinear between its points."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.unit_table import read_unit_table
+from vstatics.vehicle.case.vehicle import SAME_SPEED
+
+COLUMNS = (
+    TableColumn("speed", "si_speed"),
+    TableColumn("torque", "si_torque"),
+    TableColumn(
+        "fuel",
+        sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0},
+        meaning="; g/kWh times speed [rpm] * torque [N*m]/9549.3 is g/h, idle has its own",
+    ),
+)
+
+
+class FuelMap(NamedTuple):
+    """A grid of fuel over speed and torque; at its edges it goes on as there.
+
+    Examples
+    --------
+    >>> grid = FuelMap(np.array([100.0, 300.0]), np.array([0.0, 100.0]),
+    ...                np.array([[0.1, 0.5], [0.3, 1.1]]))
+    >>> grid.at(np.array([200.0, 0.0]), np.array([50.0, -20.0]))
+    array([0.5, 0.1])
+    """
+
+    speeds: Floats
+    """[rad/s]"""
+    torques: Floats
+    """[N*m]"""
+    fuel: Floats
+    """(speeds, torques) [g/s]"""
+
+    def at(self, speeds: Floats, torques: Floats) -> Floats:
+        """Fuel at points [g/s]; a torque below 0 counts as 0."""
+        grid = LookupTable(
+            tuple(self.speeds.tolist()),
+            tuple(map(tuple, self.fuel.tolist())),
+            tuple(self.torques.tolist()),
+        )
+        return grid.along(speeds, np.maximum(torques, 0.0))
+
+    def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
+        """Whether points are above the largest speed or torque of the grid.
+
+        >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
+        ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))
+        array([False,  True])
+        """
+        far = 1 + SAME_SPEED
+        beyond: Booleans = (speeds > self.speeds[-1] * far) | (torques > self.torques[-1] * far)
+        return beyond
+
+
+def read_fuel_map(data: bytes, file: str) -> FuelMap:
+    """Read the fuel map of an engine.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> text = b"speed [rad/s],torque [N*m],fuel [g/h]\\n100,0,360\\n100,50,720\\n"
+    >>> read_fuel_map(text, "fuel.csv").fuel.round(9)
+    array([[0.1, 0.2]])
+    """
+    table = read_unit_table(data, file, "a fuel map: speed, torque, fuel", COLUMNS, "E123")
+    speeds, row = np.unique(np.array(table.numbers["speed"]), return_inverse=True)
+    torques, column = np.unique(np.array(table.numbers["torque"]), return_inverse=True)
+    fuel = np.full((len(speeds), len(torques)), np.nan)
+    fuel[row, column] = table.numbers["fuel"]
+    if len(row) != fuel.size or np.isnan(fuel).any():
+        message = (
+            f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
+            "one for each pair: a grid"
+        )
+        raise ReadError([Problem("E123", message, (), table.source.place(1))])
+    if (fuel < 0).any():
+        wrong = int(np.flatnonzero(np.array(table.numbers["fuel"]) < 0)[0])
+        raise ReadError([Problem("E123", "fuel: expected 0 or more", (), table.place(wrong))])
+    return FuelMap(speeds, torques, fuel)

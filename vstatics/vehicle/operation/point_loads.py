@@ -1,0 +1,270 @@
+"""What a case carries at points of speed and torque: of each link, member and shift element."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import CaseError, Problem
+from vstatics.core.model.parts import Load
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Floats, Integers
+from vstatics.core.statics.carried import larger_torques
+from vstatics.core.statics.matrix import column_of, held_links
+from vstatics.core.statics.result_arrays import all_row_names, first_rows
+from vstatics.core.statics.results import Results
+from vstatics.core.statics.solve import solve
+
+MOST_REASONS = 20
+"""Of so many points without torques it is told why, as each is calculated again."""
+REASONS = (
+    *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
+)
+"""Messages on what keeps a gear from having speeds, or torques, the first reason first."""
+SAME_TORQUE = 1e-9
+"""A sum of torques that leaves this part of the largest is none. [-]"""
+
+
+class DutyPoints(NamedTuple):
+    """Points of a duty cycle; arrays of one length."""
+
+    gears: Integers
+    """Index of each point's gear."""
+    speeds: Floats
+    """Of the input. [rad/s]"""
+    torques: Floats
+    """Of the input. [N*m]"""
+    weights: Floats
+    """Durations [s], or shares of any sum."""
+    are_shares: bool = False
+
+
+class PointLoads(NamedTuple):
+    """The results of all points, each in its gear; arrays of shape (points, ...)."""
+
+    case: Transmission
+    points: DutyPoints
+    results: Results
+
+    @classmethod
+    def of(
+        cls, case: Transmission, points: DutyPoints, further: Mapping[str, Floats] | None = None
+    ) -> PointLoads:
+        """Solve all points in all gears; further numbers vary by their paths, as in `solve`.
+
+        Raises
+        ------
+        CaseError
+            If a point has no torques; the paths of problems are the indices of points.
+        """
+        gears = [gear._replace(load=None) for gear in case.gears]
+        bare = replace(case, gears=gears, load=Load(1000.0, 1.0))
+        vary = {"load.speed": points.speeds, "load.torque": points.torques}
+        vary |= further or {}
+        made = cls(bare, points, solve(bare, vary=vary))
+        lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
+        most = 0 if further else MOST_REASONS  # alone a point has no torques of inertia
+        problems = [
+            Problem("E424", made._lacking(row, has_reason=place < most), (row,))
+            for place, row in enumerate(np.flatnonzero(lacking).tolist())
+        ]
+        if problems:
+            raise CaseError(problems)
+        return made
+
+    def _lacking(self, row: int, *, has_reason: bool) -> str:
+        """That a point has no torques; why, as calculating it alone says."""
+        gear = self.case.gears[int(self.points.gears[row])]
+        said = f"gear {gear.name} has no torques with losses at this speed and torque"
+        if not has_reason:
+            return said
+        load = Load(float(self.points.speeds[row]) * 30 / math.pi, float(self.points.torques[row]))
+        alone = solve(replace(self.case, gears=[gear], load=load))
+        said_alone = {one.id: one.text for one in reversed(alone.messages)}
+        reasons = [said_alone[one] for one in REASONS if one in said_alone]
+        return ": ".join((said, *reasons[:1]))
+
+    def taken(self, array: Any) -> Floats:
+        """An array of results by point, in the gear of each."""
+        own: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
+        return own
+
+    @property
+    def input_torques(self) -> Floats:
+        """Of the input at each point, as `coast` of the case turns it [N*m]."""
+        assert self.results.points is not None  # noqa: S101 - loads vary
+        units = self.taken(self.results.points.scales["Nm"])
+        return np.where(self.points.torques == 0, 0.0, units)
+
+    @property
+    def outside(self) -> list[str]:
+        """Laws that are asked outside their points, in the gears of these."""
+        assert self.results.points is not None  # noqa: S101 - loads vary
+        return [one for one, at in self.results.points.outside.items() if self.taken(at).any()]
+
+    def losses(self) -> dict[str, Floats]:
+        """By mechanism or element: power lost at each point [W]."""
+        powers = 1e3 * self.taken(self.results.losses_kW)
+        names = [device.name for device in self.case.own_devices]
+        return {name: np.nan_to_num(column) for name, column in zip(names, powers.T, strict=True)}
+
+    def port_powers(self) -> tuple[Floats, Floats]:
+        """What enters by all ports, and what leaves [W]."""
+        results = self.results
+        both = results.input_power_kW, results.output_power_kW
+        entering, leaving = (1e3 * self.taken(powers) for powers in both)
+        return entering, leaving
+
+    @property
+    def speeds(self) -> Floats:
+        """(points, links), the housing first [rad/s]."""
+        own = self.taken(self.results.speeds_rpm) * math.pi / 30
+        return np.concatenate([np.zeros((len(own), 1)), own], axis=1)
+
+    def elements(self) -> Iterator[tuple[str, Floats, Floats]]:
+        """Of each shift element: torque on its first link [N*m], slip [rad/s]."""
+        torques = self.taken(self.results.lossy_torques_Nm)
+        slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
+        for place, element in enumerate(self.case.shift_elements):
+            yield element.name, torques[:, place], slips[:, place]
+
+    @property
+    def held_torques(self) -> Floats:
+        """(points, shift elements): what those carry that hold, without sign; else 0 [N*m]."""
+        holds, results = self.taken(self.results.holds), self.results
+        sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
+        return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
+
+    def device_torques(self) -> dict[str, Floats]:
+        """By shift element, mechanism and spring: the torque on its first link [N*m].
+
+        An element is its mechanism, or the mechanisms of its meshes, as in motion.
+        """
+        rows, results = all_row_names(self.case), self.results
+        torques, meshes = results.lossy_torques_Nm, results.lossy_mesh_torques_Nm
+        found = dict(zip(rows["torques"], self.taken(torques).T, strict=True))
+        found |= dict(zip(rows["meshes"], self.taken(meshes).T, strict=True))
+        for index, row in first_rows(self.case).items():
+            found[self.case.mechanisms[index].name] = found[row]
+        return found
+
+    def member_torques(self) -> dict[tuple[int, str], Floats]:
+        """Device and member -> torque that its link gives to it [N*m]."""
+        torques = self.taken(self.results.lossy_torques_Nm)
+        first = len(self.case.shift_elements)
+        places = [
+            (number, member.name)
+            for number, device in enumerate(self.case.own_devices)
+            for member in device.members
+        ]
+        if self.case.drawing is not None:
+            return {place: torques[:, first + n] for n, place in enumerate(places)}
+        found = {}
+        for number, mechanism in enumerate(self.case.mechanisms):
+            on_first = torques[:, first + number]
+            first_part, second_part, _ = column_of(mechanism, self._ratios(number))
+            with np.errstate(all="ignore"):
+                second = second_part / first_part * on_first
+            if mechanism.kind != "converter":  # whose torque ratio has its losses
+                second = second * self._loss_factor(number, on_first)
+            by_name = {"first": on_first, "second": second, "third": -on_first - second}
+            for device, name in places:
+                if device == number:
+                    found[device, name] = by_name[name]
+        return found
+
+    def _ratios(self, number: int) -> Floats:
+        """Of a mechanism at each point: that of its gear, or the speed ratio that it has there."""
+        mechanism, speeds = self.case.mechanisms[number], self.speeds
+        by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
+        given = np.array(by_gear, dtype=float)[self.points.gears]
+        if not mechanism.kind:
+            return given
+        with np.errstate(all="ignore"):
+            turned = speeds[:, mechanism.second] / speeds[:, mechanism.first]
+        return np.where(np.isfinite(turned), turned, given)
+
+    def _loss_factor(self, number: int, on_first: Floats) -> Floats:
+        """``n**x`` of a mechanism, from what it loses of the power by its first link; else 1."""
+        mechanism, speeds = self.case.mechanisms[number], self.speeds
+        power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
+        lost = list(self.losses().values())[number]
+        with np.errstate(all="ignore"):
+            factor = np.where(np.abs(lost) > 0, 1 - lost / power, 1.0)
+        return np.where(np.isfinite(factor), factor, 1.0)
+
+    def link_torques(self) -> tuple[dict[int, list[Floats]], dict[int, Floats]]:
+        """Link -> torques on it by devices and from outside, and link -> its own drag [N*m]."""
+        case, results, count = self.case, self.results, len(self.points.gears)
+        found: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
+        for place, (_, torque, _) in enumerate(self.elements()):
+            element = case.shift_elements[place]
+            found[element.first].append(-torque)
+            found[element.second].append(torque)
+        for (device, name), torque in self.member_torques().items():
+            links = {one.name: one.link for one in case.own_devices[device].members}
+            found[links[name]].append(-torque)
+        torques = self.taken(results.lossy_torques_Nm)
+        for place, spring in enumerate(case.springs, torques.shape[1] - 1 - len(case.springs)):
+            for link, part in spring.form.items():
+                found[link].append(-part * torques[:, place])
+        held = np.nan_to_num(self.taken(results.lossy_holding_torques_Nm))
+        assert results.points is not None  # noqa: S101 - loads vary
+        points, units = results.points, self.taken(results.points.scales["Nm"])
+        for index, gear in enumerate(case.gears):
+            here = self.points.gears == index
+            unit = np.where(here, self.input_torques, 0.0)
+            found[case.gear_input(gear)].append(unit)
+            found[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
+            for link, given in points.gears[index].torques.items():
+                found[link].append(np.where(here, given * units, 0.0))
+            for link in held_links(case, gear):
+                found[link].append(np.where(here, held[:, link - 1], 0.0))
+        drags = {}
+        for link in range(1, case.own_links + 1):
+            known = [np.nan_to_num(one) for one in found[link]] or [np.zeros(count)]
+            left = -np.sum(known, axis=0)
+            size = np.max(np.abs(known), axis=0)
+            drags[link] = np.where(np.abs(left) > SAME_TORQUE * size, left, 0.0)
+            found[link] = [*known, drags[link]]
+        return found, drags
+
+    def drag_losses(self) -> dict[str, Floats]:
+        """By ``drag.NAME``: power that links and open elements with drag take [W]."""
+        _, drags = self.link_torques()
+        has = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
+        found = {
+            f"drag.{self.case.link_name(link)}": np.abs(drags[link] * self.speeds[:, link])
+            for link in sorted(has)
+        }
+        holds = self.taken(self.results.holds)
+        for place, (name, torque, slip) in enumerate(self.elements()):
+            powers = np.where(holds[:, place], 0.0, np.abs(np.nan_to_num(torque * slip)))
+            if powers.any():
+                found[f"drag.{name}"] = powers
+        return found
+
+    def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
+        """Names with torques [N*m] and speeds [rad/s]: links, members, shift elements."""
+        case, speeds = self.case, self.speeds
+        found, _ = self.link_torques()
+        for link in range(1, case.own_links + 1):
+            through = np.sum([np.maximum(one, 0.0) for one in found[link]], axis=0)
+            yield case.link_name(link), (through, speeds[:, link])
+        torques: dict[tuple[int, str], Any] = self.member_torques()
+        for number, device in enumerate(case.own_devices):
+            third = case.mechanisms[device.mechanisms[0]].third
+            for member in device.members:
+                relative = speeds[:, member.link] - speeds[:, third]
+                yield f"{device.name}.{member.name}", (torques[number, member.name], relative)
+        planets = [one.name for device in case.own_devices for one in device.planets]
+        turning = self.taken(self.results.planet_speeds_rpm) * math.pi / 30
+        for name, column in zip(planets, turning.T, strict=True):
+            if not np.isnan(column).all():
+                yield name, (np.full(len(column), np.nan), column)
+        for name, torque, slip in self.elements():
+            yield name, (torque, slip)

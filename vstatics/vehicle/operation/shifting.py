@@ -1,0 +1,201 @@
+"""Which gear a driving cycle is driven in: by shift speeds, or the highest that fits.
+
+No rule takes a gear in which the engine would turn faster than it may, if another one holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import listed, quoted
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.readers.named.si_units import measured
+from vstatics.core.summary.design_table import ranges_of
+from vstatics.vehicle.operation.trace import blocks
+
+
+class ShiftSpeed(NamedTuple):
+    """A shift between two neighbours."""
+
+    low: str
+    high: str
+    up: float
+    """At this mean speed and above the higher gear is taken. [m/s]"""
+    down: float
+    """Below this mean speed the lower one is. [m/s]"""
+
+
+def read_shifts(text: str) -> list[ShiftSpeed]:
+    """Shift speeds of a text, from the lowest pair of gears on.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> [one.low for one in read_shifts("1-2: 18 km/h/14.4 km/h, 2-3: 36 km/h/27 km/h")]
+    ['1', '2']
+    >>> read_shifts("1-2: 18 km/h/14.4 km/h")[0].down.__round__(9)
+    4.0
+    """
+    found: list[ShiftSpeed] = []
+    for item in text.split(","):
+        gears, colon, speeds = item.partition(":")
+        low, dash, high = (part.strip() for part in gears.partition("-"))
+        up, down = _two_speeds(speeds)
+        if not (colon and dash and low and high) or up is None or down is None:
+            example = "1-2: 15 km/h/12 km/h"
+            raise ValueError(f"read {item.strip()!r}, expected {example}")
+        if down > up:
+            raise ValueError(f"read {item.strip()!r}, expected the shift down below that up")
+        if found and found[-1].high != low:
+            raise ValueError(f"read {item.strip()!r}, expected the shift from {found[-1].high} on")
+        found.append(ShiftSpeed(low, high, up, down))
+    return found
+
+
+def _two_speeds(text: str) -> tuple[float | None, float | None]:
+    """The speeds on both sides of a stroke, which units have too [m/s]."""
+    for at, letter in enumerate(text):
+        if letter == "/":
+            try:
+                parts = (text[:at].strip(), text[at + 1 :].strip())
+                up, down = (measured(part, "velocity") for part in parts)
+            except ValueError:
+                continue
+            if up >= 0 and down >= 0 and all(any(map(str.isalpha, part)) for part in parts):
+                return up, down
+    return None, None
+
+
+def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
+    """The gears of each direction, the lower ones first; forward is the first one.
+
+    >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]), ["R", "2", "1", "N"])
+    [[2, 1], [0]]
+    """
+    return ranges_of(ratios.tolist(), [True] * len(ratios), names)
+
+
+class EngineSpeeds(NamedTuple):
+    """Speeds of the engine in each gear at the steps of a cycle."""
+
+    output: Floats
+    """(steps,): speed of the output [rad/s]."""
+    ratios: Floats
+    """(gears,): speed of the engine by that of the output [-]."""
+    may_turn: Callable[[Floats], Booleans]
+    """Whether the engine may turn as fast [rad/s]."""
+
+    def of(self, gear: int, rows: slice = slice(None)) -> Floats:
+        """Speeds in a gear at some steps [rad/s]."""
+        speeds: Floats = self.output[rows] * self.ratios[gear]
+        return speeds
+
+
+def by_shift_speeds(
+    case: Transmission,
+    shifts: Sequence[ShiftSpeed],
+    speeds: Floats,
+    engine: EngineSpeeds,
+    ratios: Floats,
+) -> Integers:
+    """Return the indices of gears at mean speeds [m/s], from the first gear on.
+
+    A shift up comes at the latest where the engine may not turn as fast as it would.
+
+    Parameters
+    ----------
+    case : Transmission
+    shifts : sequence of ShiftSpeed
+    speeds : ndarray, shape (steps,)
+        Of the vehicle. [m/s]
+    engine : EngineSpeeds
+    ratios : ndarray, shape (gears,)
+        Of the case; NaN where the engine alone does not drive. [-]
+
+    Raises
+    ------
+    ValueError
+        If there is no such gear, or a shift up goes to a gear of a larger ratio, of another
+        direction, or of none.
+
+    Examples
+    --------
+    >>> from vstatics import Gear, Mechanism
+    >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
+    >>> speeds, ratios = np.array([3.0, 5.0, 4.5, 3.9]), np.array([2.0, 2.0])
+    >>> engine = EngineSpeeds(speeds, ratios, np.isfinite)
+    >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, engine, ratios)
+    array([0, 1, 1, 0])
+    """
+    names = [gear.name for gear in case.gears]
+    ladder = [shifts[0].low, *(shift.high for shift in shifts)]
+    for name in ladder:
+        if name not in names:
+            raise ValueError(f"there is no gear {quoted(name)} in the case")
+    alike = directions(ratios, names)
+    pairs = [f"{names[lower]}-{names[upper]}" for way in alike for lower, upper in pairwise(way)]
+    size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
+    for low, high in pairwise(ladder):
+        both = {names.index(low), names.index(high)}
+        if len(both) == 1 or not any(both <= {*way} for way in alike):
+            message = f"the shift {low}-{high} is not from a gear to another one of its direction"
+            raise ValueError(f"{message}; neighbours: {listed(pairs, 20) or 'none'}")
+        if size[high] > size[low] * (1 + SAME_RATIO):
+            sizes = " and ".join(f"{quoted(name)} {size[name]:.6g}" for name in (low, high))
+            message = f"the shift up from {quoted(low)} to {quoted(high)} goes to the larger ratio"
+            raise ValueError(f"{message} ({sizes}), expected the lower gear first: {high}-{low}")
+    numbers = [names.index(name) for name in ladder]
+    place, chosen = 0, np.empty(len(speeds), np.int64)
+    for rows in blocks(len(speeds)):
+        columns = [engine.may_turn(engine.of(gear, rows)).tolist() for gear in numbers]
+        places = []
+        for speed, held in zip(speeds[rows].tolist(), zip(*columns, strict=True), strict=True):
+            while place < len(shifts) and (speed >= shifts[place].up or not held[place]):
+                place += 1
+            while place and speed < shifts[place - 1].down and held[place - 1]:
+                place -= 1
+            places.append(place)
+        chosen[rows] = np.array(numbers)[places]
+    return chosen
+
+
+def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
+    """Return the highest gears in which the engine turns fast enough and no faster than it may.
+
+    Where there is none, the first of those in which it turns no faster; of none the highest.
+
+    Parameters
+    ----------
+    engine : EngineSpeeds
+    least : float
+        As fast as it shall turn. [rad/s]
+    ahead : sequence of int
+        Indices of gears that are taken.
+
+    Examples
+    --------
+    Of 100 to 600 rad/s: in the first gear too fast, in the second too slow; too fast in both.
+
+    >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
+    >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)
+    >>> by_least_speed(engine, 100.0, [0, 1])
+    array([1, 1])
+    """
+    order = sorted(ahead, key=lambda gear: float(engine.ratios[gear]))
+    chosen = np.full(len(engine.output), order[0] if order else 0)
+    for gear in order:
+        chosen[engine.may_turn(engine.of(gear))] = gear
+    for gear in reversed(order):
+        speeds = engine.of(gear)
+        chosen[engine.may_turn(speeds) & (speeds >= least)] = gear
+    return chosen

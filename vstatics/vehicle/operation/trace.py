@@ -1,0 +1,186 @@
+"""A driving cycle in CSV: time, speed, and optionally the gear and the slope of the road.
+
+The slope is the sine of the angle of ascent. Published cycles have a grade instead, the rise over
+the horizontal distance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from vstatics.core.errors import Place, Problem, ReadError, listed
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.unit_table import UnitTable, read_unit_table
+
+SLOPE = "as it is the sine of the angle"
+_TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
+_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # FASTSim, VECTO
+_SPEEDS = (
+    *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
+    *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
+)
+_GRADES = (
+    *("gradient", "grad", "road grade", "road gradient", "incline"),
+    *("cycgrade",),  # of FASTSim
+)
+COLUMNS = (
+    TableColumn(
+        "time",
+        "time",
+        aliases=dict.fromkeys(_TIMES, "") | dict.fromkeys(_SECONDS, "s"),
+    ),
+    TableColumn(
+        "speed",
+        "velocity",
+        aliases=dict.fromkeys(_SPEEDS, "")
+        | dict.fromkeys(("cycmps", "mps", "m/s"), "m/s")
+        | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")
+        | {"mph": "mph"},
+    ),
+    TableColumn(
+        "gear",
+        is_text=True,
+        optional=True,
+        aliases=dict.fromkeys(("selected gear", "gear number", "<gear>"), ""),
+    ),
+    TableColumn(
+        "slope",
+        optional=True,
+        meaning=f", {SLOPE}; a column `grade [%]` is rise over horizontal distance",
+    ),
+    TableColumn(
+        "grade",
+        optional=True,
+        sizes={"%": 0.01, "": 1.0, "-": 1.0},
+        aliases=dict.fromkeys(_GRADES, "") | {"<grad>": "%"},
+    ),
+)
+LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
+"""Largest time [s], speed [m/s] and acceleration [m/s^2] of a trace: no vehicle comes near them,
+and energies by them are finite."""
+
+BLOCK_ROWS = 20_000
+"""Number of steps that are calculated together, which bounds the memory of long cycles."""
+MOST_SHOWN_FAULTS = 20
+"""Number of rows of which a fault is shown."""
+
+
+def blocks(count: int) -> Iterator[slice]:
+    """Cut a number of steps into blocks that are calculated together.
+
+    >>> list(blocks(25_000))
+    [slice(0, 20000, None), slice(20000, 40000, None)]
+    """
+    for start in range(0, count, BLOCK_ROWS):
+        yield slice(start, start + BLOCK_ROWS)
+
+
+class Trace(NamedTuple):
+    """A driving cycle, from row to row."""
+
+    duration: Floats
+    """[s]"""
+    speed: Floats
+    """The mean of two rows. [m/s]"""
+    acceleration: Floats
+    """[m/s^2]"""
+    slope: Floats
+    """Sine of the ascent, of the first row. [-]"""
+    gears: list[str]
+    """Of the first row; nothing where the trace has none."""
+    table: UnitTable
+
+    @property
+    def ends(self) -> tuple[Floats, Floats]:
+        """Speeds of both rows [m/s]."""
+        change = self.acceleration * self.duration / 2
+        return self.speed - change, self.speed + change
+
+    @property
+    def notes(self) -> list[Problem]:
+        """What is worth knowing of the file, with its place."""
+        skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
+        if not skipped:
+            return []
+        columns = "a column is" if len(skipped) == 1 else f"{len(skipped)} columns are"
+        text = f"{columns} skipped: {listed(skipped)}"
+        return [Problem("N005", text, (), self.place)]
+
+    @property
+    def place(self) -> Place:
+        """The line of the headings."""
+        return self.table.head_place
+
+
+def read_trace(data: bytes, file: str) -> Trace:
+    """Read a driving cycle.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> trace = read_trace(b"time [s],speed [km/h]\\n0,0\\n2,36\\n", "t.csv")
+    >>> trace.speed.round(9), trace.acceleration.round(9)
+    (array([5.]), array([5.]))
+    >>> read_trace(b"cycSecs,cycMps,cycGrade\\n0,5,.75\\n2,5,0\\n", "t.csv").slope.round(9)
+    array([0.6])
+    """
+    what = "a driving cycle: time, speed"
+    table = read_unit_table(data, file, what, COLUMNS, "E122", skips=True)
+    times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
+    problems = list(_problems(table, times, speeds))
+    if problems:
+        raise ReadError(problems)
+    duration = np.diff(times)
+    acceleration = np.diff(speeds) / duration
+    return Trace(
+        duration,
+        (speeds[1:] + speeds[:-1]) / 2,
+        acceleration,
+        _slopes(table)[:-1],
+        list(table.texts.get("gear", [])[:-1]),
+        table,
+    )
+
+
+def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
+    if {"slope", "grade"} <= table.numbers.keys():
+        message = "read both `slope` and `grade`, expected one of them"
+        yield Problem("E122", message, (), table.head_place)
+    if len(times) < 2:
+        yield Problem("E122", "read one row, expected two at least", (), table.place(0))
+    within = np.clip(times, -LATEST, LATEST), np.clip(speeds, 0.0, FASTEST)
+    durations, changes = (np.diff(column, prepend=np.nan) for column in within)
+    with np.errstate(all="ignore"):
+        accelerations = np.abs(changes / durations)
+    slopes = np.array(table.numbers.get("slope", ()))
+    checks = (
+        ("time", durations <= 0, "a later time than above"),
+        ("time", times != within[0], f"at most {LATEST:g} s"),
+        ("speed", speeds < 0, "0 or more"),
+        ("speed", speeds > FASTEST, f"at most {FASTEST:g} m/s"),
+        ("speed", accelerations > QUICKEST, f"a change by at most {QUICKEST:g} m/s^2"),
+        ("slope", np.abs(slopes) > 1, f"-1 to 1, {SLOPE}"),
+    )
+    wrong = [
+        (row, name, expected)
+        for name, are_wrong, expected in checks
+        for row in np.flatnonzero(are_wrong).tolist()[:MOST_SHOWN_FAULTS]
+    ]
+    for row, name, expected in sorted(wrong, key=lambda fault: fault[0])[:MOST_SHOWN_FAULTS]:
+        message = f"{name}: read {table.numbers[name][row]:g}, expected {expected}"
+        yield Problem("E122", message, (), table.place(row))
+
+
+def _slopes(table: UnitTable) -> Floats:
+    """Sines of the ascent, by a column of these or of grades [-]."""
+    grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
+    slopes: Floats = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
+    return slopes

@@ -1,0 +1,123 @@
+"""The gears that drive a vehicle, and the panel over its speed that they are drawn in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from vstatics.core.errors import CaseError
+from vstatics.core.statics.results import Results
+from vstatics.pictures.drawing.free import Taken, first_free
+from vstatics.pictures.drawing.head import Meaning, headed
+from vstatics.pictures.drawing.labels import LINE_HEIGHT, Point, ticks, widest, width
+from vstatics.pictures.drawing.line_styles import Look
+from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
+from vstatics.pictures.drawing.style import MARGIN, SIZE, Style
+from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.vehicle.operation.traction import KMH, Traction, bare
+
+DRIVE_PANEL_HEIGHT = 250.0
+"""[pt]"""
+BELOW_SPEEDS = 24.0
+"""From the panel to the name of its scale. [pt]"""
+ROOM_OVER_LINES = 0.04
+"""Beyond what is drawn, as a part of it."""
+NAME_CLEARANCE = 3.0
+"""Around the name of a gear on its line. [pt]"""
+
+
+class DrivenGear(NamedTuple):
+    """A gear that drives a vehicle."""
+
+    place: int
+    """Among the gears of the case, from 0."""
+    name: str
+    look: Look
+    largest_speed: float
+    """Where the engine ends. [m/s]"""
+
+
+class DrivenVehicle(NamedTuple):
+    """A vehicle with the gears that are drawn."""
+
+    vehicle: Vehicle
+    pull: Traction
+    gears: Sequence[DrivenGear]
+
+    @property
+    def fastest(self) -> float:
+        """The largest speed of all gears [m/s]."""
+        return max(one.largest_speed for one in self.gears)
+
+
+def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
+    """The gears of a case that drive its vehicle: all, or those of some numbers.
+
+    Raises
+    ------
+    CaseError
+        If the case has no vehicle, this no engine, or the engine alone drives no gear.
+    """
+    case, vehicle = results.case, results.case.vehicle
+    if vehicle is None:
+        message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
+        raise CaseError("E427", message)
+    if not vehicle.engine:
+        message = "the vehicle has no `engine`, expected its full load: [[rad/s, N*m], ...]"
+        raise CaseError("E442", message)
+    pull = Traction(bare(case), vehicle)
+    gears = []
+    for index in [number - 1 for number in shown] or range(len(case.gears)):
+        fastest = pull.largest_speed(index)
+        if math.isfinite(fastest) and fastest > 0:
+            look = {"color": style.colour(index), "linestyle": style.dash(index)}
+            gears.append(DrivenGear(index, case.gears[index].name, look, fastest))
+    if not gears:
+        asked = ", ".join(case.gears[number - 1].name for number in shown)
+        which = f"gear {asked}" if shown else "the case"
+        message = f"{which} has no ratio, or machines drive it, too"
+        raise CaseError("E443", f"{message}; expected a gear that the engine alone drives")
+    return DrivenVehicle(vehicle, pull, gears)
+
+
+def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
+    title: str,
+    meanings: Iterable[Meaning],
+    fastest: float,
+    up: AxisScale,
+    names: tuple[str, str],
+    beside: float,
+    above: float,
+    style: Style,
+) -> Pen:
+    """A panel over road speed up to the fastest [m/s], as wide as the page.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Of the scales across and upward.
+    beside, above : float
+        Room for what stands at the right and on top of it. [pt]
+    """
+    numbers = ticks(up.low, up.high, 8)
+    left = widest(tick_texts(numbers)) + 2 * SIZE + MARGIN
+    low = BELOW_SPEEDS + MARGIN + SIZE / 2
+    wide, high = style.width - left - beside - MARGIN, DRIVE_PANEL_HEIGHT
+    pen = headed(title, "", meanings, (style.width, low + high + above + SIZE), style)
+    across = AxisScale(0.0, KMH * fastest * (1 + ROOM_OVER_LINES))
+    pen = pen.panel((left, low), (wide, high), across, up)
+    pen.scale("bottom", ticks(0.0, across.high, 10), grid=True)
+    pen.scale("left", numbers, grid=True)
+    pen.frame()
+    pen.name("bottom", names[0], BELOW_SPEEDS)
+    pen.name("left", names[1], left - MARGIN - SIZE / 2)
+    return pen
+
+
+def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
+    """A name at the first of some places of its line where it covers no other."""
+    long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
+    found = first_free(places, long, tall, pen.size, taken)
+    if found:
+        pen.text(*found, name, over=True, ha="center", va="center_baseline")
