@@ -20,7 +20,7 @@ import vstatics
 TESTS = Path(__file__).parent
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
-    *("core.start", "core.errors", "core.extras", "core.arguments", "core.texts"),
+    *("core.start", "core.annexes", "core.errors", "core.extras", "core.arguments", "core.texts"),
     *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
     *("core.tables", "core.readers", "vehicle.damage", "torsion", "simulation"),
     *("core.examples", "core.checking", "sweep", "core.writers", "core.flow", "core.summary"),

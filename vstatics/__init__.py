@@ -27,6 +27,7 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_name
 from vstatics.core.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.core.extras import HIGHER, __version__, later
 from vstatics.core.model.parts import Damping, Load
@@ -144,78 +145,44 @@ __all__ = [
 
 _LATER = {
     "CentralWheel": "vstatics.core.elements",
-    "Chunk": "vstatics.sweep.chunk",
-    "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
-    "DeviceDamage": "vstatics.vehicle.damage.devices",
     "Drawing": "vstatics.core.elements.drawing",
-    "DriveCycle": "vstatics.vehicle.operation.drive_cycle",
     "Element": "vstatics.core.elements.element",
     "Explanation": "vstatics.core.explain.explanation",
-    "Fatigue": "vstatics.vehicle.case.fatigue",
     "GearExercise": "vstatics.core.explain.worksheet",
     "GearFlow": "vstatics.core.flow.power_flow",
     "MeshEfficiency": "vstatics.core.elements",
-    "Motion": "vstatics.simulation.record.motion",
-    "Picture": "vstatics.pictures.plotting",
     "PlanetMass": "vstatics.core.elements.element",
     "PowerFlow": "vstatics.core.flow.power_flow",
-    "RayleighLife": "vstatics.vehicle.damage.rayleigh",
-    "ResizedShaft": "vstatics.vehicle.damage.resize",
-    "Scenario": "vstatics.simulation.scenario.parts",
     "Summary": "vstatics.core.summary",
-    "Sweep": "vstatics.sweep.swept",
-    "Trace": "vstatics.vehicle.operation.trace",
-    "VariedScenario": "vstatics.sweep.variants.subject",
-    "Vehicle": "vstatics.vehicle.case.vehicle",
     "Verdict": "vstatics.core.comparison.verdicts",
     "check": "vstatics.core.checking",
     "compare": "vstatics.core.comparison.compare",
-    "cycle": "vstatics.vehicle.operation.cycles",
-    "damages": "vstatics.vehicle.damage.devices",
     "example": "vstatics.core.examples",
     "exercise": "vstatics.core.explain.exercise",
     "explain_gear": "vstatics.core.explain.explanation",
     "flows": "vstatics.core.flow.power",
-    "load_scenario": "vstatics.simulation.scenario.file",
-    "load_varied": "vstatics.sweep.variants.subject",
-    "plot": "vstatics.pictures.plotting",
-    "rayleigh_life": "vstatics.vehicle.damage.rayleigh",
-    "resized": "vstatics.vehicle.damage.resize",
-    "resized_by_ratio": "vstatics.vehicle.damage.resize",
     "save": "vstatics.core.writers.saving",
-    "simulate": "vstatics.simulation.run",
     "summarize": "vstatics.core.summary",
     "transmission": "vstatics.core.elements",
-    "write_report": "vstatics.page.report",
 }
 """Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
 HIGHER.update(
-    box_grids="vstatics.synthesis.boxes.grids",
     by_name="vstatics.core.tables.names",
     explanation_grids="vstatics.core.explain.grids",
     flow_grids="vstatics.core.flow.rows",
     from_dict="vstatics.core.readers",
-    modes_grids="vstatics.torsion.vibration.grids",
-    motion_dataframe="vstatics.simulation.record.columns",
-    motion_grids="vstatics.simulation.record.grids",
-    overview_grids="vstatics.torsion.vibration.grids",
-    part_numbers="vstatics.sweep.variants.part_numbers",
-    plot="vstatics.pictures.plotting",
-    plot_motion="vstatics.pictures.plotting",
-    plot_sweep="vstatics.sweep.pictures.plotting",
     results_html="vstatics.core.summary.pretty",
     summary_grids="vstatics.core.summary.grids",
     to_dataframe="vstatics.core.tables.dataframe",
     to_json="vstatics.core.writers.result_json",
     to_xarray="vstatics.core.tables.dataset",
-    with_part_numbers="vstatics.sweep.variants.part_numbers",
 )
 """What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 
 
-__getattr__ = later(__name__, _LATER)
+__getattr__ = later(__name__, _LATER, module_of_name)
 _elements = ModuleType("vstatics.elements", "Gear sets with teeth: names that `vstatics` has, too.")
 _of_elements = ("CentralWheel", "Drawing", "Element", "MeshEfficiency", "PlanetMass")
 vars(_elements)["__getattr__"] = later(

@@ -11,6 +11,7 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.errors import CaseError
 
 if TYPE_CHECKING:
@@ -38,13 +39,17 @@ BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages of an extra."""
 
 
-def later(package: str, modules: Mapping[str, str]) -> Callable[[str], Any]:
+def later(
+    package: str, modules: Mapping[str, str], find: Callable[[str], str] = lambda _: ""
+) -> Callable[[str], Any]:
     """A `__getattr__` of a package, by which names are imported when somebody asks for them.
 
     Parameters
     ----------
     modules : mapping
         Of each name the module that has it.
+    find : callable
+        Returns the module of another name, or an empty text.
 
     Examples
     --------
@@ -53,9 +58,9 @@ def later(package: str, modules: Mapping[str, str]) -> Callable[[str], Any]:
     """
 
     def attribute(name: str) -> Any:
-        if name in modules:
+        if module := modules.get(name) or find(name):
             try:
-                return getattr(import_module(modules[name]), name)
+                return getattr(import_module(module), name)
             except ImportError as error:
                 raise needed(error, name, package) from None
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
@@ -94,7 +99,7 @@ def higher(function: str) -> Any:
     >>> higher("to_dataframe").__module__
     'vstatics.core.tables.dataframe'
     """
-    return getattr(import_module(HIGHER[function]), function)
+    return getattr(import_module(HIGHER.get(function) or module_of_method(function)), function)
 
 
 @cache

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import click
 import pytest
 
 from tests.commands import (
@@ -23,7 +24,7 @@ from tests.commands import (
     vstatics,
 )
 from vstatics import __version__
-from vstatics.core.cli import COMMANDS
+from vstatics.core.cli import main
 from vstatics.core.extras import build
 from vstatics.torsion.cli.group import COMMANDS as TORSION
 
@@ -167,6 +168,7 @@ def test_a_terminal_shows_what_a_pipe_gets(variables: dict[str, str]) -> None:
 HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
 
 
+COMMANDS = main.list_commands(click.Context(main))
 ALL = (*COMMANDS, *(f"torsion {one}" for one in TORSION))
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from click import Context
 
 from tests.commands import MZKT, NEUTRAL, on_terminal, vstatics
-from vstatics.core.cli import COMMANDS
+from vstatics.core.cli import main
 
 ATTACK = "\x1b[2J\x1b]0;title\x07\x9b31m\x7f\u202e\u2066\u2028"
 """Clears the screen, names the window, turns red, in 7 and in 8 bits; turns the direction."""
@@ -111,8 +112,11 @@ NAMES_A_FILE = (
     ("synth", "fit", CASE, "--ratios", "low=2", "--write", ATTACK),
     (ATTACK,),
     (f"--{ATTACK}",),
-    *((command, f"--{ATTACK}") for command in COMMANDS),
-    *((command, CASE, "-o", "a.svg", "--from", ATTACK) for command in COMMANDS),
+    *((command, f"--{ATTACK}") for command in main.list_commands(Context(main))),
+    *(
+        (command, CASE, "-o", "a.svg", "--from", ATTACK)
+        for command in main.list_commands(Context(main))
+    ),
 )
 
 

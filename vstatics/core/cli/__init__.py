@@ -7,9 +7,9 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 >>> said.exit_code, said.stderr.rstrip()
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
-`COMMANDS` lists the commands. `frame` has what they share: input and output, cases, values of
-options. A command of the core is a module here, those of annexes are in their `cli`. `templates`
-are the cases of `new`. `schemas` writes the JSON Schemas of all.
+`_CORE` lists the commands of the core; annexes have theirs in their records and their `cli`.
+`frame` has what all of them share: input and output, cases, values of options. `templates` are
+the cases of `new`. `schemas` writes the JSON Schemas of all.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ from typing import Any
 
 import click
 
+from vstatics.core.annexes import Command, annexes
 from vstatics.core.cli.frame import files
 from vstatics.core.cli.frame.exit_status import DONE, FAILED, WRONG_USE, stopped_by
-from vstatics.core.cli.frame.lazy_group import LazyGroup
+from vstatics.core.cli.frame.lazy_group import LazyGroup, Modules
 from vstatics.core.errors import ReadError, printable
 from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
@@ -33,38 +34,27 @@ from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
 
 click.UsageError.exit_code = WRONG_USE
 
-COMMANDS = {
-    "new": ("vstatics.core.cli.new", "Write a commented case to start from."),
-    "run": ("vstatics.core.cli.run", "Calculate every gear of each case."),
-    "sweep": ("vstatics.sweep.cli.command", "Calculate variants of a case, to a table."),
-    "flow": ("vstatics.core.cli.flow", "Show where the power goes, what is lost, what circulates."),
-    "summary": ("vstatics.core.cli.summary", "Ratios, steps, spread, transitions, largest values."),
-    "cycle": (
-        "vstatics.vehicle.cli.cycle",
-        "Drive a case with a vehicle through a cycle of speeds.",
+_CORE = {
+    "new": Command("vstatics.core.cli.new", "Write a commented case to start from.", 10),
+    "run": Command("vstatics.core.cli.run", "Calculate every gear of each case.", 20),
+    "flow": Command(
+        "vstatics.core.cli.flow", "Show where the power goes, what is lost, what circulates.", 40
     ),
-    "explain": ("vstatics.core.cli.explain", "Write out the equations and the ratio of a gear."),
-    "simulate": ("vstatics.simulation.cli.command", "What a scenario does to a case over time."),
-    "damage": (
-        "vstatics.vehicle.cli.damage.group",
-        "What torques that vary do to devices: their life.",
+    "summary": Command(
+        "vstatics.core.cli.summary", "Ratios, steps, spread, transitions, largest values.", 50
     ),
-    "torsion": ("vstatics.torsion.cli.group", "The transmission as a torsional system."),
-    "synth": (
-        "vstatics.synthesis.cli.group",
-        "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
+    "explain": Command(
+        "vstatics.core.cli.explain", "Write out the equations and the ratio of a gear.", 70
     ),
-    "plot": ("vstatics.pictures.cli.plot", "Draw a picture of a case: SVG, PNG or PDF."),
-    "serve": ("vstatics.page.cli.serve", "Serve the page of a case, which follows and changes it."),
-    "report": ("vstatics.page.cli.report", "Write a case and its results as one page of HTML."),
-    "check": (
-        "vstatics.core.cli.check",
-        "Report problems of the input, and the conditions per gear.",
+    "check": Command(
+        "vstatics.core.cli.check", "Report problems of the input, and the conditions per gear.", 150
     ),
-    "convert": ("vstatics.core.cli.convert", "Convert a case between deck, YAML and JSON."),
-    "compare": ("vstatics.core.cli.compare", "Compare two results: what changed."),
+    "convert": Command(
+        "vstatics.core.cli.convert", "Convert a case between deck, YAML and JSON.", 160
+    ),
+    "compare": Command("vstatics.core.cli.compare", "Compare two results: what changed.", 170),
 }
-"""Module and summary of each command; a module is imported when its command is called."""
+"""Commands of the core; annexes add theirs."""
 
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
@@ -74,7 +64,15 @@ WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve"
 class Commands(LazyGroup):
     """The commands, and the exit status of each."""
 
-    modules = COMMANDS
+    def listed(self) -> Modules:
+        """Return the commands of the core and of the annexes in the order of their places."""
+        found = _CORE | {name: own for annex in annexes() for name, own in annex.commands.items()}
+        ordered = sorted(found.items(), key=lambda entry: entry[1].place)
+        return {name: (own.module, own.help) for name, own in ordered}
+
+    def module(self, name: str) -> str:
+        """Return the module of a command; records are read for those of annexes alone."""
+        return _CORE[name].module if name in _CORE else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
         """As click does; messages are safe to print, and that of the version may fail."""

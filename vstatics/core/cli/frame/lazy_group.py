@@ -19,15 +19,23 @@ class LazyGroup(click.Group):
 
     modules: ClassVar[Modules] = {}
 
+    def listed(self) -> Modules:
+        """Return the commands in the order of use."""
+        return self.modules
+
+    def module(self, name: str) -> str:
+        """Return the module of a command; empty if there is no such command."""
+        return self.listed().get(name, ("", ""))[0]
+
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """All names, in the order of use."""
-        return list(self.modules)
+        """Return all names in the order of use."""
+        return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         """The command of that name."""
-        if cmd_name not in self.modules:
+        module = self.module(cmd_name)
+        if not module:
             return None
-        module, _ = self.modules[cmd_name]
         command: click.Command = getattr(import_module(module), cmd_name)
         return command
 
@@ -36,12 +44,12 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """As click does; a name that is none gets the nearest one as a hint."""
         name = args[0]
-        if name in self.modules or name.startswith("-"):
+        if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
-        hint = nearest(name, self.modules) or f"; commands are {', '.join(self.modules)}"
+        hint = nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """List the commands without importing them."""
         with formatter.section("Commands"):
-            formatter.write_dl([(name, summary) for name, (_, summary) in self.modules.items()])
+            formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

@@ -1,0 +1,43 @@
+"""Records of annexes name what is there, and each thing once."""
+
+from __future__ import annotations
+
+import ast
+from importlib import import_module
+from pathlib import Path
+
+import vstatics
+from vstatics.core.annexes import annexes
+from vstatics.core.cli import main
+
+
+def test_every_name_of_a_record_is_in_its_module() -> None:
+    for annex in annexes():
+        for names in (annex.names, annex.methods):
+            for name, module in names.items():
+                assert module.startswith(f"vstatics.{annex.name}"), name
+                assert hasattr(import_module(module), name), name
+
+
+def test_every_command_has_a_place_of_its_own_and_a_module_in_its_annex() -> None:
+    commands = [command for annex in annexes() for command in annex.commands.values()]
+    assert len({command.place for command in commands}) == len(commands)
+    for annex in annexes():
+        for name, command in annex.commands.items():
+            assert command.module.startswith(f"vstatics.{annex.name}."), name
+            assert main.module(name) == command.module
+
+
+def test_public_names_of_annexes_are_those_of_the_package() -> None:
+    names = [name for annex in annexes() for name in annex.names]
+    assert len({*names}) == len(names)
+    assert {*names} <= {*vstatics.__all__}
+
+
+def test_a_record_is_plain_data() -> None:
+    """It imports the form of a record and nothing else, so that it can be read alone."""
+    folder = Path(vstatics.__file__).parent
+    for annex in annexes():
+        tree = ast.parse((folder / annex.name / "annex.py").read_text(encoding="utf-8"))
+        imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+        assert imported == {"vstatics.core.annexes"}, annex.name

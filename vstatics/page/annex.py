@@ -1,0 +1,20 @@
+"""What pages of HTML provide to the program."""
+
+from vstatics.core.annexes import Annex, Command
+
+ANNEX = Annex(
+    name="page",
+    commands={
+        "serve": Command(
+            "vstatics.page.cli.serve",
+            "Serve the page of a case, which follows and changes it.",
+            130,
+        ),
+        "report": Command(
+            "vstatics.page.cli.report", "Write a case and its results as one page of HTML.", 140
+        ),
+    },
+    names={
+        "write_report": "vstatics.page.report",
+    },
+)

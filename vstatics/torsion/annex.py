@@ -1,0 +1,19 @@
+"""What torsional vibration provides to the program."""
+
+from vstatics.core.annexes import Annex, Command
+
+ANNEX = Annex(
+    name="torsion",
+    commands={
+        "torsion": Command(
+            "vstatics.torsion.cli.group", "The transmission as a torsional system.", 100
+        ),
+    },
+    names={
+        "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
+    },
+    methods={
+        "modes_grids": "vstatics.torsion.vibration.grids",
+        "overview_grids": "vstatics.torsion.vibration.grids",
+    },
+)
