@@ -199,7 +199,8 @@ class Equations:
                 return np.full(self.light, np.nan)
             after, share = rest(speeds - change), 1.0
             least = NEWTON_STEP * max(1.0, largest(speeds))
-            while not largest(after) <= (1 - share / 2) * largest(left):
+            bends = largest(change) > finest
+            while bends and not largest(after) <= (1 - share / 2) * largest(left):
                 share /= 2  # a law that is steep at rest leads as far to the other side
                 if share * largest(change) <= least:
                     break
