@@ -56,6 +56,10 @@ _MOST_AT_ONCE = 60
 """Events within a moment, before it is told that there is no way on."""
 _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
+_BEHIND = 4.0
+"""Least time to the other side of a corner, by the distance of two numbers."""
+_MOST_LARGER = 8
+"""Times that values may become larger than any was because no step is small enough."""
 _PATIENCE = 500
 """Events after which it is asked whether they lead anywhere."""
 _MOST_STEPS_AT_ONCE = 1000
@@ -382,8 +386,34 @@ class EventRun:
                 if found.watches:
                     return found
         except TooSmall:
+            if behind := self._behind_corner(equations, end):
+                return behind
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ())
+
+    def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
+        """Return the instant right behind a corner before which no step is small enough, if any.
+
+        What leaves 0 there, a step over the corner tells wrong by as much as it becomes, or even
+        with the wrong sign. So the motion goes straight to the other side.
+        """
+        time, state = self.record.time, self.record.pieces[-1].states[-1]
+        before, change = self._sides(equations, time, state), equations.derivative(time, state)
+        length = _BEHIND * math.ulp(time)
+        while length <= SAME_INSTANT * self.span and time + length < end:
+            at, there = time + length, state + length * change
+            sides = self._sides(equations, at, there)
+            passed = np.flatnonzero(sides * before < abs(sides)).tolist()
+            if passed:
+                return MarginEnd(at, there, tuple(Watch("corner", one) for one in passed))
+            length *= 2
+        return None
+
+    def _sides(self, equations: Equations, time: float, state: Floats) -> Floats:
+        """Return the sides of the corners next to the motion: 1, -1, or 0 on a corner."""
+        seen = equations.changes.seen_at(time, state)
+        both = (awaited.compared.at(time, seen) for _, awaited in self.watched)
+        return np.sign([first - second for first, second in both])
 
     def _watched(self) -> None:
         """Stop where that is asked for, unless this is the end."""
@@ -406,7 +436,30 @@ class EventRun:
                 self.length = None
             else:
                 return
-        yield from steps(equations, (time, state), end, tolerances, self.length)
+        yield from self._explicit(equations, (time, state), end, tolerances)
+
+    def _explicit(
+        self,
+        equations: Equations,
+        begin: tuple[float, Floats],
+        end: float,
+        tolerances: StepTolerances,
+    ) -> Iterator[TimeStep]:
+        """Steps of an explicit method up to a time, or to a corner that no step passes."""
+        time, state = begin
+        for _ in range(_MOST_LARGER):
+            try:
+                for step in steps(equations, (time, state), end, tolerances, self.length):
+                    yield step
+                    time, state = step.end, step.last
+            except TooSmall:
+                at_corner = self._behind_corner(equations, end)
+                if at_corner or not self.record.leaves_zero(equations, time, state):
+                    raise
+                tolerances, self.length = self._tolerances(equations), None
+            else:
+                return
+        raise TooSmall
 
     def _too_small(self, equations: Equations) -> Problem:
         """Why no step is small enough: a torque that is no number, or that jumps."""
@@ -433,7 +486,14 @@ class EventRun:
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
-        """What of the torques changes most with its speed."""
+        """A corner that is here, else what of the torques changes most with its speed."""
+        for place in self.meetings.latest(time)[:1]:
+            corner = self.corners[place.corner]
+            message = (
+                f"at {time:.9g} s no step is small enough at a corner of {quoted(corner.text)}: "
+                "what follows from it changes too steeply, or is no number, next to it"
+            )
+            return Problem("E608", message, corner.path)
         message = (
             f"at {time:.9g} s no step is small enough: a torque jumps with the speed, or changes "
             "too steeply with it; dry friction of a load is a `resistance`"

@@ -26,6 +26,7 @@ from vstatics.simulation.record.rows import roads_of
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import cut_note
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.known import DISTANCES
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
     LEAST_VALUE,
@@ -212,6 +213,22 @@ class Record:
         self._store(equations, end, state)
         self._targets(step, end, state, equations)
         self.numbers += step.states.size + _OF_A_STEP
+
+    def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
+        """Whether values will be larger than any was; what is large of them grows by that.
+
+        Of a value that leaves 0 by what is only rounding, no step has a small part that is wrong:
+        it may be as wrong as a part of what it is soon.
+        """
+        length = DISTANCES[-1] * equations.within
+        later = equations.moved(time, state, length)
+        soon = length * np.abs(equations.derivative(time + length, later)[equations.values])
+        for part in (SMALL_VALUE, 1.0, 1 / SMALL_VALUE):
+            grows = np.isfinite(soon) & (part * soon > 2 * self.value_scales)
+            if grows.any():
+                self.value_scales = np.where(grows, part * soon, self.value_scales)
+                return True
+        return False
 
     def _draw(self, *, hurried: bool = False) -> None:
         """Keep of all pieces what draws them, in full only where they end."""

@@ -56,12 +56,14 @@ class ValueChanges:
         """The changes of states as if they had no limits, then 0 for each temperature."""
         made = np.zeros(len(self.equations.layout.values))
         if self.rates:
-            seen = self.seen(time, state, rates, torques)
+            seen, ports = self.seen(time, state, rates, torques), self.equations.ports
+            time = min(max(time, ports.after), ports.until)
             made[: len(self.rates)] = [look.at(time, seen) for look in self.rates]
         return made
 
     def along(self, times: Floats, seen: Floats) -> Floats:
         """The changes of states at several times, with what is seen as rows."""
+        times = self.equations.ports.inside(times)
         made = np.array([look.along(times, seen) for look in self.rates])
         made[self.held != 0] = 0.0
         return made

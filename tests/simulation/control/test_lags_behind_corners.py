@@ -1,0 +1,176 @@
+"""States that rest at 0 until what feeds them leaves a corner of their rate in mid-run.
+
+A lag leads to the corner of a formula, the formula to a state, and the state to a control or a
+torque. Expected numbers are closed forms, or come from scipy with equations of their own.
+"""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from tests.chance import count, seeded
+from tests.simulation.control.written import simulated
+
+CASE = "links: [a, b]\ninertias: {a: 0.3, b: 0.6}\nshift_elements: {C: {links: [a, b]}}\n"
+LEAVES = -math.log(0.7)
+"""When 1 - exp(-t) is 0.3 [s]."""
+FEW = 4
+"""Random chains that are always tried."""
+
+
+def test_a_torque_is_a_state_whose_rate_leaves_a_corner() -> None:
+    """After the corner m = 0.7 (s - 1 + exp(-s)), whose integral is 0.7 (s^2/2 - s + 1 - exp(-s))."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 5, b: 0}}
+states: {u: {rate: "1 - u"}, m: {rate: "max(u - 0.3, 0)"}}
+torques: {a: m}
+""",
+        CASE,
+    )
+    s = 1 - LEAVES
+    impulse = 0.7 * (s**2 / 2 - s + 1 - math.exp(-s))
+    assert motion.speeds[-1] == pytest.approx([5 + impulse / 0.3, 0.0], abs=1e-10)
+
+
+def test_a_clutch_whose_control_leaves_a_corner_as_a_root_locks() -> None:
+    """The state is as above by 10 (... - m); the slip 5 - 5 times the integral of 60 sqrt(m)."""
+    motion = simulated(
+        """duration: 1
+start: {speeds: {a: 5, b: 0}}
+states: {u: {rate: "1 - u"}, m: {rate: "10*(max(u - 0.3, 0) - m)"}}
+controls: {C: "60*sqrt(m)"}
+""",
+        CASE,
+    )
+
+    def root(s: float) -> float:  # m' = 10 (0.7 (1 - exp(-s)) - m)
+        return math.sqrt(max(0.7 - 7 / 9 * math.exp(-s) + 0.7 / 9 * math.exp(-10 * s), 0.0))
+
+    def slip(s: float) -> float:
+        x, w = np.polynomial.legendre.leggauss(60)
+        return 5 - 5 * 60 * s / 2 * float(w @ [root(s * (1 + one) / 2) for one in x])
+
+    [locks] = motion.events
+    assert locks.time == pytest.approx(LEAVES + float(brentq(slip, 0.01, 1)), abs=1e-6)
+    assert motion.speeds[-1] == pytest.approx([5 / 3, 5 / 3], rel=1e-12)
+
+
+@pytest.mark.parametrize("jump", ["t > 1", "t >= 1"])
+def test_a_rate_that_jumps_by_the_time_fills_a_clutch_as_a_root(jump: str) -> None:
+    """The slip is 100 - (1/0.3 + 1/0.6) 40 (2/3) (t - 1)^(3/2) from 1 s on."""
+    motion = simulated(
+        f"""duration: 2
+start: {{speeds: {{a: 100, b: 0}}}}
+states: {{q: {{rate: "({jump})"}}}}
+controls: {{C: "40*sqrt(q)"}}
+""",
+        CASE,
+    )
+    [locks] = motion.events
+    assert locks.time == pytest.approx(1 + 0.75 ** (2 / 3), abs=1e-9)
+
+
+class Chain(NamedTuple):
+    """States one behind the other, and what the last one does."""
+
+    states: dict[str, tuple[str, float]]
+    """Rate and start."""
+    table: list[list[float]]
+    control: str
+    torque: str
+
+    def scenario(self, duration: float) -> str:
+        """The scenario, as it is written."""
+        lines = [f'  {n}: {{rate: "{rate}", start: {x}}}' for n, (rate, x) in self.states.items()]
+        return "\n".join(
+            [
+                f"duration: {duration!r}\nstart: {{speeds: {{a: 50, b: 0}}}}",
+                f"tables: {{fill: {self.table}}}",
+                "states:",
+                *lines,
+                f'controls: {{C: "{self.control}"}}',
+                f'torques: {{a: "{self.torque}", b: "2 - speed"}}',
+            ]
+        )
+
+    def integrated(self) -> tuple[float, np.ndarray]:
+        """Time and speeds at 1 s, or shortly before the clutch locks, by DOP853."""
+        texts = [self.control, self.torque, *(rate for rate, _ in self.states.values())]
+        codes = [compile(one.replace("^", "**"), "formula", "eval") for one in texts]
+        x, y = zip(*self.table, strict=True)
+        known = {
+            "max": max, "min": min, "abs": abs, "sqrt": lambda m: math.sqrt(max(m, 0.0)),
+            "fill": lambda at: float(np.interp(at, x, y)),
+        }  # fmt: skip
+
+        def change(_t: float, now: np.ndarray) -> list[float]:
+            _, b, *states = now.tolist()
+            seen = {"speed": lambda _of: b, **dict(zip(self.states, states, strict=True))}
+            carried, drive, *rates = (eval(one, known, seen) for one in codes)  # noqa: S307
+            return [(drive - carried) / 0.3, (2 - b + carried) / 0.6, *rates]
+
+        def slip(_t: float, now: np.ndarray) -> float:
+            return float(now[0] - now[1]) - 5
+
+        slip.terminal = True  # type: ignore[attr-defined] # as scipy asks for
+        start = [50.0, 0.0, *(one for _, one in self.states.values())]
+        found = solve_ivp(
+            change, (0, 1), start, "DOP853", events=slip, rtol=1e-11, atol=1e-13, max_step=0.02
+        )
+        return float(found.t[-1]), found.y[:2, -1]
+
+
+def chain(rng: Random) -> Chain:
+    """A random chain: what feeds a corner, the corner, one or two states behind it."""
+
+    def number(low: float, high: float) -> float:
+        return round(rng.uniform(low, high), 3)
+
+    kink, start = number(0.1, 0.4), rng.choice([0.0, 0.0, number(-0.5, 0.0)])
+    states = {"u": (f"({number(0.7, 1.5)} - u)/{number(0.2, 1)}", start)}
+    word = rng.choice(["u", "u", "v", "speed('b')"])
+    if word == "v":
+        states["v"] = f"(u - v)/{number(0.05, 0.3)}", start
+    above = f"max({word} - {kink}, 0)"
+    corner = rng.choice(
+        [
+            above,
+            f"abs({word} - {kink}) + {word} - {kink}",
+            f"{word} - min({word}, {kink})",
+            f"fill({word})",
+            f"{above}*(1 + u)",
+            f"{above}*max({word} - {kink + 0.1}, 0)",
+            f"{above}^2",
+            f"({word} > {kink})",
+            f"({word} > {kink})*({word} - {kink})",
+        ]
+    )
+    speed, last = number(1, 20), "m"
+    states["m"] = rng.choice([f"{speed}*({corner})", f"{speed}*({corner} - m)"]), 0.0
+    if rng.random() < 0.3:
+        states["n"], last = (f"{number(1, 20)}*(m - n)", 0.0), "n"
+    size = number(1, 60)
+    root = f"sqrt(max({last}, 0))" if "abs" in corner else f"sqrt({last})"  # rounding is left of it
+    effect = rng.choice([last, f"1 + {last}", f"{size}*{last}", f"{size}*{root}"])
+    table = [[-1.0, 0.0], [kink, 0.0], [3.0, number(1, 9)]]
+    control, torque = rng.choice([(effect, "0"), ("0", effect)])
+    return Chain(states, table, control, torque)
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [pytest.param(n, marks=[pytest.mark.slow] * (n >= FEW)) for n in range(count(100, 1000))],
+)
+def test_a_chain_of_lags_over_a_corner_agrees_with_dop853(seed: int) -> None:
+    given = chain(seeded(seed))
+    end, speeds = given.integrated()
+    motion = simulated(given.scenario(end), CASE)
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=2e-7)
