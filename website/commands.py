@@ -30,7 +30,7 @@ def commands(
     [('new',), ('run',)]
     """
     context = click.Context(group)
-    for name, (_, summary) in group.modules.items():
+    for name, (_, summary) in group.listed().items():
         command = group.get_command(context, name)
         if isinstance(command, LazyGroup):
             yield from commands(command, (*before, name))
