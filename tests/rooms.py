@@ -11,7 +11,7 @@ import gc
 import re
 import sys
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -78,9 +78,31 @@ def nodes(path: Path) -> list[ast.AST]:
 
 @cache
 def imported(name: str) -> set[str]:
-    """The modules of the package that a module imports: anywhere in it, for types too."""
+    """Return the modules of the package that a module imports: anywhere in it, for types too."""
+    return _named(name, nodes(modules()[name]))
+
+
+@cache
+def imported_first(name: str) -> set[str]:
+    """Return the modules that run before a module does: its imports, and the packages above them.
+
+    Imports in functions and for types come later, if at all.
+    """
+    body = tree(modules()[name]).body
+    tried = [inner for node in body if isinstance(node, ast.Try) for inner in node.body]
+    found = _named(name, [*body, *tried])
+    above = {
+        ".".join(words[:count])
+        for words in (other.split(".") for other in found)
+        for count in range(2, len(words))
+    }
+    return {one for one in found | above if not f"{name}.".startswith(f"{one}.")}
+
+
+def _named(name: str, nodes: Iterable[ast.AST]) -> set[str]:
+    """Return the modules of the package that imports among nodes name."""
     found: set[str] = set()
-    for node in nodes(modules()[name]):
+    for node in nodes:
         if isinstance(node, ast.Import):
             names = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):

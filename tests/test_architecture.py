@@ -12,6 +12,7 @@ from tests.rooms import (
     PACKAGE,
     ROOMS,
     imported,
+    imported_first,
     modules,
     nodes,
     order,
@@ -72,6 +73,11 @@ def test_what_stands_on_a_room_is_tested_with_it() -> None:
 def test_no_modules_import_each_other_in_a_circle() -> None:
     graph = {name: imported(name) - {name} for name in modules() if name != "vstatics"}
     TopologicalSorter(graph).prepare()
+
+
+def test_any_module_can_be_imported_first() -> None:
+    """A package runs before its modules: what it imports may not need one of them again."""
+    TopologicalSorter({name: imported_first(name) for name in modules()}).prepare()
 
 
 def test_only_the_command_line_and_the_report_draw() -> None:

@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from vstatics.core.flow.power_flow import GearFlow, PowerFlow
     from vstatics.core.summary import Summary, summarize
     from vstatics.core.writers.saving import save
-    from vstatics.page.report import write_report
+    from vstatics.page.report.saving import write_report
     from vstatics.pictures.plotting import Picture, plot
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate

@@ -38,7 +38,7 @@ class Annex(NamedTuple):
     names: Mapping[str, str] = _NOTHING
     """Public name of the package -> the module that defines it."""
     methods: Mapping[str, str] = _NOTHING
-    """Function that methods of other classes call -> the module that defines it."""
+    """Function that the core calls by its name alone -> the module that defines it."""
 
 
 @cache

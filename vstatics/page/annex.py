@@ -15,6 +15,6 @@ ANNEX = Annex(
         ),
     },
     names={
-        "write_report": "vstatics.page.report",
+        "write_report": "vstatics.page.report.saving",
     },
 )

@@ -30,4 +30,5 @@ ANNEX = Annex(
         "resized": "vstatics.vehicle.damage.resize",
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
+    methods={"performance": "vstatics.vehicle.operation.traction"},
 )

@@ -8,7 +8,8 @@ from tests.commands import CASES
 from tests.page.report.pages import Page, output
 from vstatics import load, solve
 from vstatics.core.tables.quantities import QUANTITIES
-from vstatics.page.report import gather, page
+from vstatics.page.report.html_page import page
+from vstatics.page.report.material import gather
 
 pytestmark = pytest.mark.usefixtures("without_pictures")
 

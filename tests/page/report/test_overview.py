@@ -14,9 +14,9 @@ from vstatics.core.explain import formula
 from vstatics.core.flow.power import flows
 from vstatics.core.summary import summarize
 from vstatics.core.tables.html import Markup, joined, printed
-from vstatics.page.report import Material
 from vstatics.page.report import explained as report_explained
 from vstatics.page.report.explained import explained
+from vstatics.page.report.material import Material
 from vstatics.page.report.overview import alerts, overview
 from vstatics.page.report.page_pictures import Pictures
 

@@ -19,7 +19,8 @@ from vstatics import load, solve
 from vstatics.core.errors import CaseError
 from vstatics.core.summary import summarize
 from vstatics.core.tables.quantities import BY_NAME, QUANTITIES
-from vstatics.page.report import gather, page
+from vstatics.page.report.html_page import page
+from vstatics.page.report.material import gather
 from vstatics.page.report.sections import sections
 
 NUMBERED = """\

@@ -16,8 +16,9 @@ from vstatics import load, solve
 from vstatics.core.errors import Problem
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.grid import Column, Grid, Row, exact, text
-from vstatics.page.report import gather, page, write_report
-from vstatics.page.report.material import Naming
+from vstatics.page.report.html_page import page
+from vstatics.page.report.material import Naming, gather
+from vstatics.page.report.saving import write_report
 from vstatics.simulation.report.motion import RunSection, in_figures, shown_run
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"

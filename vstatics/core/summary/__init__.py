@@ -21,7 +21,7 @@ from  to  spread
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.core.arguments import refusing
 from vstatics.core.extras import higher
@@ -41,9 +41,11 @@ from vstatics.core.summary.sensitivity import efficiency_sensitivities, sensitiv
 from vstatics.core.summary.shifts import Transition, transitions
 from vstatics.core.summary.unused_sets import Combination, combinations
 from vstatics.core.tables.html import shown
-from vstatics.vehicle.duty import Cycle
-from vstatics.vehicle.operation.load_spectrum import Spectrum
-from vstatics.vehicle.operation.traction import Performance, performance
+
+if TYPE_CHECKING:
+    from vstatics.vehicle.duty import Cycle
+    from vstatics.vehicle.operation.load_spectrum import Spectrum
+    from vstatics.vehicle.operation.traction import Performance
 
 __all__ = ["Summary", "summarize"]
 
@@ -135,6 +137,6 @@ def summarize(
         margins(results),
         None if at_most is None else combinations(results, at_most),
         inertias=reduced_inertias(results, output_torque),
-        vehicle=performance(case) if case.vehicle and case.vehicle.engine else None,
+        vehicle=higher("performance")(case) if case.vehicle and case.vehicle.engine else None,
         needed=() if reserve is None else needed_capacities(results, reserve),
     )

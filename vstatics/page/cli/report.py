@@ -195,7 +195,8 @@ def _shown(
     found = duty_cycles.doubts(driven, outcome.file)
 
     def html(_: str | None) -> str:
-        from vstatics.page.report import gather, page
+        from vstatics.page.report.html_page import page
+        from vstatics.page.report.material import gather
 
         run, naming = run_of(outcome), naming_of(outcome)
         told = [*outcome.problems, *found]

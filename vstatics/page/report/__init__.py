@@ -1,66 +1,13 @@
-"""A case and its results as one page of HTML, which needs nothing from elsewhere.
+"""A case and its results as one page of HTML that needs nothing from elsewhere.
 
-Results go in; `gather` calculates what the page shows, `page` writes it. `tools` choose units and
-links, and save; `runs` has what of a run moves,
-`pair` compares two cases.
+Results go in. `material` gathers what the page shows, `html_page` writes it, `saving` writes it to
+a file. `tools` are the choices of units and links, and the buttons that save; `pair` compares two
+cases.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
->>> from vstatics.page.report import gather, page
+>>> from vstatics.page.report.html_page import page
+>>> from vstatics.page.report.material import gather
 >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()], name="pair")
 >>> page(gather(solve(case))).count("<h1>pair</h1>")
 1
 """
-
-from __future__ import annotations
-
-import os
-
-from vstatics.core.arguments import refusing
-from vstatics.core.jobs.files import replacing
-from vstatics.core.statics.results import Results, expect_one_case
-from vstatics.page.report.html_page import page
-from vstatics.page.report.material import Material, gather
-from vstatics.simulation.record.motion import Motion
-
-__all__ = ["Material", "gather", "page", "write_report"]
-
-
-@refusing()
-def write_report(
-    results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
-) -> None:
-    """Write a case and its results as one page of HTML, whole or not at all.
-
-    Parameters
-    ----------
-    results : Results
-        Of one case.
-    path : path-like
-        The file, which is replaced.
-    motion : Motion, optional
-        A run of the case, for a section on it.
-
-    Raises
-    ------
-    ValueError
-        If the name has the suffix of something else.
-    OSError
-        If it cannot be written.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from pathlib import Path
-    >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> results = solve(Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(name="drive")]))
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     write_report(results, Path(folder, "pair.html"))
-    ...     "drive" in Path(folder, "pair.html").read_text(encoding="utf-8")
-    True
-    """
-    expect_one_case(results, "write_report")
-    suffix = os.path.splitext(os.fspath(path))[1]  # noqa: PTH122
-    if suffix.lower() not in ("", ".html", ".htm"):
-        raise ValueError(f"a report as {os.fspath(path)}: the page is HTML, expected .html")
-    with replacing(os.fspath(path)) as write:
-        write(page(gather(results, motion=motion)).encode(errors="backslashreplace"))
