@@ -113,8 +113,8 @@ def test_all_that_is_printed_goes_through_two_modules() -> None:
     printing |= {"sys.stderr.write", "sys.stdout.buffer.write"}
     for name, path in modules().items():
         if room(name) == "core.cli" and name not in (
-            "vstatics.core.cli.frame.files",
-            "vstatics.core.cli.frame.console",
+            "vstatics.core.cli.shared.files",
+            "vstatics.core.cli.shared.console",
         ):
             assert not called(path) & printing, name
 

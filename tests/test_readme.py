@@ -24,8 +24,8 @@ import click
 import pytest
 
 from vstatics.core.cli import main
+from vstatics.synthesis.boxes.batches.found import prepare
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.pieces.found import prepare
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]

@@ -49,9 +49,8 @@ if TYPE_CHECKING:
     from vstatics.core.elements.drawing import Drawing
     from vstatics.core.elements.element import Element, PlanetMass
     from vstatics.core.examples import example
-    from vstatics.core.explain.exercise import exercise
+    from vstatics.core.explain.exercise import GearExercise, exercise
     from vstatics.core.explain.explanation import Explanation, explain_gear
-    from vstatics.core.explain.worksheet import GearExercise
     from vstatics.core.flow.power import flows
     from vstatics.core.flow.power_flow import GearFlow, PowerFlow
     from vstatics.core.summary import Summary, summarize
@@ -71,8 +70,8 @@ if TYPE_CHECKING:
     from vstatics.vehicle.damage.devices import DeviceDamage, damages
     from vstatics.vehicle.damage.rayleigh import RayleighLife, rayleigh_life
     from vstatics.vehicle.damage.resize import ResizedShaft, resized, resized_by_ratio
-    from vstatics.vehicle.operation.cycles import cycle
     from vstatics.vehicle.operation.drive_cycle import DriveCycle
+    from vstatics.vehicle.operation.driving import cycle
     from vstatics.vehicle.operation.trace import Trace
 
 __all__ = [
@@ -148,7 +147,7 @@ _LATER = {
     "Drawing": "vstatics.core.elements.drawing",
     "Element": "vstatics.core.elements.element",
     "Explanation": "vstatics.core.explain.explanation",
-    "GearExercise": "vstatics.core.explain.worksheet",
+    "GearExercise": "vstatics.core.explain.exercise",
     "GearFlow": "vstatics.core.flow.power_flow",
     "MeshEfficiency": "vstatics.core.elements",
     "PlanetMass": "vstatics.core.elements.element",
@@ -170,11 +169,11 @@ _LATER = {
 
 HIGHER.update(
     by_name="vstatics.core.tables.names",
-    explanation_grids="vstatics.core.explain.grids",
+    explanation_grids="vstatics.core.explain.tables",
     flow_grids="vstatics.core.flow.rows",
     from_dict="vstatics.core.readers",
     results_html="vstatics.core.summary.pretty",
-    summary_grids="vstatics.core.summary.grids",
+    summary_grids="vstatics.core.summary.tables",
     to_dataframe="vstatics.core.tables.dataframe",
     to_json="vstatics.core.writers.result_json",
     to_xarray="vstatics.core.tables.dataset",

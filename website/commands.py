@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import click
 
 from vstatics.core.cli import main
-from vstatics.core.cli.frame.lazy_group import LazyGroup
+from vstatics.core.cli.shared.lazy_group import LazyGroup
 from website.page import Page, anchor, escaped
 
 

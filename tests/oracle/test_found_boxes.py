@@ -33,11 +33,11 @@ from tests.oracle.test_boxes import (
     ratio,
 )
 from tests.synthesis.boxes.hand_boxes import FORD_10R, FORD_10R_SEARCH
+from vstatics.synthesis.boxes.batches.cut import ranges
+from vstatics.synthesis.boxes.batches.found import found_in as search_piece
+from vstatics.synthesis.boxes.batches.ports import PortSearch
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.least_form import identity, least_box
-from vstatics.synthesis.boxes.pieces.cut import ranges
-from vstatics.synthesis.boxes.pieces.found import found_in as search_piece
-from vstatics.synthesis.boxes.pieces.ports import PortSearch
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 

@@ -10,8 +10,8 @@ import pytest
 
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.core.errors import Problem
-from vstatics.sweep.kept.columns import read_columns
-from vstatics.sweep.kept.expressions import Expression, read_expression
+from vstatics.sweep.results.columns import read_columns
+from vstatics.sweep.results.expressions import Expression, read_expression
 from vstatics.sweep.variants.targets import target
 
 SET = Transmission(

@@ -15,10 +15,10 @@ from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reach
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.parts import Scenario, Start
 from vstatics.sweep.build import plan
-from vstatics.sweep.kept.columns import read_columns
-from vstatics.sweep.kept.expressions import read_expression
 from vstatics.sweep.motion_tables import MotionTables
 from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.results.columns import read_columns
+from vstatics.sweep.results.expressions import read_expression
 from vstatics.sweep.runs import asked_columns, calculate
 
 SUBJECT = subject()

@@ -18,7 +18,7 @@ from vstatics.core.tables.straight import in_both_units
 from vstatics.core.writers.named import write_yaml
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 from vstatics.torsion.vibration.gear_modes import modes
-from vstatics.torsion.vibration.grids import modes_grids
+from vstatics.torsion.vibration.tables import modes_grids
 
 AXLE = """
 masses: {{body: {body} kg, axle: {axle}}}

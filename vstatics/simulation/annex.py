@@ -17,6 +17,6 @@ ANNEX = Annex(
     },
     methods={
         "motion_dataframe": "vstatics.simulation.record.columns",
-        "motion_grids": "vstatics.simulation.record.grids",
+        "motion_grids": "vstatics.simulation.record.tables",
     },
 )

@@ -19,7 +19,6 @@ from vstatics.simulation.events.instants import Instant, break_times, instant_of
 from vstatics.simulation.events.location import Finder, MarginEnd
 from vstatics.simulation.events.margins import FOLLOWING, Awaited, LargeSizes, Watch
 from vstatics.simulation.events.meetings import CornerMeetings, CornerPlace
-from vstatics.simulation.events.pieces import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.search import KIND_OF, Kind
 from vstatics.simulation.events.selection import (
     ModesAsked,
@@ -31,6 +30,7 @@ from vstatics.simulation.events.selection import (
 from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
 from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.events.stretches import Closed, NoFit
+from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record

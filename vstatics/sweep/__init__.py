@@ -6,7 +6,7 @@
 ...     print(chunk.values[:, 0], chunk.columns[:, 0])
 [-4.  -3.5] [5.  4.5]
 
-`options` become a plan (`build`, `plan`): numbered `variants`, and what is `kept` of them, columns
+`options` become a plan (`build`, `plan`): numbered `variants`, and `results` kept of them, columns
 and conditions. Its pieces are calculated anywhere (`chunk`, `tasks`) and put together in one of
 the `formats` (`output`), or in Python (`swept`). `pictures` draws what was written, `cli` has the
 command `vstatics sweep`.

@@ -35,8 +35,8 @@ from vstatics.sweep.chunk import (
     rows_of,
 )
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
-from vstatics.sweep.kept.meanings import PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.meanings import PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number

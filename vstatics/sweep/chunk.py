@@ -15,8 +15,8 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics import status
 from vstatics.core.tables.written_results import GEAR
-from vstatics.sweep.kept.columns import output_headings
-from vstatics.sweep.kept.meanings import GearRows, Tables, WithStatus
+from vstatics.sweep.results.columns import output_headings
+from vstatics.sweep.results.meanings import GearRows, Tables, WithStatus
 
 if TYPE_CHECKING:
     import pandas as pd

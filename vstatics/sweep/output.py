@@ -18,8 +18,8 @@ from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import MOST_ROWS, Format, text
 from vstatics.sweep.formats.npz import ArchiveLayout, ColumnType
 from vstatics.sweep.formats.npz import layout as npz_layout
-from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results import best
 from vstatics.sweep.tasks import SweepTask
 
 Advance = Callable[[int], None]

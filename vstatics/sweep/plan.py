@@ -12,10 +12,10 @@ import numpy as np
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep.frequencies import OMEGA
-from vstatics.sweep.kept.columns import OutputColumns, output_headings
-from vstatics.sweep.kept.expressions import Expression
-from vstatics.sweep.kept.meanings import OF_RATIOS, OK, PART_NUMBERS, Tables
-from vstatics.sweep.kept.selection import Objective, WhereCondition
+from vstatics.sweep.results.columns import OutputColumns, output_headings
+from vstatics.sweep.results.expressions import Expression
+from vstatics.sweep.results.meanings import OF_RATIOS, OK, PART_NUMBERS, Tables
+from vstatics.sweep.results.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import Subject

@@ -11,9 +11,9 @@ from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.piece_file import Noticed
 from vstatics.simulation.record.asked import TABLES
 from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED, Chunk, joined, rows_of
-from vstatics.sweep.kept.asked import asked_rows
 from vstatics.sweep.motion_tables import MotionTables, along_time
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.asked import asked_rows
 from vstatics.sweep.variants.part_numbers import are_assembled
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import VariedScenario

@@ -14,8 +14,8 @@ from vstatics.core.extras import AnyPicture, higher, require
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 from vstatics.sweep.chunk import STATUS, Chunk, joined
-from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan, rounded
+from vstatics.sweep.results import best
 from vstatics.sweep.tasks import SweepTask, calculate
 from vstatics.sweep.units import units_of
 from vstatics.sweep.variants.numbered import VariantGrid

@@ -15,8 +15,8 @@ from vstatics.core.jobs.workers import workers
 from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.formats import TEXTS, Format, text
-from vstatics.sweep.kept import best
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results import best
 from vstatics.sweep.variants.numbered import VariantPart, VariantTable
 
 

@@ -12,6 +12,6 @@ ANNEX = Annex(
         ),
     },
     methods={
-        "box_grids": "vstatics.synthesis.boxes.grids",
+        "box_grids": "vstatics.synthesis.boxes.tables",
     },
 )

@@ -13,7 +13,7 @@ ANNEX = Annex(
         "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
     },
     methods={
-        "modes_grids": "vstatics.torsion.vibration.grids",
-        "overview_grids": "vstatics.torsion.vibration.grids",
+        "modes_grids": "vstatics.torsion.vibration.tables",
+        "overview_grids": "vstatics.torsion.vibration.tables",
     },
 )

@@ -24,7 +24,7 @@ ANNEX = Annex(
         "ResizedShaft": "vstatics.vehicle.damage.resize",
         "Trace": "vstatics.vehicle.operation.trace",
         "Vehicle": "vstatics.vehicle.case.vehicle",
-        "cycle": "vstatics.vehicle.operation.cycles",
+        "cycle": "vstatics.vehicle.operation.driving",
         "damages": "vstatics.vehicle.damage.devices",
         "rayleigh_life": "vstatics.vehicle.damage.rayleigh",
         "resized": "vstatics.vehicle.damage.resize",

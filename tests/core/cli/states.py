@@ -15,9 +15,9 @@ from tests.commands import NEUTRAL, Said, vstatics
 from tests.sweep.scenarios import CASE, SCENARIO
 from tests.sweep.sweeps import CASE_TEXT
 from vstatics.sweep import build, runs
+from vstatics.synthesis.boxes.batches import work
+from vstatics.synthesis.boxes.batches.found import FoundPiece
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import work
-from vstatics.synthesis.boxes.pieces.found import FoundPiece
 from vstatics.synthesis.cli.box import run as box_run
 from vstatics.synthesis.cli.box.output import RECORD
 from vstatics.synthesis.structures.scheme import SetScheme

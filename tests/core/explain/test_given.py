@@ -16,8 +16,8 @@ from tests.commands import CASES
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.explain import explain_gear
+from vstatics.core.explain.exercise import worksheet
 from vstatics.core.explain.given import given
-from vstatics.core.explain.worksheet import worksheet
 from vstatics.core.tables import markdown
 from vstatics.core.writers.named import mapping
 

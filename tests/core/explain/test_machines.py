@@ -8,7 +8,7 @@ import pytest
 
 from vstatics import loads, solve
 from vstatics.core.explain import explain_gear
-from vstatics.core.explain.grids import explanation_grids
+from vstatics.core.explain.tables import explanation_grids
 from vstatics.core.explain.text import write
 
 SPLIT = """\

@@ -11,9 +11,9 @@ import pytest
 from tests.commands import SHIPPED, vstatics
 from tests.core.flow.worked import only, solved
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
-from vstatics.core.flow.grids import power_grid
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+from vstatics.core.flow.tables import power_grid
 from vstatics.core.flow.text import text
 
 SET = Mechanism(1, 2, 3, -2.5, 0.96, name="set")

@@ -21,9 +21,9 @@ from tests.commands import vstatics
 from tests.core.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.flow.circulation import CommonLinks, Loop, Node
-from vstatics.core.flow.grids import remarks
 from vstatics.core.flow.rows import flow_grids
 from vstatics.core.flow.shared_planets import shared
+from vstatics.core.flow.tables import remarks
 from vstatics.core.flow.text import text
 from vstatics.core.readers.named.reader import read_yaml
 

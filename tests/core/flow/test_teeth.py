@@ -14,10 +14,10 @@ from tests.commands import SHIPPED, vstatics
 from tests.core.flow.worked import only, sides, solved
 from tests.trains import regular_trains, trains
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
-from vstatics.core.flow.grids import power_grid
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.flow.rows import flow_grids
+from vstatics.core.flow.tables import power_grid
 from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.summary.sensitivity import sensitivities
 

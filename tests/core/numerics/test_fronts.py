@@ -16,7 +16,7 @@ from tests.chance import count
 from vstatics.core.numerics import fronts
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.fronts import merged, non_dominated
-from vstatics.sweep.kept.selection import limited
+from vstatics.sweep.results.selection import limited
 
 RANDOM = settings(max_examples=count(30, 225))
 

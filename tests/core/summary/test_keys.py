@@ -7,7 +7,7 @@ import pytest
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.summary import Summary, summarize
 from vstatics.core.summary.contrast import contrasted
-from vstatics.core.summary.grids import summary_grids
+from vstatics.core.summary.tables import summary_grids
 from vstatics.core.tables.grid import Grid
 
 

@@ -17,8 +17,8 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
 from vstatics.core.statics.results import Results
 from vstatics.core.summary import summarize
-from vstatics.core.summary.grids import summary_grids
 from vstatics.core.summary.sensitivity import efficiency_sensitivities, sensitivities
+from vstatics.core.summary.tables import summary_grids
 
 
 @pytest.mark.parametrize("u", [-4.0, -2.5, -0.3, 0.4, 3.0])

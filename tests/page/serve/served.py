@@ -12,7 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from vstatics.core.cli.frame.cases import CaseOptions
+from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.page.cli.serve import calculated
 from vstatics.page.serve.server import PageServer
 from vstatics.page.serve.states import ShownStates

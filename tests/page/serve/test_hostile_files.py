@@ -15,7 +15,7 @@ from tests.chance import count, seeded
 from tests.commands import vstatics
 from tests.page.serve.served import BOX, serving
 from tests.page.serve.test_saving import until, write
-from vstatics.core.cli.frame.cases import CaseOptions
+from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.core.jobs import files
 from vstatics.page.cli import serve
 

@@ -16,7 +16,7 @@ import vstatics
 from tests.chance import count, seeded
 from tests.commands import CASES
 from tests.page.serve.served import BOX, TOKEN, serving
-from vstatics.core.cli.frame.cases import CaseOptions
+from vstatics.core.cli.shared.cases import CaseOptions
 from vstatics.page.cli.serve import calculated
 from vstatics.page.serve.document_fields import Texts, documents_of
 from vstatics.page.serve.states import MOST_KEPT, Calculated, ChangedMeanwhileError, ShownStates

@@ -18,7 +18,7 @@ import pytest
 
 from tests.commands import environment, vstatics
 from vstatics.core.cli import check
-from vstatics.core.cli.frame import progress
+from vstatics.core.cli.shared import progress
 from vstatics.simulation import bounds
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import load_scenario

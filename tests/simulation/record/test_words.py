@@ -14,8 +14,8 @@ from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
 from vstatics.core.model.parts import ShiftElement
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.record.grids import motion_grids
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Capacity, Control, Dog
 

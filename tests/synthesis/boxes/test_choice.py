@@ -28,11 +28,11 @@ from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
-from vstatics.synthesis.boxes.grids import box_grids
 from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
+from vstatics.synthesis.boxes.tables import box_grids
 from vstatics.synthesis.structures.growth import FoundScheme
 from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO

@@ -15,7 +15,7 @@ import pytest
 from tests.commands import CASES, Said, vstatics
 from tests.core.cli.test_schemas import validator
 from vstatics import load, solve
-from vstatics.core.cli.frame import estimates
+from vstatics.core.cli.shared import estimates
 
 BELAZ = CASES / "belaz7516.yaml"
 DIFFERENTIAL = CASES / "differential.yaml"

@@ -13,8 +13,8 @@ from jsonschema import Draft202012Validator
 
 from tests.commands import vstatics
 from vstatics import load, solve
-from vstatics.core.cli.frame import estimates
 from vstatics.core.cli.schemas import schemas
+from vstatics.core.cli.shared import estimates
 from vstatics.core.jobs.files import STDOUT
 from vstatics.synthesis.cli import structures as synth_structures
 

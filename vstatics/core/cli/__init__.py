@@ -8,7 +8,7 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
 `_CORE` lists the commands of the core; annexes have theirs in their records and their `cli`.
-`frame` has what all of them share: input and output, cases, values of options. `templates` are
+`shared` has what all of them share: input and output, cases, values of options. `templates` are
 the cases of `new`. `schemas` writes the JSON Schemas of all.
 """
 
@@ -24,9 +24,9 @@ from typing import Any
 import click
 
 from vstatics.core.annexes import Command, annexes
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED, WRONG_USE, stopped_by
-from vstatics.core.cli.frame.lazy_group import LazyGroup, Modules
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED, WRONG_USE, stopped_by
+from vstatics.core.cli.shared.lazy_group import LazyGroup, Modules
 from vstatics.core.errors import ReadError, printable
 from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
@@ -105,7 +105,7 @@ class Commands(LazyGroup):
             raise
         except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
             stop.check()  # an import that is stopped may end in an error of another kind
-            from vstatics.core.cli.frame.cases import unexpected
+            from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
         return FAILED

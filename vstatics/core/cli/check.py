@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import click
 
 from vstatics.core import extras, readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.cases import CaseOptions, calculate_one, unexpected
-from vstatics.core.cli.frame.documents import is_a, scenario_with_case
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.formats import OutputOptions, TextStyle
-from vstatics.core.cli.frame.options import completing, refuse
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.values import separated
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.cases import CaseOptions, calculate_one, unexpected
+from vstatics.core.cli.shared.documents import is_a, scenario_with_case
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
+from vstatics.core.cli.shared.options import completing, refuse
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import (
     CaseError,
@@ -350,7 +350,7 @@ def _tried(scenario: Scenario) -> list[Problem]:
     """Why it can't begin, or that it takes long; nothing where scipy is not installed."""
     if extras.missing("simulation", "a simulation"):
         return []
-    from vstatics.core.cli.frame.estimates import duration_text
+    from vstatics.core.cli.shared.estimates import duration_text
     from vstatics.simulation.bounds import Pace
     from vstatics.simulation.run import simulate
 

@@ -8,10 +8,10 @@ from collections.abc import Callable
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.options import Command, completing, refuse
-from vstatics.core.cli.frame.values import value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.options import Command, completing, refuse
+from vstatics.core.cli.shared.values import value
 from vstatics.core.comparison import layout
 from vstatics.core.comparison.numbers import ATOL, RTOL
 from vstatics.core.comparison.pairs import (

@@ -5,10 +5,10 @@ from __future__ import annotations
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.writers.saving import case_data
 

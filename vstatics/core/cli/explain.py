@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.frame.formats import OutputOptions, TextStyle
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.texts import Job
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import CaseError, ReadError, listed
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
@@ -98,8 +98,7 @@ def _exercise(
     solved: bool,
 ) -> texts.CaseOutput:
     """A gear as an exercise."""
-    from vstatics.core.explain.exercise import exercise
-    from vstatics.core.explain.worksheet import grids
+    from vstatics.core.explain.exercise import exercise, grids
 
     index, *others = arguments.gear_indices(results.case, gears)
     if others:
@@ -133,7 +132,7 @@ def _shown(
         return text.write(explanations, style.digits)
 
     def grids() -> Iterable[Grid]:
-        from vstatics.core.explain.grids import explanation_grids
+        from vstatics.core.explain.tables import explanation_grids
 
         return explanation_grids(explanations)
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.frame.formats import OutputOptions, TextStyle
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.texts import Job
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.texts import Job
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
 

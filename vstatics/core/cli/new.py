@@ -8,9 +8,9 @@ from importlib import resources
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.options import completing
-from vstatics.core.cli.frame.values import value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.options import completing
+from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import ReadError, nearest, of_file
 from vstatics.core.examples import example_file, example_files
 from vstatics.core.jobs.files import STDOUT

@@ -8,14 +8,14 @@ from typing import Any
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.formats import Destination, OutputOptions, TextStyle
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.texts import Job
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import Destination, OutputOptions, TextStyle
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import CaseError, printable
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.workers import cores
@@ -171,7 +171,7 @@ def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.Ca
         return result_json.text(document)
 
     def grids() -> list[Grid]:
-        from vstatics.core.tables.grids import of_messages, of_results
+        from vstatics.core.tables.result_tables import of_messages, of_results
 
         messages = of_messages(results)
         return [*of_results(results), *[messages] * bool(messages.rows)]
@@ -221,7 +221,7 @@ def _pretty(
     several: bool,
 ) -> int:
     """Show the gears of each case to a person; the exit status."""
-    from vstatics.core.cli.frame.console import SafeConsole, trimmed
+    from vstatics.core.cli.shared.console import SafeConsole, trimmed
     from vstatics.core.summary.pretty import ASCII, DOTS, view
 
     to = wanted._replace(formats=("text",)).destination(inputs)

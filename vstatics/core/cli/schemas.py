@@ -11,7 +11,7 @@ from typing import Any
 from vstatics.core.cli.check import ProblemRecord
 from vstatics.core.comparison.verdicts import Verdict
 from vstatics.core.explain.answer import ExplanationAnswer
-from vstatics.core.explain.worksheet import SolvedExercise
+from vstatics.core.explain.exercise import SolvedExercise
 from vstatics.core.flow.answer import FlowAnswer
 from vstatics.core.model.shape import Measure
 from vstatics.core.readers.named import schema as case
@@ -20,7 +20,7 @@ from vstatics.core.tables.answer import documents_of, of_file, schema
 from vstatics.core.writers import schema as result
 from vstatics.simulation.record.answer import MotionAnswer
 from vstatics.simulation.scenario.keys import SCENARIO
-from vstatics.sweep.kept.statistics import SamplesAnswer
+from vstatics.sweep.results.statistics import SamplesAnswer
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.synthesis.cli.box.command import BoxSearchEstimate
 from vstatics.synthesis.cli.combinations_output import CombinationEstimate

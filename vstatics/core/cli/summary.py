@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate, show_problems
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.formats import Destination, OutputOptions
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.texts import Job
-from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate, show_problems
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.texts import Job
+from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import ReadError
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
@@ -214,7 +214,7 @@ def _shown(
     summary = summarized(outcome, results)
 
     def tables() -> Iterable[Grid]:
-        from vstatics.core.summary.grids import summary_grids
+        from vstatics.core.summary.tables import summary_grids
 
         return summary_grids(summary)
 

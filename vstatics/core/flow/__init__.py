@@ -10,5 +10,5 @@ Results go in; `power` makes the flow of each gear, `power_flow` says what it ha
 >>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
 (0.02, 'in 1.000 - out .980 - lost .020 = .000')
 
-`circulation` finds loops of any graph, `cycles` the edges that are on some.
+`circulation` finds loops of any graph, `graph_cycles` the edges that are on some.
 """

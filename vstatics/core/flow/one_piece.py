@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 
 from vstatics.core.flow.circulation import Edge, Node
-from vstatics.core.flow.cycles import edges_on_cycles
+from vstatics.core.flow.graph_cycles import edges_on_cycles
 from vstatics.core.model.transmission import HOUSING
 from vstatics.core.statics.bodies import is_one_piece, turns_as_one
 from vstatics.core.statics.state import GearState

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.core.extras import higher
 from vstatics.core.flow.circulation import Edge, Loop, Node
-from vstatics.core.flow.cycles import edges_on_cycles
+from vstatics.core.flow.graph_cycles import edges_on_cycles
 from vstatics.core.flow.teeth import ToothPower
 from vstatics.core.statics.status import Status
 from vstatics.core.tables.answer import Flat, defined, told

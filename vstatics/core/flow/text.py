@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Iterator
 from operator import attrgetter
 
-from vstatics.core.flow.grids import power_grid, remarks
 from vstatics.core.flow.power_flow import GearFlow
+from vstatics.core.flow.tables import power_grid, remarks
 from vstatics.core.tables.grid import Cell, Column, Grid
 from vstatics.core.tables.numbers import fixed
 from vstatics.core.tables.ports import ports_grid

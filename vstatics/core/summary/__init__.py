@@ -1,9 +1,10 @@
 """What a designer asks of a gearbox first: design table, shifts, largest values.
 
-Results go in; `summarize` makes a `Summary`, `grids` its tables, `vstatics.core.tables` their text.
+`summarize` calculates a `Summary` of results; `tables` shows it in tables, which
+`vstatics.core.tables` writes.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
->>> from vstatics.core.summary.grids import summary_grids
+>>> from vstatics.core.summary.tables import summary_grids
 >>> from vstatics.core.tables import text
 >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
 ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])

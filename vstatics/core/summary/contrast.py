@@ -19,7 +19,7 @@ from vstatics.core.summary.extremes import (
     overall,
     quantity,
 )
-from vstatics.core.summary.grids import ACCELERATION, INERTIA, other_combinations
+from vstatics.core.summary.tables import ACCELERATION, INERTIA, other_combinations
 from vstatics.core.tables.grid import Grid, Value, Values, exact, grid_of, word
 from vstatics.core.tables.quantities import headed
 from vstatics.core.texts import heading as headed_in

@@ -18,7 +18,7 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
 from vstatics.core.statics.status import STATUSES
 from vstatics.core.summary.design_table import GearLine, design
-from vstatics.core.summary.grids import Marks, element_signs, state
+from vstatics.core.summary.tables import Marks, element_signs, state
 from vstatics.core.tables import terminal
 from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.core.tables.html import table

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.formats import TextStyle
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.texts import Job
-from vstatics.core.cli.frame.values import each, named, separated, value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import TextStyle
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.texts import Job
+from vstatics.core.cli.shared.values import each, named, separated, value
 from vstatics.core.statics.results import Results
 from vstatics.core.texts import Language, speaking
 from vstatics.page.report.asked import SECTIONS, AskedPage, section

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import documents, files, formats
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate_one
-from vstatics.core.cli.frame.exit_status import DONE
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import documents, files, formats
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate_one
+from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.stopping import ENDING
 from vstatics.core.texts import Language, speaking

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.core.flow.grids import SECTIONS
+from vstatics.core.flow.tables import SECTIONS
 from vstatics.core.tables.grid import Cell, Grid
 from vstatics.core.tables.quantities import QUANTITIES
 from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS
@@ -28,7 +28,7 @@ def marked(grid: Grid) -> Grid:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.core.tables.grids import of_results
+    >>> from vstatics.core.tables.result_tables import of_results
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()], link_names=["in", "out"])
     >>> by_key = {one.key: marked(one) for one in of_results(solve(case))}
     >>> by_key["W"].cells[1][1].marks
@@ -79,7 +79,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.core.flow.grids import power_grid
+    >>> from vstatics.core.flow.tables import power_grid
     >>> from vstatics.core.flow.power import flows
     >>> pair = Mechanism(1, 2, 0, -4.0, 0.98, name="pair")
     >>> [flow] = flows(solve(Transmission(2, [], [pair], [Gear()])))

@@ -10,15 +10,15 @@ from typing import cast
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions, calculate
-from vstatics.core.cli.frame.documents import is_a
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.texts import Job
-from vstatics.core.cli.frame.values import numbers, shown_speeds, told, value, wrong_value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate
+from vstatics.core.cli.shared.documents import is_a
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.texts import Job
+from vstatics.core.cli.shared.values import numbers, shown_speeds, told, value, wrong_value
 from vstatics.core.errors import CaseError, ReadError, of_file
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.input_files import TABLE_BYTES

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, texts
-from vstatics.core.cli.frame.documents import scenario_with_case
-from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
-from vstatics.core.cli.frame.formats import Destination
-from vstatics.core.cli.frame.one_case import file_name, one_text, tell
-from vstatics.core.cli.frame.options import refuse
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.documents import scenario_with_case
+from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.one_case import file_name, one_text, tell
+from vstatics.core.cli.shared.options import refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.tables.suffixes import known
 from vstatics.simulation.cli.options import SimulateOptions, options
@@ -81,7 +81,7 @@ def simulate(asked: SimulateOptions) -> int:
         expect_fatigue(read.reading)
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
-    from vstatics.sweep.kept.asked import read_asked
+    from vstatics.sweep.results.asked import read_asked
 
     columns = [] if out is None else read_asked(out, read.scenario)
     try:
@@ -155,8 +155,8 @@ def show(
     from vstatics.core.tables.straight import in_both_units
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
-    from vstatics.simulation.record.grids import motion_grids
-    from vstatics.vehicle.damage.grids import damage_grid
+    from vstatics.simulation.record.tables import motion_grids
+    from vstatics.vehicle.damage.tables import damage_grid
 
     title = read.name or read.scenario.case.name or file_name(scenario)
     targets = bool(read.scenario.targets)

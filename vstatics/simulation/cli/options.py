@@ -7,13 +7,13 @@ from typing import Literal, NamedTuple, get_args
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import formats
-from vstatics.core.cli.frame.formats import OutputOptions
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.sharing import Sharing, shared
-from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.formats import OutputOptions
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.sharing import Sharing, shared
+from vstatics.core.cli.shared.values import above_0, value
 from vstatics.simulation.cli.scenario_run import LIMIT_OPTION
 
 Method = Literal["events", "tarasik"]

@@ -10,10 +10,10 @@ from typing import TypeAlias, cast
 import click
 import numpy as np
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
-from vstatics.core.cli.frame.formats import Destination, OutputOptions
-from vstatics.core.cli.frame.one_case import CaseAnswer, show
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.one_case import CaseAnswer, show
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.stopping import StoppedError
@@ -24,8 +24,8 @@ from vstatics.sweep import build
 from vstatics.sweep.cli.run import SweepRun, carry_out, tell_noticed, tell_reason
 from vstatics.sweep.cli.subject import read_scenario_subject, spare
 from vstatics.sweep.formats import Format
-from vstatics.sweep.kept.statistics import columns_statistics, samples_answer, statistics_grids
 from vstatics.sweep.options import SweepOptions
+from vstatics.sweep.results.statistics import columns_statistics, samples_answer, statistics_grids
 from vstatics.sweep.tasks import calculate
 from vstatics.sweep.variants.subject import Document, VariedScenario
 from vstatics.vehicle.cli.strengths import expect_fatigue
@@ -107,7 +107,7 @@ def _written(run: SweepRun) -> Collected:
 
 def _collected(run: SweepRun) -> Collected:
     """The columns of the variants in memory."""
-    from vstatics.core.cli.frame.progress import progress
+    from vstatics.core.cli.shared.progress import progress
     from vstatics.sweep.chunk import joined
 
     plan = run.plan

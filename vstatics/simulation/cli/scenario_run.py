@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.cases import CalculatedCase
-from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.cases import CalculatedCase
+from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDIN_NAME
@@ -67,7 +67,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
         return None
     needs("simulation", "a run")
     from vstatics.simulation.run import simulate as simulated
-    from vstatics.sweep.kept.asked import read_asked
+    from vstatics.sweep.results.asked import read_asked
 
     scenario = read.scenario
     columns = read_asked(out, scenario) if out else []

@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
-from vstatics.core.cli.frame.progress import done_text, telling
+from vstatics.core.cli.shared.progress import done_text, telling
 from vstatics.simulation.bounds import Guard, wall_limit
 
 

@@ -3,6 +3,6 @@
 `start` and `springs_at_start` determine the state at the start, `instants` where everything is.
 `selection` finds what sticks: by `choices`, in the order of `search`; redundant torques are divided
 by `split`, what joins at once has its speeds by `impacts`. Then `stretches` in closed form, or
-`pieces` of an explicit method, go on until one of the `margins` ends, which `location` finds;
+`time_steps` of an explicit method, go on until one of the `margins` ends, which `location` finds;
 `unbounded` tells why they can't.
 """

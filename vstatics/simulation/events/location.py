@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
-from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.tolerances import (
     AHEAD,

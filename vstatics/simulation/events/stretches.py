@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, largest
-from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
 from vstatics.simulation.tolerances import (
     ENOUGH_TERMS,

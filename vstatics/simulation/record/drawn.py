@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, first_largest
-from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.record.beside import Tables, beside, chosen, joined
 from vstatics.simulation.record.curves import (
     CurveRanges,
@@ -18,7 +18,7 @@ from vstatics.simulation.record.curves import (
     extreme_times,
     ranges,
 )
-from vstatics.simulation.record.pieces import MotionColumns, Piece
+from vstatics.simulation.record.segments import MotionColumns, Piece
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CHORD
 

@@ -15,14 +15,14 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.impacts import kinetic_energy
 from vstatics.simulation.events.instants import Instant, Jump
 from vstatics.simulation.events.margins import Margins
-from vstatics.simulation.events.pieces import TimeStep
+from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.asked import empty_columns
 from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Event, Motion, Reached
-from vstatics.simulation.record.pieces import Piece, peaks
 from vstatics.simulation.record.rows import roads_of
+from vstatics.simulation.record.segments import Piece, peaks
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import cut_note
 from vstatics.simulation.system.equations import Equations

@@ -88,7 +88,7 @@ def shown_run(
     has_marks : bool
         Whether times of events say what they are, for a script.
     """
-    from vstatics.simulation.record.grids import motion_grids
+    from vstatics.simulation.record.tables import motion_grids
 
     motion = section.motion
     if motion.stopped is not None:

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple, cast
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.options import Command, gathered, refuse
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.sharing import Sharing, shared
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.options import Command, gathered, refuse
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.tables.suffixes import format_of, known, mismatch

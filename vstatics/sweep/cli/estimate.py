@@ -8,7 +8,7 @@ import time
 from contextlib import suppress
 from dataclasses import replace
 
-from vstatics.core.cli.frame.estimates import CommandEstimate, free_room, size_text
+from vstatics.core.cli.shared.estimates import CommandEstimate, free_room, size_text
 from vstatics.core.errors import CaseError, ReadError, of_file
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.model.transmission import Transmission
@@ -17,8 +17,8 @@ from vstatics.sweep.chunk import Chunk
 from vstatics.sweep.cli.subject import limited
 from vstatics.sweep.formats import Format
 from vstatics.sweep.formats.tables import write_parquet
-from vstatics.sweep.kept.best import BEST
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.best import BEST
 from vstatics.sweep.tasks import data_of
 
 TRIED = 1.0

@@ -6,11 +6,11 @@ import time
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.cases import outside_notes, show_problems
-from vstatics.core.cli.frame.exit_status import DONE, EMPTY, FAILED, stopped_by
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.sharing import Sharing, going_on_later, kept_pieces
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.cases import outside_notes, show_problems
+from vstatics.core.cli.shared.exit_status import DONE, EMPTY, FAILED, stopped_by
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.core.errors import Problem, not_allowed, of_file
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
@@ -20,9 +20,9 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.sweep import blocks, chunk
 from vstatics.sweep.cli.estimate import check_room
 from vstatics.sweep.formats import Format
-from vstatics.sweep.kept.selection import WhereCondition
 from vstatics.sweep.output import Output, SweepReport, description, stream
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.selection import WhereCondition
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.variants.numbered import VariantTable
 
@@ -77,7 +77,7 @@ def carry_out(run: SweepRun) -> Ended:
 
 def to_file(run: SweepRun, output: str) -> Ended:
     """Write the output file, whole or not at all."""
-    from vstatics.core.cli.frame.progress import progress
+    from vstatics.core.cli.shared.progress import progress
 
     plan, sharing, quiet = run.plan, run.sharing, run.quiet
     began = time.perf_counter()
@@ -102,7 +102,7 @@ def to_file(run: SweepRun, output: str) -> Ended:
 
 def to_stream(run: SweepRun) -> Ended:
     """Write rows to stdout, or to what is no file, as they come."""
-    from vstatics.core.cli.frame.progress import progress
+    from vstatics.core.cli.shared.progress import progress
 
     plan, sharing = run.plan, run.sharing
     began = time.perf_counter()

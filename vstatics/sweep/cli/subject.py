@@ -9,10 +9,10 @@ from dataclasses import replace
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.documents import case_of, is_a
-from vstatics.core.cli.frame.problems import Telling
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.documents import case_of, is_a
+from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.documents import case_document
 from vstatics.core.readers.named.node_paths import child

@@ -15,7 +15,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables import csv
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
-from vstatics.sweep.kept.columns import output_headings
+from vstatics.sweep.results.columns import output_headings
 
 ROWS_AT_ONCE = 512
 """Rows to format at once: few, so that many columns are the same throughout in a grid."""

@@ -21,8 +21,8 @@ from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest,
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
-from vstatics.sweep.kept.statistics import PARTS, Statistics, statistics
 from vstatics.sweep.pictures.columns import DrawnColumns, numbers, results_of, rows_by
+from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
 """Least width of a panel with its scale, and height without. [pt]"""

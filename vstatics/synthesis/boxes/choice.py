@@ -257,7 +257,7 @@ def find_boxes(
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.pieces.found import found_in  # compiles
+    from vstatics.synthesis.boxes.batches.found import found_in  # compiles
 
     low, high = search.bounds
     search = search._replace(

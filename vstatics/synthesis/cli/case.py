@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.values import separated, value, wrong_value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.values import separated, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.readers.named.arithmetic import calculated

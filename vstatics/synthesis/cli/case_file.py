@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import files
+from vstatics.core.cli.shared import files
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import missing_folder
 from vstatics.core.model.transmission import Transmission

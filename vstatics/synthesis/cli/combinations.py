@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED
-from vstatics.core.cli.frame.one_case import OneCase, file_name, one_case, problems_of
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.values import separated, value, wrong_value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.one_case import OneCase, file_name, one_case, problems_of
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.values import separated, value, wrong_value
 from vstatics.core.errors import CaseError, ReadError, listed, of_file, plural, quoted
 from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
 

@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import files, one_case, texts
-from vstatics.core.cli.frame.estimates import CommandEstimate, size_text
-from vstatics.core.cli.frame.estimates import check_room as check_disk_room
-from vstatics.core.cli.frame.formats import Destination
-from vstatics.core.cli.frame.one_case import CaseAnswer, file_name
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.progress import Advance, progress
+from vstatics.core.cli.shared import files, one_case, texts
+from vstatics.core.cli.shared.estimates import CommandEstimate, size_text
+from vstatics.core.cli.shared.estimates import check_room as check_disk_room
+from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.one_case import CaseAnswer, file_name
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.progress import Advance, progress
 from vstatics.core.errors import listed
 from vstatics.core.tables.answer import Count, line, told
 from vstatics.core.tables.grid import Grid

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.values import named, pair, value, wrong_use
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.values import named, pair, value, wrong_use
 from vstatics.core.errors import Problem, listed, of_file, spoken
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.named.scalars import number
@@ -27,8 +27,8 @@ from vstatics.synthesis.ratios.fitting import (
     lost_by_fit,
 )
 from vstatics.synthesis.ratios.fitting import fit as fitted
-from vstatics.synthesis.ratios.grids import dry_document, dry_grids, fit_grids
 from vstatics.synthesis.ratios.problem import doubts, fit_problem
+from vstatics.synthesis.ratios.tables import dry_document, dry_grids, fit_grids
 
 
 class FitOptions(NamedTuple):

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.frame.documents import is_a
-from vstatics.core.cli.frame.exit_status import DONE
-from vstatics.core.cli.frame.formats import Destination
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.documents import is_a
+from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.errors import Problem, ReadError, not_allowed, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.solve import solve

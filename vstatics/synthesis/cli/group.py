@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame.lazy_group import LazyGroup
+from vstatics.core.cli.shared.lazy_group import LazyGroup
 
 COMMANDS = {
     "structures": ("vstatics.synthesis.cli.structures", "All schemes of so many planetary sets."),

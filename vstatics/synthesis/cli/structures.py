@@ -7,17 +7,17 @@ from typing import NamedTuple, get_args
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.estimates import (
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.estimates import (
     CommandEstimate,
     about,
     check_room,
     duration_text,
     size_text,
 )
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.values import each, value, wrong_value
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.values import each, value, wrong_value
 from vstatics.core.errors import Problem, typed_number
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.tables.answer import Count, Flat, Known, as_json, told

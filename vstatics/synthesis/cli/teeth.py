@@ -6,19 +6,19 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.values import named, pair, separated, told, value, wrong_use
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.values import named, pair, separated, told, value, wrong_use
 from vstatics.core.errors import Problem, listed, of_file, quoted
 from vstatics.core.readers.named.scalars import number
 from vstatics.core.readers.reading import Reading
 from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
 from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, doubts_before, find_teeth
-from vstatics.synthesis.teeth.grids import asked_grids, teeth_grids
 from vstatics.synthesis.teeth.limits import CLEARANCE, TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios, teeth_problem
 from vstatics.synthesis.teeth.solutions import TeethAnswer, asked_document, case_with_teeth
+from vstatics.synthesis.teeth.tables import asked_grids, teeth_grids
 from vstatics.synthesis.teeth.targets import TeethError
 
 

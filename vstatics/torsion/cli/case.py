@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import formats
-from vstatics.core.cli.frame.one_case import OneCase
-from vstatics.core.cli.frame.options import Command, Option, gathered
-from vstatics.core.cli.frame.values import value, wrong_value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.one_case import OneCase
+from vstatics.core.cli.shared.options import Command, Option, gathered
+from vstatics.core.cli.shared.values import value, wrong_value
 from vstatics.core.errors import Problem, listed
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading

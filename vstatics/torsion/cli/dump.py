@@ -8,12 +8,12 @@ from functools import partial
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, of_case, show
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.values import value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case, show
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.values import value
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Schema, documents, head, list_of, schema
 from vstatics.torsion.cli.case import gear_names, located, slope_notes, static_torque
@@ -82,7 +82,7 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
         raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
     if one.static_torque is not None:
         raise click.UsageError(f"--torque is for a case, but {name} has numbers alone")
-    from vstatics.torsion.clutch.grids import grids
+    from vstatics.torsion.clutch.tables import grids
 
     numbers = read_dump(data, name)
     made = numbers.torque(rate)
@@ -93,7 +93,7 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
 def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
     """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
     from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
-    from vstatics.torsion.clutch.grids import gear_grids, gears_grids
+    from vstatics.torsion.clutch.tables import gear_grids, gears_grids
 
     found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
     faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 
 import click
 
-from vstatics.core.cli.frame.formats import Destination
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.frame.options import Command
-from vstatics.core.cli.frame.values import above_0, from_0, named, value
+from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.options import Command
+from vstatics.core.cli.shared.values import above_0, from_0, named, value
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
@@ -73,8 +73,8 @@ def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import IdentificationAnswer
-        from vstatics.torsion.vibration.grids import decay_grid, identified_grids
         from vstatics.torsion.vibration.measured import identify as identified
+        from vstatics.torsion.vibration.tables import decay_grid, identified_grids
 
         omega, decrement, found = seen.measured()
         made = identified(case, chosen, omega, decrement, mode)
@@ -127,8 +127,8 @@ def damping(
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import DampingAnswer
-        from vstatics.torsion.vibration.grids import damped_grids
         from vstatics.torsion.vibration.measured import damping as damped
+        from vstatics.torsion.vibration.tables import damped_grids
 
         made = damped(case, chosen, decrements, omega, mode)
         return CaseAnswer(

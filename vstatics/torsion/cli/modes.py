@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     WorkingAsked,
@@ -53,7 +53,7 @@ def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ModesAnswer
         from vstatics.torsion.vibration.gear_modes import modes as modes_of
-        from vstatics.torsion.vibration.grids import modes_grids
+        from vstatics.torsion.vibration.tables import modes_grids
 
         case = reading.case
         working = asked.of(case)

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.values import value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import Problem, quoted
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
@@ -80,9 +80,9 @@ def random(
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import RandomAnswer
-        from vstatics.torsion.random.grids import random_grids
         from vstatics.torsion.random.random_vibration import random_vibration
         from vstatics.torsion.random.spectrum_file import read_spectrum
+        from vstatics.torsion.random.tables import random_grids
 
         case = reading.case
         link = link_name(case, at, "--at")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import elastic_case, gear_names, link_name, located, slope_notes
 
@@ -34,8 +34,8 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ReductionAnswer
-        from vstatics.torsion.reduction.grids import reduction_grids
         from vstatics.torsion.reduction.reduced_values import reduce as reduced
+        from vstatics.torsion.reduction.tables import reduction_grids
 
         case = reading.case
         link = link_name(case, to, "--to")

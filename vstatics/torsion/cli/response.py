@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.values import numbers, told, value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.values import numbers, told, value
 from vstatics.core.errors import listed, plural
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
@@ -178,8 +178,8 @@ def response(
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ResponseAnswer
-        from vstatics.torsion.forced.grids import largest_grids, row_grids, speed_grids, sum_grids
         from vstatics.torsion.forced.harmonic_torques import response as responses
+        from vstatics.torsion.forced.tables import largest_grids, row_grids, speed_grids, sum_grids
 
         case = reading.case
         harmonics = exciting.harmonics()

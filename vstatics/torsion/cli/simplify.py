@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core import readers
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.formats import TABLES, OutputOptions, TextStyle
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, file_name, warnings_of
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.problems import Telling
-from vstatics.core.cli.frame.values import separated, value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, warnings_of
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.values import separated, value
 from vstatics.core.errors import ReadError, spoken
 from vstatics.core.model.parts import damping
 from vstatics.core.model.springs import Spring
@@ -159,9 +159,9 @@ def simplify(
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import SimplificationAnswer
-        from vstatics.torsion.reduction.grids import simplification_grids
         from vstatics.torsion.reduction.reduced_scheme import gear_scheme
         from vstatics.torsion.reduction.scheme import scheme_case
+        from vstatics.torsion.reduction.tables import simplification_grids
 
         own = reading.case
         chosen = gear_of(own, gear)

@@ -2,5 +2,5 @@
 
 `given` is what is known of a dump, `file` reads and writes it, `gear_dump` makes it of a gear
 of a case. `engagement` has the dynamic factor while the torque grows, `dumped` the largest
-torques; `grids` tells of them.
+torques; `tables` tells of them.
 """

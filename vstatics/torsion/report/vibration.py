@@ -144,7 +144,7 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
 
 def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[Markup]:
     """The modes of a gear, below its name."""
-    from vstatics.torsion.vibration.grids import modes_grids
+    from vstatics.torsion.vibration.tables import modes_grids
 
     if not gear.modes:
         yield tag("p", gear.error or tr("no natural frequency"))

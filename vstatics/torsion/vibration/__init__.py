@@ -2,7 +2,7 @@
 
 `natural` and `damped` solve for modes: `damped` by `eigen_pairs`, with `loss_factors` by eigenpairs
 that are `refined`. `torques` has the torques of all devices in them. `gear_modes` tells them by
-the names of the case, with their `nodes`, `grids` as tables. `variants` solves for many variants of
+the names of the case, with their `nodes`, in `tables`. `variants` solves for many variants of
 a sweep at once: of `modal_masses`, by the `secular` equation where one stiffness varies, with
 `other_ratios` where links are joined otherwise; `crossings` tells which frequencies may cross.
 `measured` corrects a case by what was measured, with the formulas of `decrements`.

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats, texts
-from vstatics.core.cli.frame.cases import CalculatedCase, CaseOptions
-from vstatics.core.cli.frame.formats import OutputOptions
-from vstatics.core.cli.frame.one_or_many import carry_out
-from vstatics.core.cli.frame.options import gathered
-from vstatics.core.cli.frame.texts import Job
-from vstatics.core.cli.frame.values import value
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats, texts
+from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
+from vstatics.core.cli.shared.formats import OutputOptions
+from vstatics.core.cli.shared.one_or_many import carry_out
+from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.texts import Job
+from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import CaseError, Problem, ReadError, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.options import gathered, refuse
-from vstatics.core.cli.frame.values import above_0, value
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.options import gathered, refuse
+from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import Problem, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.suffixes import suffix_of

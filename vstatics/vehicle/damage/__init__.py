@@ -14,5 +14,5 @@
 
 `rainflow` counts the cycles of a record, `devices` adds up what they do, `recorded` for a record
 in CSV. `rayleigh` is the life under random stresses in closed form, `resize` what a shaft needs
-under other torques; `grids` has the tables of all.
+under other torques; `tables` has the tables of all.
 """

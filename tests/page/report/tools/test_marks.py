@@ -8,7 +8,7 @@ from tests.chance import count, seeded
 from tests.trains import random_train
 from vstatics import solve
 from vstatics.core.statics.matrix import distribution_matrix
-from vstatics.core.tables.grids import of_results
+from vstatics.core.tables.result_tables import of_results
 from vstatics.page.report.tools.marks import with_tool_marks
 
 

@@ -6,10 +6,10 @@ from functools import cache
 
 import pytest
 
+from vstatics.synthesis.boxes.batches.found import found_in
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, ranked
 from vstatics.synthesis.boxes.figures.measured import measured
-from vstatics.synthesis.boxes.pieces.found import found_in
 
 pytestmark = pytest.mark.slow
 TRUCK = BoxSearch(3, 5, 2, (6.0, 3.6, 2.3, 1.5, 1.0, 0.75, -5.0), tolerance=0.04)

@@ -21,9 +21,9 @@ from tests.commands import Said, vstatics
 from tests.sweep.sweeps import names
 from vstatics import load, solve
 from vstatics.core.cli.schemas import schemas
+from vstatics.synthesis.boxes.batches import work
+from vstatics.synthesis.boxes.batches.found import FoundPiece
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.boxes.pieces import work
-from vstatics.synthesis.boxes.pieces.found import FoundPiece
 from vstatics.synthesis.cli.box import command
 from vstatics.synthesis.cli.box import run as box_run
 from vstatics.synthesis.cli.box.output import RECORD
@@ -373,7 +373,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.pieces.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err

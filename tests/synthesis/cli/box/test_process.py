@@ -17,8 +17,8 @@ import pytest
 from tests.commands import environment, process
 from tests.core.jobs.test_cluster import Cluster
 from tests.sweep.sweeps import names, wait_for
+from vstatics.synthesis.boxes.batches.found import found_in, prepare
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.pieces.found import found_in, prepare
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 

@@ -45,9 +45,7 @@ class LeafReading(NamedTuple):
 
 
 def _in_si(text: str, measure: Measure) -> float:
-    from vstatics.core.readers.named.si_units import (
-        measured as in_si,  # cases without masses do without
-    )
+    from vstatics.core.readers.named.si_units import measured as in_si
 
     return in_si(text, measure)
 

@@ -12,10 +12,10 @@ from vstatics.core.comparison.verdicts import CaseVerdict
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
 from vstatics.core.summary.extremes import LOSSY_TORQUES, TORQUES, overall
-from vstatics.core.summary.grids import summary_grids
+from vstatics.core.summary.tables import summary_grids
 from vstatics.core.tables.grid import Cell, Grid, grid_of, text
-from vstatics.core.tables.grids import of_results
 from vstatics.core.tables.html import Markup, joined, table, tables, tag, terms
+from vstatics.core.tables.result_tables import of_results
 from vstatics.core.texts import heading, tr
 from vstatics.page.report.asked import SECTIONS
 from vstatics.page.report.html_page import PageFrame, framed, stamped

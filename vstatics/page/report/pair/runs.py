@@ -13,8 +13,8 @@ from vstatics.page.report.page_pictures import HALF, Drawn, in_spoken, inline
 from vstatics.page.report.pair.paged import PagedCase, merged_tables
 from vstatics.page.report.parts import figures
 from vstatics.pictures import pages
-from vstatics.simulation.record.grids import motion_grids
 from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.report.motion import in_figures
 
 

@@ -12,7 +12,7 @@ from functools import partial
 
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.result_arrays import OUTPUT
-from vstatics.core.summary.grids import WITH_LOAD
+from vstatics.core.summary.tables import WITH_LOAD
 from vstatics.core.tables.grid import Cell, Column, Grid
 from vstatics.core.tables.quantities import UNITS
 
@@ -43,7 +43,7 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> from vstatics.core.tables.grids import of_results
+    >>> from vstatics.core.tables.result_tables import of_results
     >>> pair = Mechanism(1, 2, 0, -4.0, name="pair")
     >>> case = Transmission(2, [], [pair], [Gear()], link_names=["in", "out"])
     >>> by_key = {one.key: with_tool_marks(one, case) for one in of_results(solve(case))}

@@ -9,20 +9,20 @@ from matplotlib.figure import Figure
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.head import sheet_head
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
+from vstatics.pictures.schemes.axes.drawn.links import AxesSheet, draw_ends, draw_links
 from vstatics.pictures.schemes.axes.drawn.marks import draw_station
-from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet, draw_ends, draw_links
 from vstatics.pictures.schemes.axes.drawn.wheels import draw_pair
 from vstatics.pictures.schemes.axes.fitting import placed
 from vstatics.pictures.schemes.axes.letters.extent import AxesLetters
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes
 from vstatics.pictures.schemes.axes.wires import crossings, link_lines, wheel_crossings
+from vstatics.pictures.schemes.captions import told_of
 from vstatics.pictures.schemes.coaxial.drawn.lines import crossings_of
 from vstatics.pictures.schemes.coaxial.picture import crossings_told, order_told
 from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import meanings
-from vstatics.pictures.schemes.told import told_of
 
 
 def figures(

@@ -16,6 +16,7 @@ from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import WIDE_MARGIN, Style
 from vstatics.pictures.schemes.boxes import BoxText
+from vstatics.pictures.schemes.captions import told_of
 from vstatics.pictures.schemes.coaxial.chains import CoaxialChain, chained_state, unchained
 from vstatics.pictures.schemes.coaxial.drawn.chain import chain_extent, draw_chain
 from vstatics.pictures.schemes.coaxial.drawn.devices import draw_devices
@@ -31,7 +32,6 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemeState
 from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.signs import meanings
 from vstatics.pictures.schemes.titles import Titles
-from vstatics.pictures.schemes.told import told_of
 
 
 class CoaxialSheet(NamedTuple):

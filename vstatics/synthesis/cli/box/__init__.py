@@ -1,6 +1,6 @@
 """`vstatics synth box`: whole gearboxes for wanted ratios.
 
-`command` is the function of the command. `options` says what may be asked for, with `ratios`
-(wanted gears and their tolerances), `sequence` (gears besides) and `kept` (parts of a case). `run`
-carries the search out, `output` writes what it finds.
+`command` is the function of the command. `options` are its options, with `ratios` (wanted gears and
+their tolerances), `sequence` (further gears) and `modified` (parts of a case). `run` searches,
+`output` writes the gearboxes.
 """

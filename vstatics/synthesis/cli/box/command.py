@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import cases as arguments
-from vstatics.core.cli.frame import files, formats
-from vstatics.core.cli.frame.estimates import CommandEstimate, about, duration_text
-from vstatics.core.cli.frame.exit_status import DONE
-from vstatics.core.cli.frame.formats import Destination, OutputOptions
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.sharing import Sharing, shared
+from vstatics.core.cli.shared import cases as arguments
+from vstatics.core.cli.shared import files, formats
+from vstatics.core.cli.shared.estimates import CommandEstimate, about, duration_text
+from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import missing, require
 from vstatics.core.jobs.files import is_stream
@@ -129,8 +129,8 @@ def _compiled_text(seconds: float) -> str:
 
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
     """Tell about how many boxes there are, and how long they take, to be written too."""
-    from vstatics.synthesis.boxes.pieces.estimate import box_estimate
-    from vstatics.synthesis.boxes.pieces.found import prepare
+    from vstatics.synthesis.boxes.batches.estimate import box_estimate
+    from vstatics.synthesis.boxes.batches.found import prepare
 
     began = time.process_time()
     with progress(None, "compiled", quiet=quiet):

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from vstatics.core.cli.frame.cases import RequiredUnless
-from vstatics.core.cli.frame.options import Option, gathered, refuse
-from vstatics.core.cli.frame.values import (
+from vstatics.core.cli.shared.cases import RequiredUnless
+from vstatics.core.cli.shared.options import Option, gathered, refuse
+from vstatics.core.cli.shared.values import (
     each,
     named,
     pair,
@@ -26,7 +26,7 @@ from vstatics.core.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, check_box_search
 from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO, BoxOrder, no_figure
 from vstatics.synthesis.boxes.figures.by_gear import check_search_weights
-from vstatics.synthesis.cli.box.kept import free_parts, kept_box_search
+from vstatics.synthesis.cli.box.modified import free_parts, kept_box_search
 from vstatics.synthesis.cli.box.ratios import (
     WantedGears,
     wanted_gears,

@@ -11,10 +11,10 @@ from functools import cached_property
 from itertools import starmap
 from typing import NamedTuple
 
-from vstatics.core.cli.frame import files, texts
-from vstatics.core.cli.frame.formats import Destination, TextStyle
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.texts import CaseOutput
+from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.formats import Destination, TextStyle
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.texts import CaseOutput
 from vstatics.core.errors import plural
 from vstatics.core.extras import missing
 from vstatics.core.jobs.alone import Workers
@@ -24,11 +24,11 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.tables.answer import as_json
 from vstatics.core.tables.grid import Grid
 from vstatics.core.writers.saving import case_data
+from vstatics.synthesis.boxes.batches.work import BoxWork
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
-from vstatics.synthesis.boxes.grids import all_boxes, box_grids
 from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box, wanted_of
-from vstatics.synthesis.boxes.pieces.work import BoxWork
+from vstatics.synthesis.boxes.tables import all_boxes, box_grids
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """The result in a directory, by format."""

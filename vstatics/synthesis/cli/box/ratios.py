@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.cli.frame.values import named, pair, separated, told, wrong_value
+from vstatics.core.cli.shared.values import named, pair, separated, told, wrong_value
 from vstatics.core.errors import nearest, quoted, spoken
 from vstatics.core.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import COARSEST

@@ -6,11 +6,11 @@ import math
 import time
 from typing import NamedTuple
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.exit_status import DONE, FAILED, stopped_by
-from vstatics.core.cli.frame.formats import Destination
-from vstatics.core.cli.frame.progress import progress
-from vstatics.core.cli.frame.sharing import Sharing, going_on_later, kept_pieces
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
+from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.progress import progress
+from vstatics.core.cli.shared.sharing import Sharing, going_on_later, kept_pieces
 from vstatics.core.jobs.alone import Workers
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.finished_pieces import FinishedPieces
@@ -18,12 +18,9 @@ from vstatics.core.jobs.piece_file import ASSEMBLED
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.jobs.workers import workers
 from vstatics.core.numerics.compiled import CACHE_TROUBLE
-from vstatics.synthesis.boxes.box import COARSEST
-from vstatics.synthesis.boxes.choice import family_count, ranked
-from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
-from vstatics.synthesis.boxes.pieces.cut import cut
-from vstatics.synthesis.boxes.pieces.found import prepare
-from vstatics.synthesis.boxes.pieces.work import (
+from vstatics.synthesis.boxes.batches.cut import cut
+from vstatics.synthesis.boxes.batches.found import prepare
+from vstatics.synthesis.boxes.batches.work import (
     MOST_MEASURED,
     BoxWork,
     SearchedPieces,
@@ -33,6 +30,9 @@ from vstatics.synthesis.boxes.pieces.work import (
     measure,
     portions,
 )
+from vstatics.synthesis.boxes.box import COARSEST
+from vstatics.synthesis.boxes.choice import family_count, ranked
+from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.cli.box.options import BoxAsked
 from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
 

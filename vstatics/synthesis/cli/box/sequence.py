@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import partial
 
-from vstatics.core.cli.frame.options import refuse
-from vstatics.core.cli.frame.values import pair
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.values import pair
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
 
 ends = partial(pair, example="1.2:1.8")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame import files, texts
-from vstatics.core.cli.frame.exit_status import DONE
-from vstatics.core.cli.frame.formats import OutputOptions
-from vstatics.core.cli.frame.one_case import one_text
-from vstatics.core.cli.frame.options import Option
-from vstatics.core.cli.frame.values import above_0, told, value
+from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.formats import OutputOptions
+from vstatics.core.cli.shared.one_case import one_text
+from vstatics.core.cli.shared.options import Option
+from vstatics.core.cli.shared.values import above_0, told, value
 from vstatics.core.tables.answer import Answer, as_json
 from vstatics.core.tables.grid import Grid
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame import formats
-from vstatics.core.cli.frame.formats import OutputOptions
-from vstatics.core.cli.frame.options import gathered, refuse
-from vstatics.core.cli.frame.values import above_0, from_0, value, wrong_value
+from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.formats import OutputOptions
+from vstatics.core.cli.shared.options import gathered, refuse
+from vstatics.core.cli.shared.values import above_0, from_0, value, wrong_value
 from vstatics.simulation.cli.scenario_run import needs
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.cli.damage.numbers import number, stress, write
@@ -58,8 +58,8 @@ def rayleigh(
     one, other = (getattr(stress, "measure", None) for stress in (strength.endurance, deviation))
     refuse((one != other, "--endurance, --deviation: expected a unit of both, or of none"))
     needs("torsion", "vstatics damage rayleigh")
-    from vstatics.vehicle.damage.grids import rayleigh_grid
     from vstatics.vehicle.damage.rayleigh import rayleigh_life
+    from vstatics.vehicle.damage.tables import rayleigh_grid
 
     with wrong_value():
         made = rayleigh_life(strength, deviation, per_km or 1.0)

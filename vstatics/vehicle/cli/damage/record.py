@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.cli.frame import files
-from vstatics.core.cli.frame.cases import check_order
-from vstatics.core.cli.frame.one_case import CaseAnswer, OneCase, of_case
-from vstatics.core.cli.frame.options import gathered
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.cases import check_order
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case
+from vstatics.core.cli.shared.options import gathered
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Reading
 from vstatics.vehicle.cli.strengths import expect_fatigue
@@ -36,8 +36,8 @@ def record(one: OneCase, recorded: str) -> int:
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.vehicle.damage.devices import DamageAnswer
-        from vstatics.vehicle.damage.grids import damage_grid
         from vstatics.vehicle.damage.recorded import recorded_damage
+        from vstatics.vehicle.damage.tables import damage_grid
 
         case = reading.case
         expect_fatigue(reading)

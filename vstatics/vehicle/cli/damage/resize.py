@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import click
 
-from vstatics.core.cli.frame import formats
-from vstatics.core.cli.frame.formats import OutputOptions
-from vstatics.core.cli.frame.options import Option
-from vstatics.core.cli.frame.values import above_0, told, value, wrong_value
+from vstatics.core.cli.shared import formats
+from vstatics.core.cli.shared.formats import OutputOptions
+from vstatics.core.cli.shared.options import Option
+from vstatics.core.cli.shared.values import above_0, told, value, wrong_value
 from vstatics.vehicle.cli.damage.numbers import number, write
 
 
@@ -65,8 +65,8 @@ def resize(
     \b
     Exit status: 0 done; 2 wrong use.
     """
-    from vstatics.vehicle.damage.grids import resized_grid
     from vstatics.vehicle.damage.resize import resized, resized_by_ratio
+    from vstatics.vehicle.damage.tables import resized_grid
 
     with wrong_value():
         if ratio is not None and torque is None and repeats is None:

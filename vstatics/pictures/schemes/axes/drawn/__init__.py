@@ -1,5 +1,5 @@
 """Several axes on paper.
 
-`sheet` has links and ports, `marks` the signs of shift elements and springs, `wheels` the wheels
+`links` has links and ports, `marks` the signs of shift elements and springs, `wheels` the wheels
 and sets.
 """

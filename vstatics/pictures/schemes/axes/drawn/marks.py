@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.labels import Point, Segment
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
-from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE, ROOF
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height

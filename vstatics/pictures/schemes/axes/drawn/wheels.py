@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.drawing.line_styles import Look
-from vstatics.pictures.schemes.axes.drawn.sheet import AxesSheet
+from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
 from vstatics.pictures.schemes.axes.letters.obstacles import CONE, CONE_RIM
 from vstatics.pictures.schemes.axes.recognition import FAR
 from vstatics.pictures.schemes.axes.stations import WHEEL

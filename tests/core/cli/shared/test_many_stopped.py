@@ -1,0 +1,342 @@
+"""Runs that are stopped: by Ctrl-C, SIGTERM, a dead worker, a full disk; and the bar they show.
+
+A case that is a pipe waits for this test, so that everything happens at a known moment.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, vstatics
+from vstatics.core.cli.shared import progress
+
+CASES = ("a.dat", "b.dat", "pipe.dat", "c.dat", "d.dat")
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cases of which the third is a pipe."""
+    monkeypatch.chdir(tmp_path)
+    for name in CASES:
+        Path(name).write_bytes(MZKT.read_bytes())
+    Path("pipe.dat").unlink()
+    os.mkfifo("pipe.dat")
+
+
+@contextlib.contextmanager
+def running(*arguments: str, jobs: int = 1) -> Iterator[subprocess.Popen[bytes]]:
+    """A run in the background; it is killed if the test fails."""
+    line = [sys.executable, "-m", "vstatics", "run", *arguments, "--jobs", str(jobs)]
+    with subprocess.Popen(
+        line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
+    ) as run:
+        try:
+            yield run
+        finally:
+            run.kill()
+
+
+def ended(run: subprocess.Popen[bytes]) -> tuple[int, list[str]]:
+    """The exit status, and the lines of stderr."""
+    _, err = run.communicate(timeout=60)
+    return run.returncode, err.decode().splitlines()
+
+
+def opened_for_reading() -> int:
+    """Wait until the run reads the pipe."""
+    return os.open("pipe.dat", os.O_WRONLY)
+
+
+def workers(run: subprocess.Popen[bytes]) -> list[int]:
+    return list(map(int, Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()))
+
+
+def reader(run: subprocess.Popen[bytes]) -> int:
+    """The worker that reads the pipe; its end appears a moment after it was opened."""
+    end = time.monotonic() + 30
+    while time.monotonic() < end:
+        for worker in workers(run):
+            with contextlib.suppress(OSError):
+                handles = [one.readlink() for one in Path(f"/proc/{worker}/fd").iterdir()]
+                if Path("pipe.dat").absolute() in handles:
+                    return worker
+    raise AssertionError
+
+
+def is_alive(process_id: int) -> bool:
+    """Whether a thread of a process runs; one that nobody has waited for yet does not."""
+    try:
+        state = Path(f"/proc/{process_id}/stat").read_text(encoding="utf-8")
+        threads = len(list(Path(f"/proc/{process_id}/task").iterdir()))
+    except OSError:
+        return False
+    return threads > 1 or state.rpartition(")")[2].split()[0] != "Z"
+
+
+def wait_for_end(processes: list[int]) -> None:
+    """Wait until processes have ended, so that their files are closed."""
+    end = time.monotonic() + 30
+    while any(map(is_alive, processes)):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def names(path: str) -> list[str]:
+    """What is in a folder, the record aside."""
+    return sorted(one for one in os.listdir(path) if one != ".vstatics-run-json")  # noqa: PTH208
+
+
+TO_DIRECTORY = (*CASES, "-f", "json", "-o", "out")
+KEPT = "results are in out; the same command with --resume goes on"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)], ids=["INT", "TERM"]
+)
+def test_a_signal_leaves_what_is_finished(sent: signal.Signals, status: int) -> None:
+    with running(*TO_DIRECTORY) as run:
+        pipe = opened_for_reading()
+        run.send_signal(sent)
+        told = ended(run)
+        os.close(pipe)
+    assert told == (status, [f"stopped after 2 of 5 cases; {KEPT}"])
+    assert names("out") == ["a.json", "b.json"]
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
+    again = process("run", *TO_DIRECTORY, "--resume", cwd=Path.cwd())
+    assert again == (0, b"", b"5 of 5 cases calculated (2 of them before)\n")
+    assert process("run", *TO_DIRECTORY, cwd=Path.cwd())[0] == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> None:
+    """Cases behind the one that waits may be finished too; they were not told of yet."""
+    with running(*TO_DIRECTORY, jobs=2) as run:
+        pipe = opened_for_reading()
+        found = workers(run)
+        run.send_signal(sent)
+        told = ended(run)
+        os.close(pipe)
+    assert told[0] == status
+    assert re.fullmatch(f"stopped after [012] of 5 cases; {KEPT}", "".join(told[1]))
+    assert set(names("out")) <= {"a.json", "b.json", "c.json", "d.json"}
+    assert not any(map(is_alive, found))
+
+
+@pytest.mark.slow
+def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
+    with running(*CASES, "-f", "jsonl") as run:
+        pipe = opened_for_reading()
+        run.send_signal(signal.SIGINT)
+        out, err = run.communicate(timeout=60)
+        os.close(pipe)
+    assert len([json.loads(line) for line in out.splitlines()]) == 2
+    assert err == b"stopped after 2 of 5 cases; what was written ends there\n"
+    with running(*CASES, "-f", "jsonl", "-o", "all.jsonl") as run:
+        pipe = opened_for_reading()
+        run.send_signal(signal.SIGTERM)
+        told = ended(run)
+        os.close(pipe)
+    assert told == (
+        143,
+        [
+            "stopped after 2 of 5 cases; all.jsonl was not written; the same command with --resume goes on"
+        ],
+    )
+    assert names(".") == sorted([*CASES, "all.jsonl.parts"])
+
+
+def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
+    """Kill the worker that reads the pipe, and close it before another can open it."""
+    pipe = opened_for_reading()
+    worker = reader(run)
+    run.send_signal(signal.SIGSTOP)
+    os.kill(worker, signal.SIGKILL)
+    wait_for_end([worker])
+    os.close(pipe)
+    run.send_signal(signal.SIGCONT)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+@pytest.mark.parametrize("jobs", [2, 3])
+def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
+    with running(*TO_DIRECTORY, jobs=jobs) as run:
+        kill_the_reader(run)
+        pipe = opened_for_reading()
+        os.write(pipe, MZKT.read_bytes())
+        os.close(pipe)
+        told = ended(run)
+    assert told == (0, ["5 of 5 cases calculated"])
+    results = [json.loads(Path("out", name).read_bytes()) for name in names("out")]
+    assert sorted(one.pop("file") for one in results) == sorted(CASES)
+    assert results == 5 * results[:1]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
+    with running(*TO_DIRECTORY, jobs=2) as run:
+        kill_the_reader(run)
+        kill_the_reader(run)
+        status, lines = ended(run)
+    message = "pipe.dat: error: the process that calculated it died, twice"
+    assert status == 1
+    assert lines[0].startswith(message)
+    assert lines[1:] == ["4 of 5 cases calculated, 1 failed:", f"  {lines[0]}"]
+    assert names("out") == ["a.json", "b.json", "c.json", "d.json"]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_workers_do_not_outlive_the_run() -> None:
+    with running(*TO_DIRECTORY, jobs=2) as run:
+        pipe = opened_for_reading()
+        found = workers(run)
+        run.kill()
+        run.wait()
+        assert len(found) == 2
+        wait_for_end(found)  # also the one that waits for its case
+        os.close(pipe)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
+    """No file may be longer than 4096 bytes; the result of the published deck is."""
+    Path("pipe.dat").unlink()
+    Path("small.yaml").write_text(NEUTRAL, encoding="utf-8")
+    command = f'"{sys.executable}" -m vstatics run small.yaml a.dat b.dat -f json -o out -j {jobs}'
+    done = subprocess.run(
+        ["bash", "-c", f"ulimit -f 4; {command}"],
+        capture_output=True,
+        check=False,
+        env=environment(),
+        timeout=60,
+    )
+    *_, message, last = done.stderr.decode().splitlines()
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert message == "out/a.json: error: can't be written: File too large [E030]"
+    assert last == f"stopped after 1 of 3 cases; {KEPT}"
+    assert names("out") == ["small.json"]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
+@pytest.mark.parametrize("form", ["json", "jsonl"])
+def test_a_stream_that_is_full_ends_the_run(form: str) -> None:
+    line = f'"{sys.executable}" -m vstatics run a.dat b.dat -f {form} > /dev/full'
+    done = subprocess.run(
+        ["bash", "-c", line], capture_output=True, check=False, env=environment(), timeout=60
+    )
+    message = "<stdout>: error: can't be written: No space left on device [E030]\n"
+    assert (done.returncode, done.stderr.decode()) == (1, message)
+
+
+# the bar
+
+
+def plain(shown: str) -> str:
+    """What stands on a terminal in the end, roughly: without the codes that draw."""
+    return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
+def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) -> None:
+    Path("bad.yaml").write_text(BAD, encoding="utf-8")
+    given = ("run", "a.dat", "bad.yaml", "b.dat", "-f", "json", "-o", "out")
+    shown = on_terminal(*given, cwd=Path.cwd(), **variables)
+    messages = process(*given, cwd=Path.cwd())[2].decode()
+    assert re.search("0/3.* cases", shown)
+    assert ("\x1b[3" in shown) == (not variables)  # a colour
+    for line in messages.splitlines():
+        assert line in plain(shown)
+    assert plain(shown).endswith(messages[messages.index("2 of 3 cases") :])
+
+
+@pytest.mark.slow
+def test_there_is_no_bar_between_results_on_a_terminal_nor_on_one_that_cannot() -> None:
+    shown = on_terminal("run", "a.dat", "b.dat", cwd=Path.cwd())
+    assert shown == process("run", "a.dat", "b.dat", cwd=Path.cwd())[1].decode()
+    shown = on_terminal("run", "a.dat", "b.dat", "-o", "out", cwd=Path.cwd(), terminal="dumb")
+    assert shown == "2 of 2 cases calculated\n"
+
+
+@pytest.mark.slow
+def test_a_bar_tells_rate_and_time_left(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(progress, "PERIOD", 0.0)
+    monkeypatch.setattr(progress, "_is_watched", lambda: True)
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("TTY_COMPATIBLE", "1")
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    with progress.progress(10_000_000, "combinations") as advance:
+        for _ in range(10):
+            time.sleep(0.002)
+            advance(500_000)
+    shown = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "\n", capsys.readouterr().err)
+    assert re.search(r"5000000/10000000\s+combinations.*/s.*0:00:0", shown.replace("\n", ""))
+    assert max(map(len, shown.splitlines())) <= 80
+
+
+@pytest.mark.slow
+def test_two_runs_do_not_write_one_directory() -> None:
+    """Neither another one, nor one that would go on; other formats have a run of their own."""
+    with running(*TO_DIRECTORY) as run:
+        pipe = opened_for_reading()
+        for more in (("--coast",), ("--resume",)):
+            said = process("run", "a.dat", "b.dat", *TO_DIRECTORY[5:], *more, cwd=Path.cwd())
+            message = f"out: error: another run (process {run.pid}) is writing this output [E034]\n"
+            assert said == (1, b"", message.encode())
+        assert process("run", "a.dat", "-f", "csv", "-o", "out/", cwd=Path.cwd())[0] == 0
+        os.write(pipe, MZKT.read_bytes())
+        os.close(pipe)
+        assert ended(run) == (0, ["5 of 5 cases calculated"])
+    assert not list(Path("out").glob(".*.lock"))
+    assert process("run", "a.dat", *TO_DIRECTORY[5:], "--coast", cwd=Path.cwd())[0] == 0
+
+
+@pytest.mark.slow
+def test_what_a_killed_run_was_writing_is_removed_by_the_next() -> None:
+    """Not what a run into another format writes, or into a file of its own."""
+    Path("out").mkdir()
+    own = [".vstatics-7-0", ".vstatics-csv-7-0", ".vstatics-of-mine"]
+    for name in (".vstatics-json-7-0", ".vstatics-json-7-1", *own):
+        Path("out", name).touch()
+    assert process("run", "a.dat", "-f", "json", "-o", "out/", cwd=Path.cwd())[0] == 0
+    assert names("out") == sorted([*own, "a.json"])
+
+
+@pytest.mark.slow
+def test_a_run_that_was_killed_holds_nothing_and_another_trusts_its_own_only() -> None:
+    """To drive, killed; to coast, killed; to coast, resumed: all results are of the last."""
+    for options in ((), ("--coast",)):
+        with running(*TO_DIRECTORY, *options, jobs=2) as run:
+            pipe = opened_for_reading()
+            found = [run.pid, *workers(run)]
+            run.kill()
+            os.close(pipe)
+            wait_for_end(found)
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
+    said = process("run", *TO_DIRECTORY, "--resume", cwd=Path.cwd())
+    assert (said[0], b"--coast was true, is not given" in said[2]) == (2, True)
+    assert process("run", *TO_DIRECTORY, "--coast", "--resume", cwd=Path.cwd())[0] == 0
+    for case in CASES:
+        expected = vstatics("run", case, "--coast", "-f", "json").out
+        assert Path("out", case).with_suffix(".json").read_text("utf-8") == expected

@@ -1,0 +1,82 @@
+"""Pieces of a search hold every choice of ports once, however many they are.
+
+Source of the choices: those of tests/oracle/boxes.py, found among all schemes in the simplest way.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from tests.chance import seeded
+from tests.oracle.boxes import HELD, Frame, Space, all_frames, names
+from vstatics import example
+from vstatics.synthesis.boxes.batches.cut import ranges
+from vstatics.synthesis.boxes.box import BoxSearch
+from vstatics.synthesis.boxes.modified import kept_search
+from vstatics.synthesis.boxes.schemes.choices import BoxScheme
+from vstatics.synthesis.boxes.schemes.stems import UNIT, stems
+
+SMALL = {
+    "one set": Space(1, 2, 1, (3, 1)),
+    "two": Space(2, 4, 1, (3, 1)),
+    "meshed, own input": Space(2, 4, 2, (3, 1), meshed=1, own_input=True),
+    "held, in parts": Space(2, 5, 2, (3, 1), fixed=1, meshed=1),
+    "shaft, own output": Space(2, 5, 3, (3, 1), shafts=1, own_output=True),
+}
+LARGER = {
+    "three": Space(3, 5, 2, (3, 1)),
+    "three, held, meshed": Space(3, 5, 2, (3, 1), fixed=1, meshed=1),
+    "three, own ports, shaft": Space(3, 5, 4, (3, 1), own_input=True, own_output=True, shafts=1),
+}
+
+
+def named(one: BoxScheme, shafts: int) -> list[Frame]:
+    """The least names of a scheme with its ports."""
+    code = tuple(link for own in one.scheme.sets for link in own)
+    held = HELD if one.held is None else one.held
+    return [min(names(Frame(code, one.meshed, held, *ports, shafts), ()))[0] for ports in one.ports]
+
+
+def in_pieces(search: BoxSearch, count: int) -> Counter[Frame]:
+    return Counter(
+        frame
+        for piece in range(count)
+        for one in ranges(search, piece, count)
+        for frame in named(one, search.shafts)
+    )
+
+
+def check_all_are_there_once(space: Space, count: int) -> None:
+    asked = {key: value for key, value in space._asdict().items() if key != "cells"}
+    every = Counter(min(names(frame, ()))[0] for frame in all_frames(space))
+    assert in_pieces(BoxSearch(**asked), count) == every
+    assert set(every.values()) == {1}
+
+
+@pytest.mark.parametrize("space", SMALL.values(), ids=SMALL)
+def test_every_choice_is_in_one_piece(space: Space) -> None:
+    check_all_are_there_once(space, seeded(3).randrange(2, 50))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("space", LARGER.values(), ids=LARGER)
+def test_every_choice_of_three_sets_is_in_one_piece(space: Space) -> None:
+    check_all_are_there_once(space, seeded(4).randrange(2, 500))
+
+
+def test_what_is_kept_is_one_choice() -> None:
+    search = kept_search(example("simpson"), 1, (2.8, 1.5, 1.0, -2.2))
+    found = [one for piece in range(3) for one in ranges(search, piece, 3)]
+    assert [one.ports for one in found] == [((4, 3),)]
+
+
+@pytest.mark.slow
+def test_stems_weigh_as_much_as_grows_from_them() -> None:
+    """Classes of five sets with nine links: 146 523 by Burnside, see tests/oracle/schemes.py."""
+    found = stems(BoxSearch(5, 5, 3, (3.0, 1.0)))
+    assert found.ends[-1] / UNIT == pytest.approx(146_523, rel=0.1)
+    chosen = seeded(5).sample(range(len(found.ends)), 200)
+    weights = [int(found.ends[stem] - found.ends[stem - 1]) / UNIT for stem in chosen]
+    assert sum(len(found.schemes(stem)) for stem in chosen) == pytest.approx(sum(weights), rel=0.4)

@@ -1,0 +1,100 @@
+"""One case of several: read, calculated and written by whichever process has it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import click
+
+from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.case_tasks import CaseTask
+from vstatics.core.cli.shared.cases import CalculatedCase, calculate_one, unexpected
+from vstatics.core.cli.shared.texts import Job
+from vstatics.core.errors import Problem, ReadError, of_file
+from vstatics.core.jobs.alone import Rules
+from vstatics.core.jobs.files import OWN_FAULTS, unwritable
+from vstatics.core.jobs.finished_parts import CaseMark, case_mark
+from vstatics.core.jobs.page_files import set_pages_aside
+
+
+class Done(NamedTuple):
+    """What became of a case, without its results."""
+
+    file: str
+    problems: list[Problem]
+    failed: bool = True
+    has_result: bool = False
+    """Whether there is something to write, if only of some of its gears."""
+    part: texts.Part = b""
+    """Of a stream."""
+    stop: bool = False
+    """Whether the others can't be written either."""
+    left: str = ""
+    """Where an earlier result of a case that failed is now."""
+    mark: CaseMark | None = None
+    """Of which case the part is, where it is to be kept."""
+
+
+def calculate_and_write(job: Job, task: CaseTask) -> Done:
+    """Read, calculate and write a case; nothing that is wrong with it is raised."""
+    case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
+    file, problems = case.file, case.problems
+    try:
+        if task.target is None or job.finished is None:
+            part = texts.among_several(case, shown, job.to, folders=job.folders)
+            is_kept = job.marked and not case.failed
+            mark = case_mark(case.data, _beside(case)) if is_kept else None
+            return Done(file, problems, case.failed, shown is not None, part, mark=mark)
+        if shown is None or case.results is None:
+            return Done(file, problems, left=set_pages_aside(task.target))
+        result = texts.alone(file, shown, job.to)
+        beside = _beside(case)
+        job.finished.put(task.target, result, case.data, beside, failed=case.failed)
+    except ReadError as error:  # a page would overwrite a file of others
+        return Done(file, [*problems, *error.problems])
+    except OSError as error:
+        return Done(
+            file,
+            [*problems, unwritable(task.target, error)],
+            stop=error.errno not in OWN_FAULTS,
+        )
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        return Done(file, [*problems, unexpected(file, error)])
+    return Done(file, problems, case.failed, has_result=True)
+
+
+def _beside(case: CalculatedCase) -> set[str]:
+    """The files that a case names."""
+    return {law.file for law in case.results.case.laws if law.file} if case.results else set()
+
+
+def _shown_of_case(
+    job: Job, case: CalculatedCase
+) -> tuple[CalculatedCase, texts.CaseOutput | None]:
+    """What is shown of a case; one that lacks what was asked for fails."""
+    if case.results is None:
+        return case, None
+    try:
+        shown = job.show(case, case.results)
+        return case.with_told(shown.problems), shown
+    except ReadError as error:
+        why = error.problems
+    except click.BadParameter as error:
+        why = [of_file("E090", case.file, error.message)]
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+        why = [unexpected(case.file, error)]
+    return case._replace(results=None, problems=[*case.problems, *why]), None
+
+
+def _given_up(task: CaseTask) -> Done:
+    """What is said of a case that is given up."""
+    message = "the process that calculated it died, twice (out of memory, or killed)"
+    return Done(task.file, [of_file("E011", task.file, message)])
+
+
+def _is_only_here(task: CaseTask) -> bool:
+    """Whether only this process can read a case: another one has other streams."""
+    return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
+
+
+RULES_OF_CASES = Rules(ahead=64, tries=2, lost=_given_up, here=_is_only_here)

@@ -1,0 +1,55 @@
+"""What a command does with its cases: one by itself; for several `many` is imported."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from vstatics.core.cli.shared import files, texts
+from vstatics.core.cli.shared.cases import calculate, check_streams, show_problems
+from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import STREAMS
+from vstatics.core.cli.shared.texts import Job
+
+
+def carry_out(
+    job: Job,
+    cases: Sequence[str],
+    *,
+    others: Sequence[str] = (),
+    a_list: bool = False,
+    jobs: int = 1,
+    resume: bool = False,
+) -> int:
+    """Calculate cases and write what the command shows of each; the exit status.
+
+    Parameters
+    ----------
+    others : sequence of str
+        Further files that nothing may be written over.
+    a_list : bool
+        Whether the cases are several, also where there is one.
+
+    Raises
+    ------
+    UsageError
+        If something would be overwritten.
+    ReadError
+        If it cannot be written.
+    """
+    check_streams([*cases, *others])
+    to = job.to
+    if len(cases) > 1 or a_list or to.is_folder or to.form in STREAMS:
+        from vstatics.core.cli.shared import many
+
+        if not to.is_folder:
+            return many.to_stream(cases, to.output, job, jobs=jobs, resume=resume)
+        kept = [one for one in others if one != files.STDIN]
+        return many.to_directory(cases, str(to.output), job, jobs=jobs, resume=resume, others=kept)
+    [outcome] = calculate(cases, job.options)
+    if outcome.results is not None:
+        shown = job.show(outcome, outcome.results)
+        telling = job.options.telling._replace(notes=True)
+        show_problems(shown.problems, telling, outcome.file)
+        outcome = outcome.with_told(shown.problems)
+        files.write_pages(texts.alone(outcome.file, shown, to), to.output)
+    return FAILED if outcome.failed else DONE

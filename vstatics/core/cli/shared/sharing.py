@@ -1,0 +1,145 @@
+"""Who shares the work of a command, and whether work that was stopped is taken up."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NamedTuple
+
+import click
+
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.exit_status import FAILED, stopped_by
+from vstatics.core.cli.shared.options import Command, Option, gathered
+from vstatics.core.errors import CaseError
+from vstatics.core.jobs.files import is_stream, unwritable
+from vstatics.core.jobs.finished_cases import Description
+from vstatics.core.jobs.finished_pieces import SUFFIX, FinishedPieces
+from vstatics.core.jobs.stopping import StoppedError
+
+JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
+
+
+class Sharing(NamedTuple):
+    """What -j, --scheduler and --resume say."""
+
+    jobs: int | None = None
+    """None: as many as there are cores."""
+    scheduler: str | None = None
+    resume: bool = False
+
+    @property
+    def processes(self) -> int:
+        """So many processes share the work here."""
+        from vstatics.core.jobs.workers import cores
+
+        return 1 if self.scheduler else self.jobs or cores()
+
+    def check(self, output: str | None, expected: str = "a file to go on with: -o FILE") -> None:
+        """Refuse what does not go together, and nothing to go on with.
+
+        Raises
+        ------
+        UsageError
+        """
+        if self.scheduler and (self.jobs or 1) > 1:
+            raise click.UsageError("--jobs and --scheduler exclude one another.")
+        if self.resume and is_stream(output):
+            raise click.UsageError(f"--resume needs {expected}.")
+
+    def open(
+        self,
+        store: FinishedPieces,
+        output: str,
+        description: Description,
+        pieces: int,
+        done: str,
+        *,
+        quiet: bool,
+    ) -> None:
+        """Begin with no pieces, or with those that are there; it is said if they are of no use.
+
+        Parameters
+        ----------
+        done : str
+            With every part of the work: "piece is searched".
+
+        Raises
+        ------
+        ReadError
+            If they are of other work.
+        OSError
+        """
+        if self.resume and not (quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
+            files.say(f"{output} may be of another {store.what}: every {done} again")
+        without = store.open(description, pieces, resume=self.resume)
+        if without and not quiet:
+            files.say(f"{store.directory}: {without}; every {done}")
+
+
+@contextmanager
+def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) -> Iterator[None]:
+    """Let a command end with a word on what is kept, where it is stopped or can't write.
+
+    Raises
+    ------
+    Exit
+    """
+    try:
+        yield
+    except StoppedError as stopped:
+        files.say(f"stopped; {kept()}")
+        status = stopped_by(stopped.signal)
+    except OSError as error:
+        files.show([unwritable(output, error)])
+        files.say(kept())
+        status = FAILED
+    except CaseError as error:
+        files.show(error.problems)
+        if store.is_open and store.finished():  # not those of other work, which are refused
+            files.say(kept())
+        status = FAILED
+    else:
+        return
+    raise click.exceptions.Exit(status)
+
+
+def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
+    """What there is to go on with after an end before the end.
+
+    Parameters
+    ----------
+    finished : int
+    whole : str
+        Of so many: "64 variants".
+    """
+    if not finished:
+        return "nothing was finished"
+    is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
+    name = f"{output}{SUFFIX}" if is_named else store.directory
+    there = f"{finished} of {whole} are finished and kept in {name}"
+    return f"{there}; the same command with --resume goes on"
+
+
+def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:
+    """The options of who shares the work; the command gets `sharing`.
+
+    Parameters
+    ----------
+    resumed : str
+        What --resume goes on with.
+    *between : callable
+        Options before that.
+    jobs : callable
+    """
+    return gathered(
+        "sharing",
+        Sharing,
+        jobs,
+        click.option(
+            "--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://HOST:8786."
+        ),
+        *between,
+        click.option("--resume", is_flag=True, help=f"Go on with {resumed}."),
+    )

@@ -1,0 +1,296 @@
+"""Values of options: numbers, pairs, several with commas, by names; what is none is wrong use.
+
+Each is read by a function that raises ValueError; `value` makes of it what an option is read by.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TypeVar
+
+import click
+
+from vstatics.core.errors import CaseError, quoted, why_not_allowed
+
+Value = TypeVar("Value")
+Given = TypeVar("Given")
+
+
+@contextmanager
+def wrong_value(option: str | None = None) -> Iterator[None]:
+    """Tell a ValueError, or a problem of no part of the case, as wrong use of an option.
+
+    Parameters
+    ----------
+    option : str, optional
+        As it is told; needless where click reads it.
+
+    Raises
+    ------
+    BadParameter
+    CaseError
+        With a problem of a part of the case.
+    """
+    try:
+        yield
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint=option) from None
+    except CaseError as error:
+        if any(one.path for one in error.problems):
+            raise
+        raise click.BadParameter(error.problems[0].message, param_hint=option) from None
+
+
+def value(
+    read: Callable[[Given], Value], option: str | None = None
+) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
+    """The callback of an option that is read by a function; None is left as it is."""
+
+    def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
+        with wrong_value(option):
+            return given if given is None else read(given)
+
+    return callback
+
+
+def allowable(ids: Iterable[str]) -> tuple[str, ...]:
+    """Ids of warnings and notes, each by itself or several with commas, in any case.
+
+    Raises
+    ------
+    ValueError
+        If one is of an error, or of nothing.
+
+    Examples
+    --------
+    >>> allowable(["w201, N318", "W421"])
+    ('W201', 'N318', 'W421')
+    """
+    given = tuple(one.upper() for one in separated(ids))
+    for why in filter(None, map(why_not_allowed, given)):
+        raise ValueError(why)
+    return given
+
+
+def above_0(given: float) -> float:
+    """A number that is given, if it is above 0.
+
+    Raises
+    ------
+    ValueError
+    """
+    if not 0 < given < math.inf:
+        raise ValueError(f"read {given:g}, expected a number above 0")
+    return given
+
+
+def from_0(given: float) -> float:
+    """A number that is given, if it is 0 or more.
+
+    Raises
+    ------
+    ValueError
+    """
+    if not 0 <= given < math.inf:
+        raise ValueError(f"read {given:g}, expected a number of 0 or more")
+    return given
+
+
+def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
+    """Reads numbers with commas between them, none below the least.
+
+    >>> numbers("a speed of 0 or more")("600,900")
+    [600.0, 900.0]
+    """
+
+    def read(text: str) -> list[float]:
+        found = []
+        for part in text.split(","):
+            try:
+                found.append(float(part))
+            except ValueError:
+                found.append(math.nan)
+            if not least <= found[-1] < math.inf:
+                raise ValueError(f"read {part[:20]!r}, expected {expected}")
+        return found
+
+    return read
+
+
+def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
+    """Reads as a function does, and tells a text that it refuses.
+
+    >>> told(float)("x")
+    Traceback (most recent call last):
+    ValueError: read `x`, could not convert string to float: 'x'
+    """
+
+    def read_text(text: str) -> Value:
+        try:
+            return read(text)
+        except ValueError as error:
+            raise ValueError(f"read {quoted(text)}, {error}") from None
+
+    return read_text
+
+
+def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value, ...]]:
+    """Reads the values of an option that is given several times, or holds commas.
+
+    >>> each(int)(["5, 7", "6"])
+    (5, 7, 6)
+    """
+    return lambda texts: tuple(map(told(read), separated(texts)))
+
+
+def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
+    """Both bounds, or the one number that both are.
+
+    Raises
+    ------
+    ValueError
+
+    Examples
+    --------
+    >>> pair("-4:-1.5"), pair("-2")
+    ((-4.0, -1.5), (-2.0, -2.0))
+    """
+    from vstatics.core.readers.named.arithmetic import slip
+    from vstatics.core.readers.named.scalars import number
+
+    low, colon, high = text.partition(":")
+    try:
+        return number(low), number(high if colon else low)
+    except ValueError:
+        expected = f"expected LOW:HIGH, such as {example}, or one number{slip(text)}"
+        raise ValueError(expected) from None
+
+
+def shown_speeds(text: str) -> tuple[float, float]:
+    """Return a range of speeds in rpm, which are bare or have a unit each.
+
+    Raises
+    ------
+    ValueError
+
+    Examples
+    --------
+    >>> shown_speeds("500:3000"), shown_speeds("0:50 rev/s")
+    ((500.0, 3000.0), (0.0, 3000.0))
+    """
+    from vstatics.core.readers.named.arithmetic import calculated
+    from vstatics.core.readers.named.units import quantity
+
+    parts = text.split(":")
+    if len(parts) != 2:
+        raise ValueError(f"read {text[:30]!r}, expected a range of speeds such as 500:3000")
+    bare = [part if calculated(part.strip()).behind else f"{part} rpm" for part in parts]
+    low, high = (quantity(part.strip(), "speed") for part in bare)
+    if not 0 <= low < high < math.inf:
+        raise ValueError(f"read {text[:30]!r}, expected a speed from 0 on, and a higher speed")
+    return low, high
+
+
+def named(
+    shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
+) -> Callable[[Sequence[str]], dict[str, Value]]:
+    """Reads the values of an option by their names; it may be given several times.
+
+    >>> named("GEAR=RATIO", float)(['1=2.5, "a, b"=-3', "3=1"])
+    {'1': 2.5, 'a, b': -3.0, '3': 1.0}
+    """
+
+    def read_all(texts: Sequence[str]) -> dict[str, Value]:
+        found: dict[str, Value] = {}
+        for text in texts:
+            for name, value in named_values(text, shape):
+                if name in found:
+                    raise ValueError(f"{name} is given twice")
+                try:
+                    found[name] = read(value)
+                except ValueError as error:
+                    raise ValueError(f"{name}: read {shown(value)}, {error}") from None
+        return found
+
+    return read_all
+
+
+@contextmanager
+def wrong_use(options: Sequence[str]) -> Iterator[None]:
+    """Tell problems whose path begins with the name of an option as wrong use of that.
+
+    Raises
+    ------
+    UsageError
+    CaseError
+        Where there are only others.
+    """
+    try:
+        yield
+    except CaseError as error:
+        of_options = [one for one in error.problems if one.path[:1] and one.path[0] in options]
+        if not of_options:
+            raise
+        lines = [f"Invalid value for --{one.path[0]}: {one.message}" for one in of_options]
+        raise click.UsageError("\n".join(lines)) from None
+
+
+_ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
+"""A name with its value; a name in double quotes may have commas in it."""
+
+
+_ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
+"""A value without a name; one in double quotes may have commas in it."""
+
+
+def separated(texts: Iterable[str]) -> list[str]:
+    """The values of an option that is given several times, or holds commas.
+
+    >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
+    (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])
+    """
+    found = []
+    for text in texts:
+        at = 0
+        while at <= len(text):
+            item = re.compile(_ALONE).match(text, at)
+            assert item is not None  # noqa: S101 - for mypy: a name may be empty here
+            found.append(_unquoted(item["quoted"]) or item["name"].strip())
+            at = item.end() + 1
+    return found
+
+
+def _unquoted(quoted: str | None) -> str:
+    """A name without its double quotes; two of them in it are one."""
+    return (quoted or "").replace('""', '"')
+
+
+def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
+    """Names with their values, between which commas stand.
+
+    Raises
+    ------
+    ValueError
+        With what was expected.
+
+    Examples
+    --------
+    >>> named_values('shaft=.03, "a, b"=.2')
+    [('shaft', '.03'), ('a, b', '.2')]
+    """
+    found: list[tuple[str, str]] = []
+    at = 0
+    while at <= len(text):
+        item = re.compile(_ITEM).match(text, at)
+        if item is None or text[item.end() : item.end() + 1] not in ("", ","):
+            message = f"read {text[at : at + 40]!r}, expected {expected} with commas between"
+            if found and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
+                raise ValueError(f"{message} (and with decimal points)")
+            raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=.2'")
+        name = _unquoted(item["quoted"]) or item["name"].strip()
+        found.append((name, item["value"].strip()))
+        at = item.end() + 1
+    return found

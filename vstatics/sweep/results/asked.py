@@ -1,0 +1,66 @@
+"""The text of --out of one run -> columns that it is to have besides.
+
+>>> from vstatics.core.model.transmission import Transmission
+>>> from vstatics.simulation.scenario.parts import Scenario
+>>> case = Transmission(2, [], [], [], inertias={1: 1.0, 2: 1.0}, link_names=["in", "out"])
+>>> read_asked("jerks[out], accelerations", Scenario(case, 1.0))
+[('jerks', 'out'), ('accelerations', 'in'), ('accelerations', 'out')]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from vstatics.core.errors import Problem, ReadError, listed, nearest, quoted
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Tree, parse
+from vstatics.core.readers.expressions.operands import TableName
+from vstatics.simulation.record.asked import ALWAYS, TABLES
+from vstatics.simulation.record.rows import rows_of_kind
+from vstatics.simulation.scenario.parts import Scenario
+from vstatics.sweep.results.columns import OPTION, items
+from vstatics.sweep.results.meanings import Selection
+from vstatics.sweep.results.motion_names import LANGUAGE, RunNames
+
+_LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", example="jerks")
+
+
+def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
+    """The tables and rows of a run that a list asks for, such as ``accelerations[out], heat[C]``.
+
+    Raises
+    ------
+    ReadError
+        With everything that is wrong, and its places.
+    """
+    asked: list[tuple[str, str]] = []
+    problems: list[Problem] = []
+    for start, stop in items(text):
+        source = Excerpt(text, OPTION, start, stop)
+        names = RunNames(source, partial(rows_of_kind, scenario=scenario))
+        try:
+            tree = parse(source, _LANGUAGE)
+            if not isinstance(tree, TableName) or tree.name not in (*ALWAYS, *TABLES):
+                raise _no_column(source, tree)
+            rows = asked_rows(names.selection(tree), names.rows(tree.name))
+            asked += rows if tree.name in TABLES else []
+        except ReadError as error:
+            problems += error.problems
+    if problems:
+        raise ReadError(problems)
+    return asked
+
+
+def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
+    """A table, with each of its rows of which it is a part; that of a number has no name."""
+    own = rows or [""] if part.row is None else [rows[part.row]]
+    return [(part.table, row) for row in own]
+
+
+def _no_column(source: Excerpt, tree: Tree) -> ReadError:
+    """What to say of what is no column that can be asked for."""
+    read = source.part.strip()
+    hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
+    message = f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}"
+    return source.error(message, source.text.index(read, source.start))

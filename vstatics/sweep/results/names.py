@@ -1,0 +1,256 @@
+"""What the names in an expression of a sweep mean: tables, rows, gears, numbers of the case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from vstatics.core.errors import nearest, quoted, typed_number
+from vstatics.core.model.fields import gear_place, numbered_gear
+from vstatics.core.model.parts import Law
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Language
+from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.core.statics.physical import known_units, lacking_load
+from vstatics.core.statics.result_arrays import Rows
+from vstatics.core.tables.names import (
+    ROWS,
+    nearest_quantity,
+    no_row,
+    rows_called,
+    several,
+    table_rows,
+    written,
+)
+from vstatics.core.tables.quantities import BY_NAME
+from vstatics.sweep.frequencies import OMEGA, mode_names
+from vstatics.sweep.results.meanings import (
+    OF_RATIOS,
+    OK,
+    PART_NUMBERS,
+    SPREAD,
+    STEP,
+    Selection,
+    VariedNumber,
+)
+from vstatics.sweep.variants.path_numbers import CasePath, own_number_at
+from vstatics.sweep.variants.subject import number_of_case
+from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, own_number
+
+LANGUAGE = Language(
+    FUNCTIONS,
+    "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function",
+    example="ratio",
+    instead="; rows and gears of a table go in [ ]",
+)
+
+
+def _changes_mechanisms(varied: Varied) -> bool:
+    """Whether a mechanism may have other numbers where a path varies."""
+    return isinstance(varied, CasePath) and bool(varied.part or varied.quantity in OF_MECHANISM)
+
+
+class SweepNames:
+    """Finds what names in a text mean, for a case and what is varied of it.
+
+    Examples
+    --------
+    >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
+    >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(), Gear()])
+    >>> names = SweepNames(Excerpt("losses[D1, :]", "--out"), case, [])
+    >>> names.table(TableName("losses", (Subscript("D1", 7), Subscript(":", 11)), 0))
+    Selection(table='losses', gear=None, row=0, rows=1)
+    """
+
+    key = staticmethod(written)
+    """A row or a gear as it is written between brackets."""
+
+    def __init__(
+        self,
+        source: Excerpt,
+        case: Transmission,
+        targets: Sequence[Varied],
+        *,
+        by_gear: bool = False,
+    ) -> None:
+        self.source = source
+        self.language = LANGUAGE
+        self.case = case
+        self.varied = targets
+        self.by_gear = by_gear
+        self.gears = [] if by_gear else [gear.name for gear in case.gears]
+        """None where a row is of a gear."""
+
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
+        """A number of the case: varied, or else its own; a compliance by a varied stiffness.
+
+        That of a mechanism may follow from what varies, such as the teeth of its element.
+        """
+        found = number_of_case(name.written, self.case, self.source.place(name.at))
+        for column, varied in enumerate(self.varied):
+            if varied.numbers == found.numbers:
+                number = VariedNumber(column)
+                if not isinstance(varied, Target) or varied.quantity == found.quantity:
+                    return number
+                return Applied("/", (Constant(1.0), number), name.at, 1)
+        if isinstance(found, CasePath):
+            try:
+                return Constant(own_number_at(found, self.case))
+            except ValueError as error:
+                raise self.source.error(str(error), name.at) from None
+        own = own_number(self.case, found.owner, found.quantity)
+        if isinstance(own, Law):
+            message = f"{quoted(found.name)} follows what the mechanism does: it is no number"
+            raise self.source.error(message, name.at)
+        if found.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
+            table = PART_NUMBERS[found.quantity]
+            return Selection(table, 0, found.owner, len(self.case.mechanisms))
+        return Constant(own)
+
+    @property
+    def _units(self) -> set[str]:
+        """In which tables stand: by the load of the case, or that which is varied."""
+        loads = {one.quantity for one in self.varied if isinstance(one, CasePath)}
+        by_load = {"rpm": {"load.speed"}, "Nm": {"load.torque"}}
+        known = known_units(self.case) | {unit for unit, of in by_load.items() if of & loads}
+        return known | {"kW"} if {"rpm", "Nm"} <= known else known
+
+    def table(self, read: TableName) -> Selection:
+        """A table, or a part of it."""
+        if read.name == OMEGA:
+            return self._frequency(read)
+        if read.name in OF_RATIOS:
+            subscripts = list(read.subscripts)
+            gear = 0 if read.name == SPREAD else self._gear(subscripts)
+            self._nothing_more(subscripts, STEP + "[gear]" if read.name == STEP else SPREAD)
+            return Selection(read.name, gear, None, 0)
+        if read.name == OK:
+            self._nothing_more(list(read.subscripts), OK)
+            return Selection(OK, 0, None, 0)
+        known = BY_NAME.get(read.name)
+        if known is None:
+            raise self.source.error(self._no_table(read.name), read.at)
+        if known.columns != "gears":
+            message = f"`{read.name}` is not of a gear, so a sweep does not have it"
+            raise self.source.error(message, read.at)
+        if known.unit and known.unit not in self._units:
+            raise self.source.error(lacking_load(read.name, known.unit), read.at)
+        kind, subscripts, row = known.rows, list(read.subscripts), None
+        rows = self.rows(known.name)
+        if kind != "one":
+            if not rows:
+                message = f"the case has no {ROWS[kind].all}, so `{read.name}` is empty"
+                raise self.source.error(message, read.at)
+            row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
+        gear = self._gear(subscripts)
+        parts = [ROWS[kind].one] * (kind != "one") + ["gear"] * (not self.by_gear)
+        self._nothing_more(subscripts, f"{read.name}[{', '.join(parts)}]" if parts else read.name)
+        return Selection(known.name, gear, row, len(rows))
+
+    def _gear(self, subscripts: list[Subscript]) -> int | None:
+        """The gear that the next subscript picks; that of the row where each is of a gear."""
+        if self.by_gear:
+            return 0
+        return self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
+
+    def _nothing_more(self, subscripts: Sequence[Subscript], expected: str) -> None:
+        """Make sure that no subscript is left."""
+        if subscripts:
+            gears = "each row is of a gear, " * self.by_gear
+            message = f"read one part too many, {gears}expected {expected}"
+            raise self.source.error(message, subscripts[0].at)
+
+    def rows(self, table: str) -> Sequence[str]:
+        """The names of a table's rows in the case; none if it has one value per gear."""
+        if table in (*OF_RATIOS, OK, *PART_NUMBERS.values()):
+            return []
+        return self._modes if table == OMEGA else table_rows(table, self.case)
+
+    def written_rows(self, table: str) -> Sequence[str]:
+        """The names of all rows that a table may have, also in a variant that has more modes."""
+        if table == OMEGA:
+            return [str(number) for number in range(1, len(self.case.link_names) + 1)]
+        return self.rows(table)
+
+    def row(self, table: str) -> str:
+        """What a row of a table is."""
+        return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
+
+    @cached_property
+    def _modes(self) -> list[str]:
+        return mode_names(self.case, [one for one in self.varied if isinstance(one, Target)])
+
+    def _frequency(self, read: TableName) -> Selection:
+        """Natural frequencies; a mode that the case has not may be one of a variant."""
+        if not self._modes:
+            message = "the case has no natural mode in any gear, so there is no `omega`: it takes "
+            message += "inertias, and springs or a stiffness between them"
+            raise self.source.error(message, read.at)
+        subscripts, mode = list(read.subscripts), None
+        if subscripts and subscripts[0].written != ":":
+            written, most = subscripts[0].written, self.written_rows(OMEGA)
+            number = typed_number(written.removeprefix("#"), len(most))
+            if number is None:
+                message = f"read {quoted(written)}, expected the number of a mode, 1 to {most[-1]}"
+                raise self.source.error(message, subscripts[0].at)
+            mode = number - 1
+        subscripts = subscripts[1:]
+        gear = self._gear(subscripts)
+        self._nothing_more(subscripts, "omega[mode]" if self.by_gear else "omega[mode, gear]")
+        return Selection(OMEGA, gear, mode, len(self._modes))
+
+    def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
+        """What a subscript stands for: by its name first, then by its number; None for all."""
+        written = subscript.written
+        if written == ":":
+            return None
+        name = written[1:-1] if written[0] in "\"'" else written
+        if kind == "one":
+            found = [names.index(name)] if name in names else []
+        else:
+            found = rows_called(name, kind, self.case)
+        if written[0] == "#":
+            found = []
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise self.source.error(several(name, found, names), subscript.at)
+        number = (
+            gear_place(written, names)
+            if kind == "one"
+            else typed_number(written.removeprefix("#"), len(names))
+        )
+        if number is not None:
+            return number - 1
+        raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
+
+    def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
+        """What to say of a row or a gear that there is not."""
+        if written[0] == "#":
+            what = ROWS[kind].one
+            return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
+        second = f"; a gear goes in the second place: [:,{written}]"
+        hint = second if kind != "one" and name in self.gears else ""
+        if kind == "one":
+            hint = nearest(name, names) + numbered_gear(written, names)
+        return no_row(name, kind, names, hint)
+
+    def _no_table(self, name: str) -> str:
+        """What to say of a name that is no table."""
+        case = self.case
+        if name in [mechanism.name for mechanism in case.mechanisms]:
+            hint = f"; `{name}` is a mechanism: {name}.ratio, or in brackets as in losses[{name}]"
+        elif name in case.link_names:
+            hint = f"; `{name}` is a link: in brackets, as in speeds[{name}]"
+        elif name in [element.name for element in case.shift_elements]:
+            hint = f"; `{name}` is a shift element: in brackets, as in torques[{name}]"
+        elif name in ("status", "assembled"):
+            hint = "; `ok` is true where the column `status` says so"
+        else:
+            hint = (
+                nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS, OK))
+                or "; such as ratio, efficiency, speeds[C1]"
+            )
+        return f"there is no table {quoted(name)}{hint}"
