@@ -15,6 +15,7 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.cli.shared.values import above_0, value
 from vstatics.simulation.cli.scenario_run import LIMIT_OPTION
+from vstatics.simulation.tolerances import RTOL
 
 Method = Literal["events", "tarasik"]
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
@@ -98,7 +99,7 @@ options = gathered(
     click.option(
         "--rtol",
         type=float,
-        default=1e-8,
+        default=RTOL,
         show_default=True,
         callback=value(above_0),
         metavar="X",
