@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import vstatics
+from tests.installed import COMMANDS, NAMES
 from tests.without import removed_with
 from vstatics.core.annexes import annexes
 from vstatics.core.cli import main
@@ -65,3 +66,12 @@ def test_annexes_that_need_an_annex_go_with_it() -> None:
         )
     with pytest.raises(SystemExit, match="no annex is called 'core'"):
         removed_with("core")
+
+
+def test_tests_know_the_annex_of_each_command_and_name() -> None:
+    """They skip what is of an annex that is not installed, whose record is gone."""
+    for annex in annexes():
+        assert {name for name, other in COMMANDS.items() if other == annex.name} == {
+            *annex.commands
+        }
+        assert {name for name, other in NAMES.items() if other == annex.name} == {*annex.names}
