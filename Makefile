@@ -20,6 +20,11 @@ test: .venv/dev.stamp ## the fast tests (ROOM=torsion: of a room; ABOVE=1: and o
 	@tests="$(if $(ROOM),$$($(BIN)/python -m tests.rooms $(ROOM) $(ABOVE)))" && set -x && \
 	$(BIN)/pytest -q -n $(TEST_JOBS) -m "not slow" $$tests
 
+# The annexes in their order, without those that are not installed here.
+ANNEXES = $(shell $(BIN)/python -c "from vstatics.core.annexes import annexes; print(*(a.name for a in annexes()))")
+test-without: .venv/dev.stamp ## the fast tests of a copy without an annex (ANNEX=torsion) and what needs it
+	$(BIN)/python -m tests.without $(ANNEX) -n $(TEST_JOBS)
+
 pictures: .venv/dev.stamp ## draw the pictures of README.md and docs anew
 	$(BIN)/python -m tests.documented_pictures
 
@@ -49,10 +54,11 @@ NUMPY_EXTENSIONS = $(shell $(BIN)/python -c "from numpy._core._multiarray_umath 
 # Random tests try other and more examples; the same again: make test-random FRESH_SEED=N, or
 # VSTATICS_TEST_SEED=N make test-slow.
 FRESH_SEED := $(shell date +%s)
-nightly: .venv/dev.stamp ## the fast tests on other processors and with the oldest versions, more and fresh random examples
+nightly: .venv/dev.stamp ## the fast tests on other processors, with the oldest versions and without each annex, more and fresh random examples
 	$(foreach kind,$(PROCESSORS),OPENBLAS_CORETYPE=$(kind) $(MAKE) test &&) true
 	NPY_DISABLE_CPU_FEATURES="$(NUMPY_EXTENSIONS)" OPENBLAS_CORETYPE=Nehalem $(MAKE) test
 	$(MAKE) test-oldest ALL=1
+	$(foreach annex,$(ANNEXES),$(MAKE) test-without ANNEX=$(annex) &&) true
 	$(MAKE) test-random FRESH_SEED=$(FRESH_SEED)
 	VSTATICS_TEST_SEED=$(FRESH_SEED) $(MAKE) test-slow
 
@@ -118,4 +124,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-oldest nightly test-random coverage lint types golden messages site schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden messages site schema bench boxes dist clean

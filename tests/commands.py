@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from click.testing import CliRunner
 
+from tests.installed import skip_without, skip_without_command, used_in
 from vstatics.core.cli import main
 
 ROOT = Path(__file__).parents[1]
@@ -62,7 +63,11 @@ class Said(NamedTuple):
 
 
 def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
-    """Call a command within this process; an exception passes through."""
+    """Call a command within this process; an exception passes through.
+
+    Here and below a test is skipped where the annex of the command is not installed.
+    """
+    skip_without_command(*arguments[:1])
     result = CliRunner().invoke(
         main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
     )
@@ -79,6 +84,7 @@ def process(
     *arguments: object, stdin: bytes = b"", cwd: Path = ROOT, **variables: str
 ) -> tuple[int, bytes, bytes]:
     """Call ``python -m vstatics`` as a process; exit status, stdout and stderr."""
+    skip_without_command(*arguments[:1])
     done = subprocess.run(
         [sys.executable, "-m", "vstatics", *map(str, arguments)],
         input=stdin,
@@ -93,6 +99,7 @@ def process(
 
 def shell(command: str, **variables: str) -> tuple[int, bytes, bytes]:
     """Run a line of bash with `pipefail` in the repository; ``vstatics`` is this one."""
+    skip_without(*used_in(command))
     line = f'set -o pipefail; vstatics() {{ "{sys.executable}" -m vstatics "$@"; }}; {command}'
     done = subprocess.run(
         ["bash", "-c", line],
@@ -110,6 +117,7 @@ def on_terminal(
     *arguments: str, cwd: Path = ROOT, terminal: str = "xterm-256color", **variables: str
 ) -> str:
     """What a command shows on a terminal of 80 columns."""
+    skip_without_command(*arguments[:1])
     main, other = pty.openpty()
     fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
     command = [sys.executable, "-m", "vstatics", *arguments]

@@ -9,7 +9,6 @@ tries some kinds only.
 from __future__ import annotations
 
 import argparse
-import io
 import json
 import re
 import sys
@@ -27,24 +26,11 @@ import numpy as np
 
 from tests.commands import CASES, MZKT
 from tests.fuzzed_commands import commands
+from tests.installed import HERE
 from vstatics import VstaticsError, load, solve
 from vstatics.core.readers import read
-from vstatics.core.readers.expressions.excerpt import Excerpt
-from vstatics.core.readers.reading import Reading
 from vstatics.core.readers.results import read_results
 from vstatics.core.writers import listing, named, result_json
-from vstatics.simulation.scenario.file import read_scenario
-from vstatics.simulation.scenario.formula import Formula, read_formula
-from vstatics.sweep import build
-from vstatics.sweep.file import read_sweep_file
-from vstatics.sweep.options import SweepOptions
-from vstatics.sweep.results.columns import read_columns
-from vstatics.sweep.results.expressions import read_expression
-from vstatics.sweep.variants.subject import Document, VariedScenario
-from vstatics.sweep.variants.table import read_table
-from vstatics.sweep.variants.targets import target
-from vstatics.sweep.variants.variation import read_variation
-from vstatics.vehicle.duty_file import read_duty
 
 READING_SECONDS, COMMAND_SECONDS = 1.0, 10.0
 """Of the processor, to read and to carry out a command; more is a fault."""
@@ -68,36 +54,6 @@ PIECES = (
     ),
     *("ratio", "speeds[1]", "abs(", "max(", "and", "not", "<=", "1:2:3", "-3:-2:5", "1e9:0:1"),
 )
-SCENARIO = """\
-case: tarasik-box.yaml
-duration: 6 s
-start: {speeds: {in: 600 rpm, out: 3 km/h}, engaged: [FH], settled: true}
-controls: {FH: {points: [[0, 3 kN*m], [2, 0]], scale: .9}, F1: {dog: [[1, closed]]}, F2: "6000*min(t^2, 1)"}
-torques:
-  in: {over: speed, points: [[80 rad/s, 900], [200, 1100]]}
-  out: ["-1200*tanh(speed/0.05)", {resistance: 300}, {road: {mass: 12 t, radius: 1/2, slope: .03}}]
-converters: {TC: {links: [in, b0], points: [[0, 2.4, 3.1e-3], [.8, 1.0, 2.2e-3]]}}
-shifts: [{at: 2, to: "2", overlap: 300 ms}]
-targets: {out: [8.3, 50 km/h]}
-samples: {controls.FH.scale: {normal: [.7, .05], min: .5}}
-"""
-
-CONTROLLED = """\
-case: tarasik-box.yaml
-duration: 6 s
-start: {gear: "1", speed: 600 rpm}
-numbers: {lag: .03, top: 9 kN*m}
-tables: {engine: {columns: [0, .5, 1], rows: [[80, -20, 150, 380], [200, -30, 220, 420]]}, pedal: [[0, 1], [4, .2]]}
-set: {command: 0, closed: 0}
-states: {grip: {rate: "(command - grip)/lag", min: 0, max: 9000}, e: {start: 1, rate: "closed*(abs(slip('F1')) - e)"}}
-controls: {F1: "grip + 10*e", FH: 3000}
-torques: {in: "engine(speed, pedal(t))"}
-speeds: {out: [[0, 0], [2, 30 rpm]]}
-sequences:
-  fill: [{when: "t > .3", set: {command: top}}, {when: "locks('F1')", within: 2, wait: .1, shift: {to: "2", overlap: .3}}]
-  again: {steps: [{wait: .5, set: {closed: 1}}, {when: "e < 1 or slips('F1')", set: {closed: "closed/2"}}], repeat: true}
-"""
-
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
 
 NUMBER = re.compile(r"[0-9]+\.?[0-9]*|\.[0-9]+")
@@ -125,30 +81,22 @@ def _case(form: Any) -> Callable[[bytes], object]:
     return reader
 
 
-def _scenario(data: bytes) -> object:
-    """Read a scenario of a shipped case, and the formulas in it."""
-    made = read_scenario(data, "shift.yaml").with_case(_box()).scenario
-    laws = [law for _, law in made.torques if isinstance(law, Formula)]
-    return [law.function(1.0, -2.0, 3.0, *[0.5] * len(law.seen)) for law in laws]
+def of_annexes() -> dict[str, Kind]:
+    """Return the kinds of the annexes that are installed."""
+    found: dict[str, Kind] = {}
+    if "sweep" in HERE:
+        from tests.sweep.fuzz import kinds_of_sweeps
 
+        found |= kinds_of_sweeps()
+    if "simulation" in HERE:
+        from tests.simulation.fuzz import kinds_of_scenarios
 
-def _formula(data: bytes) -> float:
-    """Read a formula of its own link alone, and calculate it."""
-    return read_formula(Excerpt(data.decode(errors="replace"), "f")).function(0.5, -3.0, 1e9)
+        found |= kinds_of_scenarios()
+    if "vehicle" in HERE:
+        from tests.vehicle.fuzz import KINDS
 
-
-@cache
-def _box() -> Reading:
-    file = CASES / "tarasik-box.yaml"
-    return read(file.read_bytes(), file.name)
-
-
-@cache
-def _varied() -> VariedScenario:
-    scenario, case = CASES / "scenarios/tarasik-box.yaml", CASES / "tarasik-box.yaml"
-    return VariedScenario(
-        Document(scenario.read_bytes(), scenario.name), Document(case.read_bytes(), case.name)
-    )
+        found |= KINDS
+    return found
 
 
 @cache
@@ -168,90 +116,13 @@ def kinds() -> dict[str, Kind]:
     solved = [solve(case) for case in some[:3]]
     results = [json.dumps(result_json.document(one)) for one in solved]
     results += [listing.write(one) for one in solved]
-    case = load(CASES / "mzkt7922.yaml")
-    varied = [target("D1.ratio", case), target("D3.efficiency", case)]
-    values = np.array([[-0.8, 0.97], [-0.9, 0.98]])
-    numbers = solve(case)
-
-    def expression(data: bytes) -> object:
-        made = read_expression(data.decode(errors="replace"), case, varied, "--where")
-        return made(numbers, values[:1])
-
-    def columns(data: bytes) -> object:
-        return read_columns(data.decode(errors="replace"), case, varied)
-
-    def variation(data: bytes) -> object:
-        return read_variation(data.decode(errors="replace"), case)
-
     return {
         "deck": Kind(tuple(decks), _case("deck")),
         "yaml": Kind(tuple(yamls), _case("yaml")),
         "json": Kind(tuple(jsons), _case("json")),
         "any": Kind((*decks, *yamls, *jsons), _case(None)),
         "result": Kind(tuple(results), lambda data: read_results(data, "result")),
-        "duty": Kind(
-            ("energy: {1: .2, 2: .3, 3: .5}\n", "time: {low: 1/3, R: 2/3}\n"),
-            lambda data: read_duty(data, "duty.yaml"),
-        ),
-        "scenario": Kind(
-            (
-                SCENARIO,
-                CONTROLLED,
-                *(one.read_text("utf-8") for one in sorted(CASES.glob("scenarios/tarasik-box*"))),
-            ),
-            _scenario,
-        ),
-        "formula": Kind(
-            ("-1200*tanh(speed/0.05)^3", "182*(1 - exp(-60*t)) + 1/(0 < angle <= 1 or not t)"),
-            _formula,
-        ),
-        "sweep file": Kind(
-            (
-                "case: box.yaml\nvary: {D1.ratio: [-3, -2], D2.efficiency: '.9:.99:5'}\n"
-                "out: ratio[1],efficiency[1]\nwhere: ratio[1] > 2\nmax: ETA[1]\nbest: 3\n",
-                "case: box.yaml\nsample: 1000\nmethod: sobol\nseed: 1\nvary: {D1.ratio: '-3:-2'}\n",
-            ),
-            lambda data: read_sweep_file(data, "sweep.yaml"),
-        ),
-        "table": Kind(
-            ("D1.ratio,D3.efficiency\n-.8,.97\n-.9,.98\n", "D1.ratio;D2.ratio\n-0,8;2,6\n"),
-            lambda data: read_table(io.BytesIO(data), "table.csv", case),
-        ),
-        "expression": Kind(
-            (
-                "abs(ratio[1] / ratio[2] - 1.8) < .1 and min(efficiency) > .9",
-                "max(abs(slip_speeds[T1]), 2 * AMLGP[Mx, 1] ** 2) - D1.ratio",
-                "not (W[2, :] <= 1) or IX[D1,1] == -1",
-            ),
-            expression,
-        ),
-        "columns": Kind(
-            ("ratio[1],ETA[1],speeds[:,2]", "AMLGP[Mx,1] - AMLG[Mx,1], ratio"), columns
-        ),
-        "scenario sweep": Kind(
-            (
-                "controls.FH.2.1=0:2:5",
-                "controls.FB.scale=.9,1.1",
-                'start.speeds."in"=60 rad/s:90 rad/s:3',
-                "in.inertia=1,2",
-                "mechanisms.'set 1'.ratio=-2,-3",
-                "duration=1 s:6:step=.5",
-            ),
-            lambda data: build.plan(
-                _varied(), SweepOptions.of(vary=[data.decode(errors="replace")])
-            ),
-        ),
-        "run columns": Kind(
-            (
-                "heat[F2], max(abs(slips[F2] - slips[F1])), last(speeds[out])",
-                "locks[F1] - controls.F1.2.1, sum(losses)/work, time*(speeds > 3)",
-            ),
-            lambda data: read_columns(data.decode(errors="replace"), _varied(), []),
-        ),
-        "variation": Kind(
-            ("D1.ratio=-3:-2:5", "D1.ratio=-3:-2", "D2.efficiency=.9,.95,.97", "D1.ratio=-96/39"),
-            variation,
-        ),
+        **of_annexes(),
         **{name: Kind(*one, COMMAND_SECONDS) for name, one in commands().items()},
     }
 

@@ -12,13 +12,12 @@ import warnings
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
 from tests.commands import CASES, vstatics
-from tests.sweep import scenarios
-from tests.synthesis.boxes.listed_boxes import simpson
+from tests.installed import HERE, missing
 from vstatics import VstaticsError, load, solve
 from vstatics.core.writers import listing, result_json
 
@@ -119,12 +118,19 @@ def _no_constant(name: str) -> NoReturn:
 def _folder() -> Path:
     """A folder of this process, with the files that commands read beside the mutated one."""
     folder = Path(tempfile.mkdtemp(prefix="vstatics-fuzz-"))
-    (folder / "set.yaml").write_bytes(scenarios.CASE)
+    if "sweep" in HERE:
+        from tests.sweep.scenarios import CASE
+
+        (folder / "set.yaml").write_bytes(CASE)
     (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
     (folder / "box.yaml").write_text(BOX, encoding="utf-8")
     (folder / "plant.yaml").write_text(PLANT, encoding="utf-8")
     (folder / "warming.yaml").write_text(WARM, encoding="utf-8")
     return folder
+
+
+Fuzzed = tuple[tuple[str, ...], Callable[[bytes], object]]
+"""Good files, and the reader of a mutated one."""
 
 
 def _command(file: str, *words: str) -> Callable[[bytes], object]:
@@ -150,14 +156,31 @@ def _command(file: str, *words: str) -> Callable[[bytes], object]:
     return reader
 
 
-def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]]:
-    """Good files and what reads them, by what they are."""
-    limit = ("--limit", str(LIMIT_SECONDS))
+def commands() -> Mapping[str, Fuzzed]:
+    """Return good files and what reads them, by what they are; of annexes that are installed."""
     one = solve(load(CASES / "mzkt7922.yaml"))
     written: list[str] = [json.dumps(result_json.document(one)), listing.write(one)]
-    made: dict[str, Any] = {
+    made: dict[str, Fuzzed] = {}
+    if not missing(["sweep", "simulation"]):
+        made |= _of_simulation()
+    if "torsion" in HERE:
+        made |= _of_torsion()
+    if "synthesis" in HERE:
+        made |= _of_synthesis()
+    made["compared"] = (
+        (*written, vstatics("run", CASES / "mzkt7922.dat", "-f", "csv").out),
+        _command("result.json", "compare", "result.json", "result.json"),
+    )
+    return made
+
+
+def _of_simulation() -> dict[str, Fuzzed]:
+    from tests.sweep.scenarios import SCENARIO
+
+    limit = ("--limit", str(LIMIT_SECONDS))
+    return {
         "run": (
-            (scenarios.SCENARIO.decode(), STICKS),
+            (SCENARIO.decode(), STICKS),
             _command("run.yaml", "simulate", "run.yaml", "-f", "json", *limit),
         ),
         "driven": (
@@ -168,6 +191,11 @@ def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]
             (PLANT,),
             _command("warm.yaml", "simulate", "warming.yaml", "-f", "json", *limit),
         ),
+    }
+
+
+def _of_torsion() -> dict[str, Fuzzed]:
+    return {
         "dump": ((DUMP,), _command("dump.yaml", "torsion", "dump", "dump.yaml", "-f", "json")),
         "modes": ((SHAFTS,), _command("m.yaml", "torsion", "modes", "m.yaml", "-f", "json")),
         "measured": (
@@ -184,6 +212,13 @@ def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]
                 *("--speed", "600,900", "--torque", "torque.csv", "-f", "json"),
             ),
         ),
+    }
+
+
+def _of_synthesis() -> dict[str, Fuzzed]:
+    from tests.synthesis.boxes.listed_boxes import simpson
+
+    return {
         "combinations": ((BOX,), _command("c.yaml", "synth", "combinations", "c.yaml")),
         "fit": (
             (BOX,),
@@ -200,9 +235,4 @@ def commands() -> Mapping[str, tuple[tuple[str, ...], Callable[[bytes], object]]
             (json.dumps(simpson()),),
             _command("boxes.json", "summary", "boxes.json", "-f", "json"),
         ),
-        "compared": (
-            (*written, vstatics("run", CASES / "mzkt7922.dat", "-f", "csv").out),
-            _command("result.json", "compare", "result.json", "result.json"),
-        ),
     }
-    return made

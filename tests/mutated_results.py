@@ -26,7 +26,7 @@ import pyarrow as pa  # type: ignore[import-untyped]
 import pyarrow.parquet as pq  # type: ignore[import-untyped]
 
 from tests.commands import CASES, vstatics
-from tests.synthesis.boxes.listed_boxes import simpson
+from tests.installed import HERE, missing
 
 VALUES: tuple[Any, ...] = (
     *(0, -1, 1, 2.5, 1e300, -1e300, 5e-324, 1e-9, 10**400, float("nan"), float("inf")),
@@ -79,6 +79,17 @@ def good() -> list[GoodFile]:
         said = vstatics("run", *cases, "-o", here / f"run.{suffix}", "-f", form, "-q")
         assert said.status == 0, said
         files.append(GoodFile(f"run.{suffix}", _written(f"run.{suffix}"), ("compare", "reversed")))
+    if "sweep" in HERE:
+        files += _sweeps(here)
+    if not missing(["synthesis", "pictures"]):
+        from tests.synthesis.boxes.listed_boxes import simpson
+
+        files.append(GoodFile("boxes.json", json.dumps(simpson()).encode(), ("summary", "boxes")))
+    return files
+
+
+def _sweeps(here: Path) -> list[GoodFile]:
+    files = []
     varied = ["--vary", "P1.ratio=-3:-2:4", "--vary", "P2.ratio=-3:-2:3", "--out", "ratio,ETA"]
     for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx"):
         words = ["--by", "gear"] if suffix == "npz" else []
@@ -89,7 +100,6 @@ def good() -> list[GoodFile]:
                 )
                 assert said.status == 0, said
                 files.append(GoodFile(name, _written(name), OUTPUTS))
-    files.append(GoodFile("boxes.json", json.dumps(simpson()).encode(), ("summary", "boxes")))
     return files
 
 

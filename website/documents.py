@@ -20,7 +20,7 @@ PLACES = {
     "docs/sources.md": "sources/index",
     "CHANGELOG.md": "reference/changelog",
 }
-HOW_TO = ("docs/ci.md", "docs/serve.md", "docs/damage.md")
+HOW_TO = ("docs/ci.md", "docs/page/serve.md", "docs/vehicle/damage.md")
 """Besides those in docs/how-to."""
 SOURCES = ("docs/sources.md",)
 """Besides those in docs/sources."""
@@ -37,16 +37,29 @@ _FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 def places() -> dict[str, str]:
     """The page of each document, by its path in the project.
 
-    >>> places()["docs/cookbook/README.md"], places()["docs/sweep.md"]
-    ('cookbook/index', 'reference/sweep')
+    >>> known = places()
+    >>> known["docs/cookbook/README.md"], known["docs/how-to/python.md"], known["docs/method.md"]
+    ('cookbook/index', 'how-to/python', 'reference/method')
     """
     found = dict(PLACES)
     for path in sorted((ROOT / "docs").glob("**/*.md")):
         document = path.relative_to(ROOT).as_posix()
-        name = "index" if path.stem == "README" else path.stem
         if document not in found:
-            found[document] = f"{_kind(document)}/{name}"
+            kind = _kind(document)
+            found[document] = f"{kind}/{_name(document, kind)}"
     return found
+
+
+def _name(document: str, kind: str) -> str:
+    """Return the name of a page; pages of the reference also have the names of their folders.
+
+    >>> _name("docs/sweep/README.md", "reference"), _name("docs/synthesis/method.md", "reference")
+    ('sweep', 'synthesis-method')
+    """
+    *folders, name = document.removeprefix("docs/").removesuffix(".md").split("/")
+    if kind != "reference":
+        return "index" if name == "README" else name
+    return "-".join([*folders, name]).removesuffix("-README")
 
 
 def _kind(document: str) -> str:

@@ -6,7 +6,11 @@ import ast
 from importlib import import_module
 from pathlib import Path
 
+import pytest
+
 import vstatics
+from tests.installed import COMMANDS, NAMES
+from tests.without import removed_with
 from vstatics.core.annexes import annexes
 from vstatics.core.cli import main
 
@@ -41,3 +45,33 @@ def test_a_record_is_plain_data() -> None:
         tree = ast.parse((folder / annex.name / "annex.py").read_text(encoding="utf-8"))
         imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
         assert imported == {"vstatics.core.annexes"}, annex.name
+
+
+def test_an_annex_needs_only_annexes_before_it() -> None:
+    names = [annex.name for annex in annexes()]
+    for place, annex in enumerate(annexes()):
+        assert {*annex.needs} <= {*names[:place]}, annex.name
+
+
+def test_annexes_that_need_an_annex_go_with_it() -> None:
+    for annex in annexes():
+        gone = removed_with(annex.name)
+        kept = [other for other in annexes() if other.name not in gone]
+        assert annex.name in gone
+        assert not any(gone.intersection(other.needs) for other in kept)
+        assert all(
+            other.name == annex.name or gone & {*other.needs}
+            for other in annexes()
+            if other.name in gone
+        )
+    with pytest.raises(SystemExit, match="no annex is called 'core'"):
+        removed_with("core")
+
+
+def test_tests_know_the_annex_of_each_command_and_name() -> None:
+    """They skip what is of an annex that is not installed, whose record is gone."""
+    for annex in annexes():
+        assert {name for name, other in COMMANDS.items() if other == annex.name} == {
+            *annex.commands
+        }
+        assert {name for name, other in NAMES.items() if other == annex.name} == {*annex.names}

@@ -13,7 +13,7 @@ from tests.oracle.schemes import KEPT, SUN_AND_RING, bodies, classes, connected,
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
 Code = tuple[int, ...]
-PAGE = Path(__file__).parents[2] / "docs" / "synthesis-method.md"
+PAGE = Path(__file__).parents[2] / "docs" / "synthesis" / "method.md"
 
 
 def subsets_of_links(sets: int, links: int) -> Iterator[tuple[frozenset[int], ...]]:

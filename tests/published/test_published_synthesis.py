@@ -25,7 +25,7 @@ from vstatics import load, solve
 from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
-PAGE = Path(__file__).parents[2] / "docs" / "synthesis-tables.md"
+PAGE = Path(__file__).parents[2] / "docs" / "synthesis" / "tables.md"
 TABLE_10 = [
     "a1",
     "h1",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
@@ -14,7 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import ID, environment
+from tests.commands import environment
+from tests.processes import names
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep import build
@@ -69,42 +69,9 @@ def begin(*arguments: object, cwd: Path, before: Callable[[], None] | None = Non
     )
 
 
-def end(process: Any) -> tuple[int, str]:
-    """Exit status, and stderr without ids."""
-    said = ID.sub("", process.communicate(timeout=120)[1])
-    return process.returncode, said
-
-
 def finished(parts: Path) -> list[str]:
     """Names of the finished pieces in a directory."""
     return [name for name in names(parts) if name.isdigit()]
-
-
-def names(folder: Path) -> list[str]:
-    """What is in a folder."""
-    return sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
-
-
-def wait_for(condition: Callable[[], object], seconds: float = 60) -> None:
-    """Wait until something is so."""
-    limit = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < limit, "it never happened"
-        time.sleep(0.01)
-
-
-def children(process: int) -> list[int]:
-    """The processes that a process has started."""
-    found = []
-    for folder in Path("/proc").iterdir():
-        if folder.name.isdigit():
-            try:
-                text = (folder / "stat").read_text(encoding="utf-8")
-            except OSError:
-                continue
-            if int(text.rpartition(")")[2].split()[1]) == process:
-                found.append(int(folder.name))
-    return sorted(found)
 
 
 CASE = Transmission(

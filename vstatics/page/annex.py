@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="page",
+    needs=("pictures",),
     commands={
         "serve": Command(
             "vstatics.page.cli.serve",

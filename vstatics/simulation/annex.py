@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="simulation",
+    needs=("pictures", "sweep"),
     commands={
         "simulate": Command(
             "vstatics.simulation.cli.command", "What a scenario does to a case over time.", 80

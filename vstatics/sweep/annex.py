@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="sweep",
+    needs=("pictures",),
     commands={
         "sweep": Command(
             "vstatics.sweep.cli.command", "Calculate variants of a case, to a table.", 30

@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="synthesis",
+    needs=("pictures",),
     commands={
         "synth": Command(
             "vstatics.synthesis.cli.group",

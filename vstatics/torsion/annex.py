@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="torsion",
+    needs=("pictures",),
     commands={
         "torsion": Command(
             "vstatics.torsion.cli.group", "The transmission as a torsional system.", 100

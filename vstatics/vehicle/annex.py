@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="vehicle",
+    needs=("pictures",),
     commands={
         "cycle": Command(
             "vstatics.vehicle.cli.cycle",

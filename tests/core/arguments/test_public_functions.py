@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,20 @@ import pytest
 
 import vstatics
 from tests.commands import CASES
-from vstatics import CaseError, simulation, synthesis, torsion
+from tests.installed import HERE, needs, skip_without
+from vstatics import CaseError
 from vstatics.core import elements
 from vstatics.core.arguments import naming
 
-ROOMS: tuple[Any, ...] = (vstatics, elements, torsion, simulation, synthesis)
+ANNEXES: dict[str, Any] = {
+    name: import_module(f"vstatics.{name}")
+    for name in ("torsion", "simulation", "synthesis")
+    if name in HERE
+}
+torsion: Any = ANNEXES.get("torsion")
+simulation: Any = ANNEXES.get("simulation")
+synthesis: Any = ANNEXES.get("synthesis")
+ROOMS: tuple[Any, ...] = (vstatics, elements, *ANNEXES.values())
 FUNCTIONS: dict[str, Any] = {
     name: function
     for room in ROOMS
@@ -82,12 +92,36 @@ def test_every_argument_of_every_function_is_of_a_type(name: str) -> None:
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: vstatics.sweep("box"), "sweep of str 'box': expected a Transmission or a Varied"),  # type: ignore[arg-type]
-        (lambda: vstatics.simulate(CASE), "expected a Scenario; vstatics.load_scenario reads"),  # type: ignore[arg-type]
-        (lambda: torsion.modes("box.yaml"), "modes of str 'box.yaml': expected a Transmission; "),  # type: ignore[arg-type]
-        (lambda: torsion.modes(CASE, "12"), "expected a sequence of a whole number or a text"),
-        (lambda: vstatics.cycle("x", "y"), "a Transmission; vstatics.load reads a file"),  # type: ignore[arg-type]
-        (lambda: synthesis.find_boxes((2, 4, 2)), r"tuple \(2, 4, 2\): expected a BoxSearch"),  # type: ignore[arg-type]
+        pytest.param(
+            lambda: vstatics.sweep("box"),  # type: ignore[arg-type]
+            "sweep of str 'box': expected a Transmission or a Varied",
+            marks=needs("sweep"),
+        ),
+        pytest.param(
+            lambda: vstatics.simulate(CASE),  # type: ignore[arg-type]
+            "expected a Scenario; vstatics.load_scenario reads",
+            marks=needs("simulation"),
+        ),
+        pytest.param(
+            lambda: torsion.modes("box.yaml"),
+            "modes of str 'box.yaml': expected a Transmission; ",
+            marks=needs("torsion"),
+        ),
+        pytest.param(
+            lambda: torsion.modes(CASE, "12"),
+            "expected a sequence of a whole number or a text",
+            marks=needs("torsion"),
+        ),
+        pytest.param(
+            lambda: vstatics.cycle("x", "y"),  # type: ignore[arg-type]
+            "a Transmission; vstatics.load reads a file",
+            marks=needs("vehicle"),
+        ),
+        pytest.param(
+            lambda: synthesis.find_boxes((2, 4, 2)),
+            r"tuple \(2, 4, 2\): expected a BoxSearch",
+            marks=needs("synthesis"),
+        ),
         (lambda: vstatics.save(RESULTS, "x.yaml"), "a Transmission; its `case` is one"),  # type: ignore[arg-type]
         (lambda: vstatics.check(CASE), "check of <Transmission .*: expected a path"),  # type: ignore[arg-type]
         (lambda: vstatics.check(1), "check of int 1: expected a path"),  # type: ignore[arg-type]
@@ -103,9 +137,17 @@ def test_a_wrong_type_is_told_with_what_to_give(call: Any, said: str) -> None:
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: RESULTS.plot(lang="fr"), "`lang` is str 'fr', expected 'en' or 'ru'"),
+        pytest.param(
+            lambda: RESULTS.plot(lang="fr"),
+            "`lang` is str 'fr', expected 'en' or 'ru'",
+            marks=needs("pictures"),
+        ),
         (lambda: vstatics.solve(CASE, idle="exakt"), "did you mean `exact`"),  # type: ignore[arg-type]
-        (lambda: simulation.simulate(method="x"), "expected 'events' or 'tarasik'"),  # type: ignore[call-arg, arg-type]
+        pytest.param(
+            lambda: simulation.simulate(method="x"),
+            "expected 'events' or 'tarasik'",
+            marks=needs("simulation"),
+        ),
     ],
 )
 def test_a_word_is_one_of_those_that_may_be_chosen(call: Any, said: str) -> None:
@@ -118,6 +160,7 @@ def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
     whole, half, yes = numbers
     assert vstatics.solve(CASE, coast=yes).case.coast
     assert vstatics.summarize(RESULTS, at_most=whole[0], reserve=half)
+    skip_without("torsion")
     sprung = vstatics.load(CASES / "moskvich412.yaml")
     gears: Any = iter(["1", whole[1]])
     assert [one.name for one in torsion.modes(sprung, gears)] == ["1", "2"]
@@ -126,9 +169,19 @@ def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: vstatics.sweep(CASE, where="ratio >"), "where:1:8: error"),
-        (lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"), "out:1:7: error"),
-        (lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"), "expected one, `shifts`, or `leas"),
+        pytest.param(
+            lambda: vstatics.sweep(CASE, where="ratio >"), "where:1:8: error", marks=needs("sweep")
+        ),
+        pytest.param(
+            lambda: vstatics.sweep(CASE, {"P1.ratio": [-2]}, out="ratio[9]"),
+            "out:1:7: error",
+            marks=needs("sweep"),
+        ),
+        pytest.param(
+            lambda: _cycle("time [s],speed [km/h]\n0,0\n1,9\n"),
+            "expected one, `shifts`, or `leas",
+            marks=needs("vehicle"),
+        ),
     ],
 )
 def test_python_is_told_of_arguments_not_of_options(call: Any, said: str) -> None:

@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-import math
 import os
 import shutil
-from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
 from tests.commands import NEUTRAL, Said, vstatics
-from tests.sweep.scenarios import CASE, SCENARIO
-from tests.sweep.sweeps import CASE_TEXT
-from vstatics.sweep import build, runs
-from vstatics.synthesis.boxes.batches import work
-from vstatics.synthesis.boxes.batches.found import FoundPiece
-from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
-from vstatics.synthesis.cli.box import run as box_run
-from vstatics.synthesis.cli.box.output import RECORD
-from vstatics.synthesis.structures.scheme import SetScheme
+from tests.installed import COMMANDS as ANNEX_OF
+from tests.installed import HERE, missing
 
 CASES = tuple(f"{name}.yaml" for name in "abcdef")
 PIECES = 3
@@ -61,7 +52,9 @@ BOX = (
     *("synth", "box", "--sets", "1", "--elements", "2", "--engaged", "1"),
     *("--ratios", "3,1", "-j", "1"),
 )
-COMMANDS = {
+RECORD = ".vstatics-boxes"
+"""Hidden file in a folder of found boxes."""
+_ALL = {
     "sweep csv": StatedCommand(SWEEP, "o.csv", "o.csv.parts", OF_PIECES),
     "sweep npz": StatedCommand(SWEEP, "o.npz", "o.npz.parts", OF_PIECES),
     "sweep parquet": StatedCommand(SWEEP, "o.parquet", "o.parquet.parts", OF_PIECES),
@@ -78,17 +71,12 @@ COMMANDS = {
     "boxes folder": StatedCommand(BOX, "found/", "found.parts", OF_PIECES),
     "record of boxes": StatedCommand(BOX, "found/", "found", (RECORD,)),
 }
-
-
-def found_in(_: BoxSearch, piece: int, count: int) -> FoundPiece:
-    """A simple set with a brake at its ring, in each piece another one."""
-    assert count == PIECES
-    p = 2 + piece / 1000
-    error = max(math.log((1 + p) / 3), 1e-9)
-    box = FoundBox(
-        SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-p,), ((0,), (1,)), error
-    )
-    return FoundPiece(100, (box,), 0)
+COMMANDS = {
+    name: command
+    for name, command in _ALL.items()
+    if not missing(ANNEX_OF[word] for word in command.arguments[:1] if word in ANNEX_OF)
+}
+"""Commands of annexes that are installed, and of the core."""
 
 
 def prepare(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -96,19 +84,14 @@ def prepare(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(folder)
     for number, name in enumerate(CASES):
         Path(name).write_text(NEUTRAL.replace("-2.5", f"-2.{number + 1}"), encoding="utf-8")
-    Path("box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    Path("set.yaml").write_bytes(CASE)
-    Path("lock.yaml").write_bytes(SCENARIO)
-    whole = build.plan
-    monkeypatch.setattr(build, "plan", lambda *of: replace(whole(*of), piece=8))
-    monkeypatch.setattr(runs, "piece_of_runs", lambda _: 2)
-    monkeypatch.setattr(box_run, "cut", lambda _: PIECES)
-    monkeypatch.setattr(box_run, "prepare", lambda _: None)
-    monkeypatch.setattr(work, "found_in", found_in)
-    monkeypatch.setattr("vstatics.synthesis.pictures.stick.stick_diagram", lambda _: b"<svg/>")
-    monkeypatch.setattr(
-        "vstatics.synthesis.report.boxes.box_pages", lambda _: {"boxes.html": b"<html/>"}
-    )
+    if "sweep" in HERE:
+        from tests.sweep.states import prepare_sweeps
+
+        prepare_sweeps(monkeypatch)
+    if "synthesis" in HERE:
+        from tests.synthesis.boxes.states import prepare_boxes
+
+        prepare_boxes(monkeypatch, PIECES)
 
 
 def remove(command: StatedCommand) -> None:

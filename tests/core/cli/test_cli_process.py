@@ -26,7 +26,6 @@ from tests.commands import (
 from vstatics import __version__
 from vstatics.core.cli import main
 from vstatics.core.extras import build
-from vstatics.torsion.cli.group import COMMANDS as TORSION
 
 pytestmark = pytest.mark.slow  # each starts the program anew
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
@@ -169,7 +168,19 @@ HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
 
 
 COMMANDS = main.list_commands(click.Context(main))
-ALL = (*COMMANDS, *(f"torsion {one}" for one in TORSION))
+TORSION = main.get_command(click.Context(main), "torsion")
+"""None where its annex is not installed."""
+ALL = (
+    *COMMANDS,
+    *(
+        f"torsion {one}"
+        for one in (
+            TORSION.list_commands(click.Context(TORSION))
+            if isinstance(TORSION, click.Group)
+            else ()
+        )
+    ),
+)
 
 
 @pytest.mark.parametrize(

@@ -19,11 +19,11 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import Said
-from tests.core.cli.states import COMMANDS, StatedCommand, prepare, remove
-from vstatics.synthesis.cli.box.output import RECORD
+from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare, remove
 
 PAGE = 4096
 COMMANDS_ONCE = {name: entry for name, entry in COMMANDS.items() if name != "record of boxes"}
+IN_A_SMALL_FILE_SYSTEM = ("run jsonl", "sweep parquet", "boxes folder")
 FULL = "can't be written: |are free there"
 RECORDS = (RECORD, ".vstatics-run-json")
 """Hidden files that stay in a folder of results."""
@@ -131,7 +131,7 @@ def try_full(command: StatedCommand, fill: Callable[[Path, int], None], place: P
     raise AssertionError
 
 
-@pytest.mark.parametrize("name", ["run jsonl", "sweep parquet", "boxes folder"])
+@pytest.mark.parametrize("name", [name for name in COMMANDS if name in IN_A_SMALL_FILE_SYSTEM])
 def test_a_full_file_system_is_told_by_the_output(name: str, small: Path) -> None:
     assert try_full(COMMANDS[name], fill_pages, small) > 2
 

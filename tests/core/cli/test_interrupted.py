@@ -16,7 +16,8 @@ import pytest
 import vstatics
 from tests.chance import seeded
 from tests.commands import NEUTRAL, environment
-from tests.sweep.sweeps import names, wait_for
+from tests.installed import skip_without_command
+from tests.processes import names, wait_for
 
 COMMANDS = {
     "run": ("run", "pipe"),
@@ -68,6 +69,7 @@ def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[byte
     [pytest.param(one, marks=[pytest.mark.slow] * (one != "run")) for one in COMMANDS],
 )
 def test_a_command_that_is_stopped_says_so(command: str, sent: signal.Signals) -> None:
+    skip_without_command(COMMANDS[command][0])
     with running(*COMMANDS[command]) as process:
         pipe = os.open("pipe", os.O_WRONLY)  # as soon as the command reads
         process.send_signal(sent)

@@ -19,9 +19,9 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import MZKT, environment
-from tests.sweep import scenarios
-from tests.sweep.sweeps import CASE_TEXT, children, names
-from vstatics.synthesis.cli.box.output import RECORD
+from tests.core.cli.states import RECORD
+from tests.installed import HERE, needs
+from tests.processes import children, names
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 
@@ -43,14 +43,12 @@ class Work(NamedTuple):
     output: str
 
 
-CASES_AND_SWEEPS = {
-    **{
-        f"run {form} -j {jobs}": Work(
-            ("run", "--files-from", "list", "-f", form, "-j", jobs), "out/"
-        )
-        for form in ("json", "listing")
-        for jobs in ("1", "2", "3")
-    },
+OF_CASES = {
+    f"run {form} -j {jobs}": Work(("run", "--files-from", "list", "-f", form, "-j", jobs), "out/")
+    for form in ("json", "listing")
+    for jobs in ("1", "2", "3")
+}
+OF_VARIANTS = {
     **{
         f"sweep {form} -j {jobs}": Work(("sweep", "box.yaml", *GRID, "-j", jobs), f"out.{form}")
         for form in ("csv", "jsonl", "npz", "parquet")
@@ -59,6 +57,7 @@ CASES_AND_SWEEPS = {
     "sweep best": Work(("sweep", "box.yaml", *GRID, "--max", "ratio[low]"), "out.csv"),
     "sweep where": Work(("sweep", "box.yaml", *GRID, "--where", "ratio[low] > 4"), "out.npz"),
 }
+CASES_AND_SWEEPS = {**OF_CASES, **(OF_VARIANTS if "sweep" in HERE else {})}
 SAMPLES = {
     f"{form} -j {jobs}": Work(
         ("simulate", "lock.yaml", "--samples", "200", "-j", jobs), f"out.{form}"
@@ -78,9 +77,10 @@ FOUND = {
 def prepare(folder: Path) -> None:
     """A folder with the cases, which differ in a number."""
     folder.mkdir()
-    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    (folder / "set.yaml").write_bytes(scenarios.CASE)
-    (folder / "lock.yaml").write_bytes(scenarios.SCENARIO)
+    if "sweep" in HERE:
+        from tests.sweep.states import write_inputs
+
+        write_inputs(folder)
     text = MZKT.read_text(encoding="utf-8")
     assert ".9500Е+00" in text
     for number in range(CASES):
@@ -168,7 +168,12 @@ def whole(work: Work, folder: Path) -> tuple[dict[str, bytes], float]:
 
 @pytest.mark.parametrize(
     "works",
-    [CASES_AND_SWEEPS, SAMPLES, SCENARIOS, FOUND],
+    [
+        CASES_AND_SWEEPS,
+        pytest.param(SAMPLES, marks=needs("simulation")),
+        pytest.param(SCENARIOS, marks=needs("simulation")),
+        pytest.param(FOUND, marks=needs("synthesis")),
+    ],
     ids=["cases and sweeps", "samples", "sweeps of scenarios", "boxes"],
 )
 def test_work_that_is_killed_and_resumed_is_that_of_undisturbed_work(

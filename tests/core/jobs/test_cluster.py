@@ -17,7 +17,8 @@ import pytest
 
 import vstatics
 from tests.commands import environment
-from tests.sweep.sweeps import CASE_TEXT, begin, end, finished, wait_for
+from tests.processes import end, wait_for
+from tests.sweep.sweeps import CASE_TEXT, begin, finished
 from vstatics.core.extras import build
 from vstatics.core.jobs import cluster as workers
 

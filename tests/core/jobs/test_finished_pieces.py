@@ -14,7 +14,8 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.commands import environment
-from tests.sweep.sweeps import names, plan
+from tests.processes import names
+from tests.sweep.sweeps import plan
 from vstatics.core.errors import ReadError
 from vstatics.core.jobs import piece_file
 from vstatics.core.jobs.alone import Alone

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sweep.sweeps import names
+from tests.processes import names
 from vstatics.core.errors import ReadError
 from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.sweep.sweeps import CASE_TEXT, begin, end, names
+from tests.processes import end, names
+from tests.sweep.sweeps import CASE_TEXT, begin
 
 pytest.importorskip("distributed")
 VARY = ("--vary", "D.ratio=-4:-2:1000")

@@ -8,19 +8,15 @@ import io
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from tests.installed import needs
 from vstatics.core.errors import ReadError
 from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 from vstatics.core.readers.named.point_files import points_of
 from vstatics.core.readers.records import read_record
-from vstatics.simulation.scenario.table_files import table_of
-from vstatics.sweep.variants.table import read_table
-from vstatics.torsion.forced.torque_table import read_torque_table
-from vstatics.vehicle.duty_file import read_duty_table
-from vstatics.vehicle.operation.fuel_map import read_fuel_map
-from vstatics.vehicle.operation.trace import read_trace
 
 CASE = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
 
@@ -31,6 +27,8 @@ def _drag(data: bytes, folder: Path) -> object:
 
 
 def _pedal(data: bytes, folder: Path) -> object:
+    from vstatics.simulation.scenario.table_files import table_of
+
     (folder / "pedal.csv").write_bytes(data)
     return table_of(str(folder / "scenario.yaml"), "pedal.csv")
 
@@ -41,29 +39,48 @@ def _record(data: bytes, _: Path) -> object:
 
 
 def _fuel(data: bytes, _: Path) -> object:
+    from vstatics.vehicle.operation.fuel_map import read_fuel_map
+
     return read_fuel_map(data, "f.csv").fuel.tolist()
 
 
 def _trace(data: bytes, _: Path) -> object:
+    from vstatics.vehicle.operation.trace import read_trace
+
     read = read_trace(data, "t.csv")
     return read.duration.tolist(), read.speed.tolist(), read.slope.tolist(), read.gears
 
 
 def _duty(data: bytes, _: Path) -> object:
+    from vstatics.vehicle.duty_file import read_duty_table
+
     read = read_duty_table(data, "d.csv", 3.0).table
     return read.numbers, read.texts
 
 
 def _orders(data: bytes, _: Path) -> object:
+    from vstatics.torsion.forced.torque_table import read_torque_table
+
     return read_torque_table(data, "o.csv")
 
 
 def _variants(data: bytes, _: Path) -> object:
+    from vstatics.sweep.variants.table import read_table
+
     table = read_table(io.BytesIO(data), "v.csv", CASE)
     return [target.name for target in table.targets], table.block(0, 2).tolist()
 
 
 Read = Callable[[bytes, Path], object]
+ANNEX: dict[Read, str] = {
+    _pedal: "simulation",
+    _fuel: "vehicle",
+    _trace: "vehicle",
+    _duty: "vehicle",
+    _orders: "torsion",
+    _variants: "sweep",
+}
+"""The annex of each reader that is not of the core."""
 FILES: list[tuple[Read, str]] = [
     (_drag, "speed [1/min],torque [N*m]\n0,.5\n1500,2.25\n"),
     (_pedal, "speed [rpm],.2,1\n0,10.5,50\n3000,-2e1,90.25\n"),
@@ -76,6 +93,15 @@ FILES: list[tuple[Read, str]] = [
 ]
 
 
+def files(*others: Read) -> list[Any]:
+    """Return the readers that are installed, but some, with what they read."""
+    return [
+        pytest.param(read, text, marks=needs(*filter(None, [ANNEX.get(read)])))
+        for read, text in FILES
+        if read not in others
+    ]
+
+
 def german(text: str, separator: str = ";") -> bytes:
     """As a spreadsheet saves it where a comma is the decimal sign, an empty row at its end."""
     rows = [
@@ -84,7 +110,7 @@ def german(text: str, separator: str = ";") -> bytes:
     return "".join(f"{separator.join(row)}\r\n" for row in [*rows, [""] * len(rows[0])]).encode()
 
 
-@pytest.mark.parametrize(("read", "text"), FILES)
+@pytest.mark.parametrize(("read", "text"), files())
 def test_semicolons_and_decimal_commas_say_the_same(read: Read, text: str, tmp_path: Path) -> None:
     with_points = read(text.encode(), tmp_path)
     for separator in ";\t":
@@ -94,7 +120,7 @@ def test_semicolons_and_decimal_commas_say_the_same(read: Read, text: str, tmp_p
     assert read("\n".join(map("\t".join, cells)).encode(), tmp_path) == with_points
 
 
-@pytest.mark.parametrize(("read", "text"), FILES)
+@pytest.mark.parametrize(("read", "text"), files())
 def test_a_comma_between_tabs_that_may_stand_between_thousands_is_refused(
     read: Read, text: str, tmp_path: Path
 ) -> None:
@@ -111,7 +137,7 @@ def _with_last(text: str, first: str) -> str:
     return "\n".join([*above, ";".join([first, *last.split(";")[1:]]), end])
 
 
-@pytest.mark.parametrize(("read", "text"), FILES)
+@pytest.mark.parametrize(("read", "text"), files())
 def test_a_point_between_semicolons_that_may_stand_between_thousands_is_refused(
     read: Read, text: str, tmp_path: Path
 ) -> None:
@@ -122,7 +148,7 @@ def test_a_point_between_semicolons_that_may_stand_between_thousands_is_refused(
             read(data.encode(), tmp_path)
 
 
-@pytest.mark.parametrize(("read", "text"), [one for one in FILES if one[0] not in (_fuel, _trace)])
+@pytest.mark.parametrize(("read", "text"), files(_fuel, _trace))
 def test_a_point_between_semicolons_is_a_decimal_one_where_others_can_be_nothing_else(
     read: Read, text: str, tmp_path: Path
 ) -> None:
@@ -131,7 +157,7 @@ def test_a_point_between_semicolons_is_a_decimal_one_where_others_can_be_nothing
     assert read(points.encode(), tmp_path) == read(commas.encode(), tmp_path)
 
 
-@pytest.mark.parametrize(("read", "text"), FILES)
+@pytest.mark.parametrize(("read", "text"), files())
 def test_what_spreadsheets_add_to_a_table_says_nothing(
     read: Read, text: str, tmp_path: Path
 ) -> None:
@@ -143,13 +169,16 @@ def test_what_spreadsheets_add_to_a_table_says_nothing(
         assert read(b"sep=;\r\n" + longer, tmp_path) == expected
 
 
-@pytest.mark.parametrize(("read", "text"), [one for one in FILES if one[0] is not _pedal])
+@pytest.mark.parametrize(("read", "text"), files(_pedal))
 def test_decimal_commas_between_commas_are_refused(read: Read, text: str, tmp_path: Path) -> None:
     with pytest.raises((ReadError, ValueError), match="semicolons have to separate the cells"):
         read(german(text, ","), tmp_path)
 
 
+@needs("vehicle")
 def test_numbers_as_in_print_are_refused_with_what_is_meant() -> None:
+    from vstatics.vehicle.operation.trace import read_trace
+
     trace = 'time [s],speed [km/h]\n0,\u22120\n10,"36,5"\n'
     with pytest.raises(ReadError) as caught:
         read_trace(trace.encode(), "t.csv")

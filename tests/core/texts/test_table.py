@@ -11,10 +11,10 @@ from string import Formatter
 
 import pytest
 
+from tests.installed import ANNEXES, needs
 from tests.rooms import PACKAGE, nodes
 from vstatics.core.tables.html import Markup
 from vstatics.core.texts import FORMS, rows, speaking, table, tr
-from vstatics.page.report.html_page import in_language
 
 SAYING = {"tr", "word", "translated", "text", "filled"}
 """Functions whose first argument is a text; `text` of pictures, and of columns of tables."""
@@ -92,6 +92,7 @@ def test_a_text_that_is_said_has_its_row() -> None:
 
 
 @pytest.mark.slow
+@needs(*ANNEXES)
 def test_a_row_is_said_somewhere() -> None:
     known = literals()
     for row in rows():
@@ -194,6 +195,7 @@ def test_english_texts_have_no_cyrillic_letters() -> None:
         assert not re.search("[а-яА-Я]", row["en"]), row
 
 
+@needs("page")
 def test_a_script_says_what_it_says_in_the_language() -> None:
     """Of its literals those with a capital letter and others behind it, but keys and code."""
     code = {"Enter", "ArrowLeft", "NaN", "Escape", "DOMContentLoaded", "If-Match", "AbortError"}
@@ -207,8 +209,11 @@ def test_a_script_says_what_it_says_in_the_language() -> None:
     assert said <= table("ru").keys()
 
 
+@needs("page")
 def test_a_script_compares_nothing_that_it_says_in_a_language() -> None:
     """What a language changes is shown: no name of an event, no key, no kind of picture."""
+    from vstatics.page.report.html_page import in_language
+
     for name, script in SCRIPTS.items():
         with speaking("ru"):
             made = in_language(Markup(script))

@@ -11,7 +11,8 @@ from types import SimpleNamespace
 import pytest
 
 from tests.commands import vstatics
-from tests.sweep.sweeps import CASE_TEXT, names
+from tests.processes import names
+from tests.sweep.sweeps import CASE_TEXT
 
 HUGE = ("--vary", "D.ratio=-4:-2:1000000", "--vary", "D.efficiency=.9:1:1000000")
 SMALL = ("--vary", "D.ratio=-4:-2:100", "--vary", "D.efficiency=.9:1:100")

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.sweep.sweeps import CASE_TEXT, begin, children, end, finished, names, wait_for
+from tests.processes import children, end, names, wait_for
+from tests.sweep.sweeps import CASE_TEXT, begin, finished
 
 pytestmark = [pytest.mark.slow, pytest.mark.alone]
 

@@ -13,7 +13,8 @@ import openpyxl
 import pytest
 
 from tests.commands import CASES, MZKT, process, shell, vstatics
-from tests.sweep.sweeps import CASE_TEXT, names, small_pieces
+from tests.processes import names
+from tests.sweep.sweeps import CASE_TEXT, small_pieces
 from vstatics import load, solve
 
 VARY = ("--vary", "D.ratio=-4:-2:5")

@@ -1,7 +1,7 @@
 """What can't be searched for is told with the option that has the mistake.
 
 Links: a connected scheme of N sets that leaves two degrees of freedom or more has N + 2 to
-2 N + 1 (docs/synthesis-method.md); one with K held members, in parts or not, up to 3 N - K + 1,
+2 N + 1 (docs/synthesis/method.md); one with K held members, in parts or not, up to 3 N - K + 1,
 as no other members need share a link. With shafts beside the sets these have fewer links, and so more elements are engaged. Elements:
 brakes on all links but input and output, clutches between any two.
 """

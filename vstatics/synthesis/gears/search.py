@@ -373,7 +373,7 @@ def combinations(
 
     Source
     ------
-    docs/synthesis-method.md.
+    docs/synthesis/method.md.
 
     Examples
     --------

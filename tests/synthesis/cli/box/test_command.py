@@ -18,7 +18,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from tests.commands import Said, vstatics
-from tests.sweep.sweeps import names
+from tests.processes import names
 from vstatics import load, solve
 from vstatics.core.cli.schemas import schemas
 from vstatics.synthesis.boxes.batches import work

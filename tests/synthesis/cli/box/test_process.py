@@ -16,7 +16,7 @@ import pytest
 
 from tests.commands import environment, process
 from tests.core.jobs.test_cluster import Cluster
-from tests.sweep.sweeps import names, wait_for
+from tests.processes import names, wait_for
 from vstatics.synthesis.boxes.batches.found import found_in, prepare
 from vstatics.synthesis.boxes.box import BoxSearch
 

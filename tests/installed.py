@@ -1,0 +1,73 @@
+"""Annexes that are installed: a test that uses one outside its folder asks here.
+
+`make test-without` removes an annex; in the whole project nothing is skipped. Records of removed
+annexes are gone, so commands and public names are listed here, too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+import pytest
+
+from vstatics.core.annexes import annexes
+
+COMMANDS = {
+    "plot": "pictures",
+    "sweep": "sweep",
+    "torsion": "torsion",
+    "simulate": "simulation",
+    "synth": "synthesis",
+    "cycle": "vehicle",
+    "damage": "vehicle",
+    "report": "page",
+    "serve": "page",
+}
+"""The annex of each command that is not of the core."""
+NAMES = {
+    **dict.fromkeys(("Picture", "plot"), "pictures"),
+    **dict.fromkeys(("Chunk", "Sweep", "VariedScenario", "load_varied", "sweep"), "sweep"),
+    "ClutchDump": "torsion",
+    **dict.fromkeys(("Motion", "Scenario", "load_scenario", "simulate"), "simulation"),
+    **dict.fromkeys(("DeviceDamage", "DriveCycle", "Fatigue", "RayleighLife"), "vehicle"),
+    **dict.fromkeys(("ResizedShaft", "Trace", "Vehicle", "cycle", "damages"), "vehicle"),
+    **dict.fromkeys(("rayleigh_life", "resized", "resized_by_ratio"), "vehicle"),
+    "write_report": "page",
+}
+"""The annex of each public name of the package that is not of the core."""
+ANNEXES = tuple(dict.fromkeys([*COMMANDS.values(), *NAMES.values()]))
+HERE = {annex.name for annex in annexes()}
+_FOLDER = re.compile(rf"\b(?:vstatics|tests|docs)[./]({'|'.join(ANNEXES)})\b")
+_CALL = re.compile(rf"\bvstatics[ .]({'|'.join({**COMMANDS, **NAMES})})\b")
+
+
+def missing(names: Iterable[str]) -> list[str]:
+    """Return the annexes of some that are not installed."""
+    return sorted({*names} - HERE)
+
+
+def needs(*names: str) -> pytest.MarkDecorator:
+    """Mark a test, or a parameter of one, that runs only where annexes are installed."""
+    return pytest.mark.skipif(bool(missing(names)), reason=f"needs {', '.join(missing(names))}")
+
+
+def skip_without(*names: str) -> None:
+    """Skip the rest of a test where annexes are not installed."""
+    if absent := missing(names):
+        pytest.skip(f"needs {', '.join(absent)}")
+
+
+def skip_without_command(*words: object) -> None:
+    """Skip the rest of a test where the annex of a command is not installed."""
+    skip_without(*(COMMANDS[word] for word in words if isinstance(word, str) and word in COMMANDS))
+
+
+def used_in(text: str) -> set[str]:
+    """Return the annexes whose commands, public names or folders a text names.
+
+    >>> sorted(used_in("vstatics simulate run.yaml; vstatics.cycle(case); vstatics.torsion.modes"))
+    ['simulation', 'torsion', 'vehicle']
+    """
+    found = {{**NAMES, **COMMANDS}[word] for word in _CALL.findall(text)}
+    return found | {*_FOLDER.findall(text)}

@@ -1,0 +1,43 @@
+"""Processes that tests start, watch and disturb, and the files that they leave."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tests.commands import ID
+
+
+def end(process: Any) -> tuple[int, str]:
+    """Exit status, and stderr without ids."""
+    said = ID.sub("", process.communicate(timeout=120)[1])
+    return process.returncode, said
+
+
+def names(folder: Path) -> list[str]:
+    """What is in a folder."""
+    return sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
+
+
+def wait_for(condition: Callable[[], object], seconds: float = 60) -> None:
+    """Wait until something is so."""
+    limit = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < limit, "it never happened"
+        time.sleep(0.01)
+
+
+def children(process: int) -> list[int]:
+    """The processes that a process has started."""
+    found = []
+    for folder in Path("/proc").iterdir():
+        if folder.name.isdigit():
+            try:
+                text = (folder / "stat").read_text(encoding="utf-8")
+            except OSError:
+                continue
+            if int(text.rpartition(")")[2].split()[1]) == process:
+                found.append(int(folder.name))
+    return sorted(found)
