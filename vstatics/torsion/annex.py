@@ -14,6 +14,8 @@ ANNEX = Annex(
         "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
     },
     methods={
+        "frequencies": "vstatics.torsion.vibration.varied_frequencies",
+        "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",
     },

@@ -309,9 +309,7 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
         with wrong_value("--at"):
             results.case.link_number(excited.at)
     if outcome.scenario is not None:
-        from vstatics.torsion.pictures.orders.excited import scenario_speeds
-
-        excited = excited._replace(speeds=scenario_speeds(outcome.scenario.scenario))
+        excited = excited._replace(speeds=outcome.scenario.input_speeds)
     return style._replace(excited=excited)
 
 
