@@ -67,6 +67,11 @@ def module_of_name(name: str) -> str:
     return next((annex.names[name] for annex in annexes() if name in annex.names), "")
 
 
+def public_names() -> list[str]:
+    """Return the public names of the annexes that are installed."""
+    return [name for annex in annexes() for name in annex.names]
+
+
 def module_of_method(name: str) -> str:
     """Return the module of an annex that defines the function of a method; empty if none does."""
     return next((annex.methods[name] for annex in annexes() if name in annex.methods), "")
