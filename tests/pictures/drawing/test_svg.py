@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from tests.commands import CASES
 from vstatics import load, solve
-from vstatics.pictures import OF_VIBRATION, PICTURES, render
+from vstatics.pictures import drawn_kinds, render
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import Style
@@ -22,7 +22,8 @@ STYLE = Style()
 VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])
 SET = solve(load(CASES / "ravigneaux-gf4a.yaml").replace(vehicle=VAN))
 SPRINGS = solve(load(CASES / "moskvich412.yaml"))
-KINDS = [kind for kind in PICTURES if kind != "shift"]
+KINDS = [kind for kind in drawn_kinds() if kind != "shift"]
+OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vibration"]
 
 
 def parsed(svg: bytes) -> ET.Element:
