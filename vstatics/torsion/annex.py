@@ -18,7 +18,6 @@ ANNEX = Annex(
         "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",
-        "scenario_speeds": "vstatics.torsion.pictures.orders.excited",
     },
     groups={
         "torsion": {
