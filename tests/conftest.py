@@ -13,6 +13,7 @@ from _pytest.doctest import DoctestModule
 from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
+from tests.installed import HERE
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -69,7 +70,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--kills",
         type=int,
         default=count(2, 40),
-        help="so often tests/cli/test_killed.py kills work of each kind",
+        help="so often tests/core/cli/test_killed.py kills work of each kind",
     )
 
 
@@ -83,6 +84,8 @@ def frozen() -> None:
 @pytest.fixture
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
+    if "page" not in HERE:
+        return
     from vstatics.page.report.page_pictures import Pictures
 
     monkeypatch.setattr("vstatics.page.report.material.pictures", lambda *_, **__: Pictures())
