@@ -13,7 +13,7 @@ from _pytest.doctest import DoctestModule
 from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
-from tests.installed import HERE
+from tests.installed import HERE, TESTS, is_tested
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -46,6 +46,13 @@ def pytest_collection_finish() -> None:
     """Collect garbage again: tests and modules all stay, so a search among them was in vain."""
     gc.freeze()
     gc.enable()
+
+
+def pytest_ignore_collect(collection_path: Path) -> bool | None:
+    """Leave out files of tests that need an annex which is not installed."""
+    if collection_path.suffix != ".py" or not collection_path.is_relative_to(TESTS):
+        return None
+    return None if is_tested(collection_path) else True
 
 
 @pytest.hookimpl(wrapper=True)

@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from itertools import combinations
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -23,7 +23,9 @@ from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import PICTURES, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format, settings_of
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
-from vstatics.simulation.record.motion import Motion
+
+if TYPE_CHECKING:
+    from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")
