@@ -22,7 +22,7 @@ import pytest
 from tests.commands import ID
 from vstatics.core.cli.new import TEMPLATES
 from vstatics.core.extras import EXTRAS, __version__
-from vstatics.pictures import PICTURES
+from vstatics.pictures import drawn_kinds
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -79,7 +79,7 @@ REFUSED = {
         "@ vstatics.sweep(case, {'P1.ratio': [-3]}).to_xarray()",
     ),
     "plot": (
-        *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in PICTURES),
+        *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in drawn_kinds()),
         "@ vstatics.plot(vstatics.solve(case), 'stick')",
         "@ vstatics.solve(case).plot('lever')",
     ),

@@ -15,7 +15,7 @@ import pytest
 from tests.commands import CASES, SHIPPED, vstatics
 from tests.pictures.measured import MeasuredPage, measured
 from vstatics.core.jobs.page_files import further_pages
-from vstatics.pictures import PICTURES
+from vstatics.pictures import drawn_kinds
 
 SCENARIOS = [
     path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name
@@ -82,8 +82,8 @@ def parameter(kind: str, *, is_quick: bool) -> Any:
 @pytest.fixture(
     scope="module",
     params=[
-        *(parameter(kind, is_quick=True) for kind in PICTURES),
-        *(parameter(kind, is_quick=False) for kind in (*PICTURES, "map", "curves", "boxes")),
+        *(parameter(kind, is_quick=True) for kind in drawn_kinds()),
+        *(parameter(kind, is_quick=False) for kind in (*drawn_kinds(), "map", "curves", "boxes")),
     ],
 )
 def pages(

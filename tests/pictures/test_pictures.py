@@ -8,7 +8,6 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from importlib import import_module
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,7 +19,7 @@ from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import ring
 from vstatics import CaseError, Results, load, solve
-from vstatics.pictures import PICTURES, picture, render
+from vstatics.pictures import drawn_kinds, module_of, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format, settings_of
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
 
@@ -210,8 +209,8 @@ def test_gears_without_a_solution_do_not_stop_a_picture(kind: str, text: str) ->
 
 
 def test_every_kind_of_picture_has_its_module() -> None:
-    for module in PICTURES.values():
-        kind = vars(import_module(module))
+    for name in drawn_kinds():
+        kind = vars(module_of(name))
         assert callable(kind.get("draw", kind.get("each")))
 
 

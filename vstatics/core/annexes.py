@@ -9,7 +9,7 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType
@@ -30,6 +30,31 @@ class Command(NamedTuple):
     """Commands are listed in ascending order of their places."""
 
 
+class PictureKind(NamedTuple):
+    """A kind of picture of `vstatics plot`."""
+
+    module: str
+    """Module that draws it, which is imported then."""
+    help: str
+    """Its description in the help of the command."""
+    place: int
+    """Kinds are listed in ascending order of their places."""
+    title: str = ""
+    """Its name on a page."""
+    shows: str = "case"
+    """Subject: case, vibration (a converter can be open), run, or a document of another kind."""
+    options: Sequence[str] = ()
+    """Options that few kinds have; see `Annex.picture_options`."""
+    refused: Mapping[str, str] = _NOTHING
+    """Option of most other kinds -> why this kind does not have it."""
+    plots: str = ""
+    """Function that plots a document of the kind that it shows."""
+    least_width: float = 0.0
+    """Width that its names and numbers need. [mm]"""
+    alike: bool = False
+    """Whether it can have the scales of another case, too."""
+
+
 class Annex(NamedTuple):
     """What an annex provides."""
 
@@ -41,6 +66,14 @@ class Annex(NamedTuple):
     """Public name of the package -> the module that defines it."""
     methods: Mapping[str, str] = _NOTHING
     """Function that the core calls by its name alone -> the module that defines it."""
+    groups: Mapping[str, Mapping[str, tuple[str, str]]] = MappingProxyType({})
+    """Command -> its sub-commands: name -> module, and the line of help about it."""
+    own_names: Mapping[str, str] = _NOTHING
+    """Public name of the annex itself -> the module that defines it."""
+    pictures: Mapping[str, PictureKind] = MappingProxyType({})
+    """Kind of picture -> what `vstatics plot` needs of it."""
+    picture_options: Mapping[str, str] = _NOTHING
+    """Option of pictures that few kinds have -> why {kinds} alone have it."""
 
 
 @cache
@@ -72,3 +105,29 @@ def module_of_name(name: str) -> str:
 def module_of_method(name: str) -> str:
     """Return the module of an annex that defines the function of a method; empty if none does."""
     return next((annex.methods[name] for annex in annexes() if name in annex.methods), "")
+
+
+def module_of_own_name(annex: str, name: str) -> str:
+    """Return the module that defines a public name of an annex itself; empty if there is none.
+
+    >>> module_of_own_name("torsion", "modes"), module_of_own_name("torsion", "simulate")
+    ('vstatics.torsion.vibration.gear_modes', '')
+    """
+    return next(own.own_names.get(name, "") for own in annexes() if own.name == annex)
+
+
+def sub_commands(command: str) -> Mapping[str, tuple[str, str]]:
+    """Return the sub-commands of a command of an annex: name -> module, line of help."""
+    return next(annex.groups[command] for annex in annexes() if command in annex.groups)
+
+
+@cache
+def picture_kinds() -> Mapping[str, PictureKind]:
+    """Return all kinds of pictures in the order of their places."""
+    found = {kind: own for annex in annexes() for kind, own in annex.pictures.items()}
+    return dict(sorted(found.items(), key=lambda entry: entry[1].place))
+
+
+def picture_options() -> Mapping[str, str]:
+    """Return the options of pictures that few kinds have, and what is said of other kinds."""
+    return {name: why for annex in annexes() for name, why in annex.picture_options.items()}

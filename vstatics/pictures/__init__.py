@@ -11,9 +11,9 @@ b'<?xml'
 'Generalised kinematic plan'
 
 `drawing` is what all share. `flow`, `lever`, `schemes` and `plan` have kinds of pictures, and `cli`
-the command `vstatics plot`; other annexes have the pictures of their results. A kind is a function
-``draw(results, style, gears)`` in a module of its own, which is imported when its picture is
-asked for: matplotlib is an extra. `pair` puts two cases on one sheet.
+the command `vstatics plot`; other annexes have the pictures of their results. Records of annexes
+declare the kinds. A kind is a function ``draw(results, style, gears)`` in a module that is
+imported when its picture is drawn: matplotlib is an extra. `pair` puts two cases on one sheet.
 It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
 Where gears have something in common it is ``each(results, style, shown)``, which makes this once
 for the pages of several lists of gears.
@@ -24,8 +24,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from vstatics.core.annexes import PictureKind, picture_kinds, picture_options
+from vstatics.core.errors import spoken
 from vstatics.core.extras import require
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
@@ -35,46 +38,23 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.pictures.drawing.style import Style
-    from vstatics.simulation.record.motion import Motion
+    from vstatics.pictures.runs import PicturedRun
 
-PICTURES = {
-    "plan": "vstatics.pictures.plan.picture",
-    "lever": "vstatics.pictures.lever.picture",
-    "flow": "vstatics.pictures.flow.picture",
-    "structure": "vstatics.pictures.schemes.structure",
-    "stick": "vstatics.pictures.schemes.stick",
-    "efficiency": "vstatics.pictures.flow.efficiency",
-    "modes": "vstatics.torsion.pictures.shapes.modes",
-    "campbell": "vstatics.torsion.pictures.orders.campbell",
-    "response": "vstatics.torsion.pictures.orders.response",
-    "dump": "vstatics.torsion.pictures.dump",
-    "shift": "vstatics.simulation.pictures.shift",
-    "traction": "vstatics.vehicle.pictures.traction",
-    "sawtooth": "vstatics.vehicle.pictures.sawtooth",
-    "steps": "vstatics.vehicle.pictures.steps",
-}
-"""Kind of picture -> module."""
-OF_RUNS = ("shift", "plan")
-"""Kinds that show a run: ``draw(results, style, gears, motion)``."""
-OF_VIBRATION = ("modes", "campbell", "response", "dump")
-"""Kinds that show vibration: a converter may be open."""
-OF_ORDERS = ("campbell", "response")
-"""Kinds that are over orders of a speed: `Style.excited` tells which."""
-LEAST_WIDTHS = {"campbell": 135.0, "response": 100.0, "dump": 135.0}
-"""By kind: on a narrower page there is no room for its names and numbers. [mm]"""
-OPTIONS: Mapping[str, tuple[Sequence[str], str]] = {
-    "motion": (OF_RUNS, f"only {' and '.join(OF_RUNS)} show a run"),
-    "merge": (("lever",), "only levers can be merged"),
-    "wheels": (("stick",), "only stick diagrams name them"),
-    "orders": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} have orders"),
-    "speed": (OF_ORDERS, f"only {' and '.join(OF_ORDERS)} are over a speed"),
-    "at": (("response",), "only a response is that of a link"),
-    "gear": (
-        [kind for kind in PICTURES if kind != "shift"],
-        "a run goes through all gears of its scenario",
-    ),
-}
-"""By option: the kinds that it is for, and what is said of others."""
+
+def drawn_kinds() -> Mapping[str, PictureKind]:
+    """Return the kinds of pictures of a case, in order; those of other documents are left out."""
+    return {kind: own for kind, own in picture_kinds().items() if not own.plots}
+
+
+def module_of(kind: str) -> ModuleType:
+    """Import the module that draws a kind of picture."""
+    return import_module(picture_kinds()[kind].module)
+
+
+def kinds_of_runs() -> list[str]:
+    """Return the kinds that can show a run; the kind that shows nothing else is first."""
+    found = [kind for kind, own in drawn_kinds().items() if "motion" in own.options]
+    return sorted(found, key=lambda kind: picture_kinds()[kind].shows != "run")
 
 
 def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str]]:
@@ -83,10 +63,16 @@ def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str
     >>> [*misplaced("plan", {"merge": True, "wheels": False})]
     [('merge', 'only levers can be merged')]
     """
+    own, few = picture_kinds()[kind], picture_options()
     for name, value in given.items():
-        kinds, why = OPTIONS[name]
-        if kind not in kinds and value not in (None, False, "", ()):
-            yield name, why
+        if value in (None, False, "", ()):
+            continue
+        if name in own.refused:
+            yield name, own.refused[name]
+        elif name in few and name not in own.options:
+            having = [kind for kind, other in picture_kinds().items() if name in other.options]
+            kinds = kinds_of_runs() if name == "motion" else having
+            yield name, few[name].format(kinds=spoken(kinds))
 
 
 def picture(
@@ -95,18 +81,18 @@ def picture(
     style: Style,
     gears: Sequence[int] = (),
     *,
-    motion: Motion | None = None,
+    motion: PicturedRun | None = None,
 ) -> Figure:
     """A picture of the results of one case on one page, as a figure of matplotlib.
 
     Parameters
     ----------
     kind : str
-        One of `PICTURES`.
+        One of `drawn_kinds`.
     gears : sequence of int, optional
         Numbers of the only gears that are to be shown, from 1.
     motion : Motion, optional
-        A run of the case, for the kinds of `OF_RUNS`.
+        A run of the case, for the kinds that can show it.
 
     Raises
     ------
@@ -122,13 +108,13 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     kind: str,
     style: Style,
     shown: Sequence[Sequence[int]],
-    motion: Motion | None = None,
-    others: Sequence[tuple[Results, Motion]] = (),
+    motion: PicturedRun | None = None,
+    others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Figure]]:
     """The pages of each list of gears; a run has room for others in its scales."""
     require("plot", "a picture")
-    module = import_module(PICTURES[kind])
-    least = LEAST_WIDTHS.get(kind, 0.0) * POINTS_PER_MILLIMETRE
+    module = module_of(kind)
+    least = picture_kinds()[kind].least_width * POINTS_PER_MILLIMETRE
     style = style._replace(width=max(style.width, least))
     with settings_of(style):
         if hasattr(module, "each"):
@@ -143,7 +129,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     style: Style,
     gears: Sequence[int] = (),
     *,
-    motion: Motion | None = None,
+    motion: PicturedRun | None = None,
 ) -> bytes:
     """A picture of a result on one page as a file; parameters and errors as of `picture`."""
     figure = picture(results, kind, style, gears, motion=motion)
@@ -157,8 +143,8 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     style: Style,
     gears: Sequence[int] = (),
     *,
-    motion: Motion | None = None,
-    others: Sequence[tuple[Results, Motion]] = (),
+    motion: PicturedRun | None = None,
+    others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[bytes]:
     """A picture of a result as files: a page each, all in one PDF; as `picture` else.
 
@@ -181,17 +167,18 @@ def of_each_gear(
 
 
 def _run(
-    kind: str, motion: Motion | None, others: Sequence[tuple[Results, Motion]]
+    kind: str, motion: PicturedRun | None, others: Sequence[tuple[Results, PicturedRun]]
 ) -> tuple[Any, ...]:
     """The run, for a picture that can show one, and others for one that has scales."""
-    if kind not in OF_RUNS:
+    own = picture_kinds()[kind]
+    if "motion" not in own.options:
         return ()
-    return (motion, others) if kind == "shift" else (motion,)
+    return (motion, others) if own.shows == "run" else (motion,)
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
     """What a picture shows, for those who do not see it."""
-    from vstatics.pictures.drawing.words import KINDS, gear_title, title
+    from vstatics.pictures.drawing.words import gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)
-    return title(results.case, ", ".join([style.text(KINDS[kind]), *names]))
+    return title(results.case, ", ".join([style.text(picture_kinds()[kind].title), *names]))

@@ -4,25 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from importlib import import_module
 from itertools import zip_longest
 from typing import TYPE_CHECKING, NamedTuple
 
+from vstatics.core.annexes import picture_kinds
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import require
 from vstatics.core.statics.results import Results
-from vstatics.pictures import PICTURES, drawn_pages
+from vstatics.pictures import drawn_pages, module_of
 from vstatics.pictures.drawing.files import Format, files_of, settings_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.pictures.drawing.style import Style
-    from vstatics.simulation.record.motion import Motion
+    from vstatics.pictures.runs import PicturedRun
 
 LETTERS = "AB"
-ON_COMMON_SCALES = ("efficiency", "traction", "sawtooth", "steps")
-"""Kinds that are drawn ``alike``: with the scales of the other case, too."""
 BESIDE = ("efficiency",)
 """Kinds that stand beside each other where both are as high in half the width."""
 AS_HIGH = 1.1
@@ -36,7 +34,7 @@ class PairedCase(NamedTuple):
     """Of its file."""
     results: Results
     gears: Sequence[int] = ()
-    motion: Motion | None = None
+    motion: PicturedRun | None = None
 
 
 def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style) -> list[bytes]:
@@ -58,9 +56,7 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     2
     """
     require("plot", "a picture")
-    from vstatics.pictures.drawing.words import KINDS
-
-    said = f"{style.text(KINDS[kind])}: {', '.join(one.name for one in both)}"
+    said = f"{style.text(picture_kinds()[kind].title)}: {', '.join(one.name for one in both)}"
     with settings_of(style):
         figures = list(_sheets(both, kind, style))
     return files_of(figures, form, style, said)
@@ -109,10 +105,9 @@ def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> l
     """
     own, rest = both[place], [one for at, one in enumerate(both) if at != place]
     try:
-        if kind in ON_COMMON_SCALES:
-            module = import_module(PICTURES[kind])
+        if picture_kinds()[kind].alike:
             others = [one.results for one in rest]
-            found: list[Figure] = module.draw(own.results, style, own.gears, others)
+            found: list[Figure] = module_of(kind).draw(own.results, style, own.gears, others)
             return found
         runs = [(one.results, one.motion) for one in rest if one.motion]
         [pages] = drawn_pages(own.results, kind, style, [own.gears], own.motion, runs)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_name
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import nearest
 from vstatics.core.extras import require
 from vstatics.core.jobs.page_files import replace_pages
 from vstatics.core.statics.results import Results, expect_one_case
-from vstatics.core.statics.solve import solve
 from vstatics.core.tables.suffixes import format_of, known
 from vstatics.core.texts import Language
-from vstatics.pictures import OF_RUNS, PICTURES, misplaced, pages, picture, render
+from vstatics.pictures import drawn_kinds, misplaced, pages, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format
 from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import (
@@ -29,7 +29,7 @@ from vstatics.pictures.drawing.style import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from vstatics.simulation.record.motion import Motion
+    from vstatics.pictures.runs import PicturedRun as Motion
 
 
 class Picture:
@@ -100,7 +100,7 @@ def format_of_picture(path: str | os.PathLike[str]) -> Format:
     return form
 
 
-@refusing(Motion="vstatics.simulation.record.motion")
+@refusing(Motion=module_of_name("Motion"))
 def plot(  # noqa: PLR0913 - all but the first by name
     results: Results,
     kind: str = "plan",
@@ -169,13 +169,13 @@ def plot(  # noqa: PLR0913 - all but the first by name
     """
     expect_one_case(results, "plot")
     require("plot", "a picture")
-    if kind not in PICTURES:
-        hint = nearest(kind, PICTURES) or f"; expected one of {', '.join(PICTURES)}"
+    if kind not in (kinds := drawn_kinds()):
+        hint = nearest(kind, kinds) or f"; expected one of {', '.join(kinds)}"
         raise ValueError(f"there is no picture {kind!r}{hint}")
     given = {"motion": motion, "merge": merge, "wheels": wheels, "at": at, "gear": gear}
     for name, why in misplaced(kind, {**given, "orders": tuple(orders), "speed": speed}):
         raise ValueError(f"plot of kind {kind!r}: `{name}` is not for it, {why}")
-    if kind == "shift" and motion is None:
+    if kinds[kind].shows == "run" and motion is None:
         hint = "motion=vstatics.simulate(scenario), whose `plot` draws it, too"
         raise ValueError(f"plot of kind {kind!r} shows a run: expected {hint}")
     gears = () if gear is None else (results.case.gear_number(gear),)
@@ -189,28 +189,3 @@ def plot(  # noqa: PLR0913 - all but the first by name
         lang, dark, wheels=wheels, merged=merge, width=checked_width(width), excited=excited
     )
     return Picture(results, kind, style, gears, motion)
-
-
-def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
-    """A picture of a run; parameters and errors as of `plot`.
-
-    Raises
-    ------
-    ValueError
-        If this is no kind of a run, or its case is not known.
-
-    Examples
-    --------
-    >>> from vstatics import ShiftElement, Transmission
-    >>> from vstatics.simulation import Scenario, Start, simulate
-    >>> case = Transmission(1, [ShiftElement(1)], [], [], inertias={1: 2.0})
-    >>> plot_motion(simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}))), "stick")
-    Traceback (most recent call last):
-    ValueError: 'stick' is no picture of a run; expected one of shift, plan
-    """
-    if kind not in OF_RUNS:
-        expected = f"expected one of {', '.join(OF_RUNS)}"
-        raise ValueError(f"{kind!r} is no picture of a run; {expected}")
-    if motion.case is None:
-        raise ValueError("the motion has no case; expected one of `simulate`")
-    return plot(solve(motion.case), kind, motion=motion, **how)

@@ -26,8 +26,10 @@ Vehicle dynamics, Minsk, 1981 (chapters 1.3 to 1.5 and 3).
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
 
 if TYPE_CHECKING:
@@ -39,26 +41,6 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
     from vstatics.simulation.scenario.parts import Capacity, Dog, Scenario, Shift, Start
     from vstatics.simulation.stepping import SteppedRun, begin
-
-_LATER = {
-    "Capacity": "vstatics.simulation.scenario.parts",
-    "Converter": "vstatics.core.model.converters",
-    "Dog": "vstatics.simulation.scenario.parts",
-    "Formula": "vstatics.simulation.scenario.formula",
-    "Motion": "vstatics.simulation.record.motion",
-    "Points": "vstatics.simulation.scenario.laws",
-    "Resistance": "vstatics.simulation.scenario.laws",
-    "Road": "vstatics.simulation.scenario.laws",
-    "Scenario": "vstatics.simulation.scenario.parts",
-    "Shift": "vstatics.simulation.scenario.parts",
-    "Start": "vstatics.simulation.scenario.parts",
-    "SteppedRun": "vstatics.simulation.stepping",
-    "begin": "vstatics.simulation.stepping",
-    "constant": "vstatics.simulation.scenario.laws",
-    "load_scenario": "vstatics.simulation.scenario.file",
-    "simulate": "vstatics.simulation.run",
-}
-"""Names that are imported when somebody asks for them."""
 
 __all__ = [
     "Capacity",
@@ -80,7 +62,7 @@ __all__ = [
 ]
 
 
-__getattr__ = later(__name__, _LATER)
+__getattr__ = later(__name__, {}, partial(module_of_own_name, "simulation"))
 
 
 def __dir__() -> list[str]:

@@ -1,6 +1,6 @@
 """What simulation over time provides to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, PictureKind
 
 ANNEX = Annex(
     name="simulation",
@@ -18,6 +18,40 @@ ANNEX = Annex(
     },
     methods={
         "motion_dataframe": "vstatics.simulation.record.columns",
+        "drawn_run": "vstatics.simulation.cli.scenario_run",
         "motion_grids": "vstatics.simulation.record.tables",
+        "plot_motion": "vstatics.simulation.pictures.plotting",
+        "run_of": "vstatics.simulation.cli.scenario_run",
     },
+    own_names={
+        "Capacity": "vstatics.simulation.scenario.parts",
+        "Converter": "vstatics.core.model.converters",
+        "Dog": "vstatics.simulation.scenario.parts",
+        "Formula": "vstatics.simulation.scenario.formula",
+        "Motion": "vstatics.simulation.record.motion",
+        "Points": "vstatics.simulation.scenario.laws",
+        "Resistance": "vstatics.simulation.scenario.laws",
+        "Road": "vstatics.simulation.scenario.laws",
+        "Scenario": "vstatics.simulation.scenario.parts",
+        "Shift": "vstatics.simulation.scenario.parts",
+        "Start": "vstatics.simulation.scenario.parts",
+        "SteppedRun": "vstatics.simulation.stepping",
+        "begin": "vstatics.simulation.stepping",
+        "constant": "vstatics.simulation.scenario.laws",
+        "load_scenario": "vstatics.simulation.scenario.file",
+        "simulate": "vstatics.simulation.run",
+    },
+    pictures={
+        "shift": PictureKind(
+            "vstatics.simulation.pictures.shift",
+            "the run of a scenario over time: gear, speeds, slips, torques\n"
+            "with capacities, vehicle or output, heat, with its events",
+            110,
+            "Run over time",
+            "run",
+            options=("motion", "out"),
+            refused={"gear": "a run goes through all gears of its scenario"},
+        ),
+    },
+    picture_options={"out": "only shift has columns of a run"},
 )

@@ -1,6 +1,8 @@
 """What sweeps of variants provide to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, PictureKind
+
+_NO_GEAR = {"gear": "expected --by gear, or the column of a gear"}
 
 ANNEX = Annex(
     name="sweep",
@@ -20,6 +22,40 @@ ANNEX = Annex(
     methods={
         "part_numbers": "vstatics.sweep.variants.part_numbers",
         "plot_sweep": "vstatics.sweep.pictures.plotting",
+        "plot_written_sweep": "vstatics.sweep.cli.plot",
         "with_part_numbers": "vstatics.sweep.variants.part_numbers",
     },
+    pictures={
+        "map": PictureKind(
+            "vstatics.sweep.pictures.map",
+            "what `sweep -o` wrote, in place of a case: contours of a\n"
+            "column over two varied numbers, and where operation ends",
+            160,
+            shows="sweep",
+            options=("columns",),
+            refused=_NO_GEAR,
+            plots="plot_written_sweep",
+        ),
+        "curves": PictureKind(
+            "vstatics.sweep.pictures.curves",
+            "of the same: columns over one varied number, a line for each\n"
+            "gear, or for each value of another one",
+            170,
+            shows="sweep",
+            options=("columns",),
+            refused=_NO_GEAR,
+            plots="plot_written_sweep",
+        ),
+        "histogram": PictureKind(
+            "vstatics.sweep.pictures.histogram",
+            "of the same, and of what `simulate --samples -o` wrote: how\n"
+            "often numbers of a column fall into parts of its range",
+            180,
+            shows="sweep",
+            options=("columns",),
+            refused=_NO_GEAR,
+            plots="plot_written_sweep",
+        ),
+    },
+    picture_options={"columns": "only {kinds} are of columns"},
 )

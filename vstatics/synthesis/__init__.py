@@ -23,8 +23,10 @@ wheels get `teeth`. `boxes` finds whole gearboxes at once. `pictures` draws thos
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
 
 if TYPE_CHECKING:
@@ -63,31 +65,7 @@ __all__ = [
     "schemes",
 ]
 
-_LATER = {
-    "BoxFilter": "vstatics.synthesis.boxes.choice",
-    "BoxList": "vstatics.synthesis.boxes.choice",
-    "BoxSearch": "vstatics.synthesis.boxes.box",
-    "EngagedSet": "vstatics.synthesis.gears.kinds",
-    "Fit": "vstatics.synthesis.ratios.fitting",
-    "FoundScheme": "vstatics.synthesis.structures.growth",
-    "FoundTeeth": "vstatics.synthesis.teeth.finding",
-    "RankedBox": "vstatics.synthesis.boxes.choice",
-    "SetScheme": "vstatics.synthesis.structures.scheme",
-    "StructureSearch": "vstatics.synthesis.structures.growth",
-    "TeethLimits": "vstatics.synthesis.teeth.limits",
-    "box_is_planar": "vstatics.synthesis.boxes.figures.planar",
-    "combinations": "vstatics.synthesis.gears.search",
-    "count": "vstatics.synthesis.structures.counts",
-    "find_boxes": "vstatics.synthesis.boxes.choice",
-    "find_teeth": "vstatics.synthesis.teeth.finding",
-    "fit": "vstatics.synthesis.ratios.fitting",
-    "scheme_case": "vstatics.synthesis.gears.case_of_scheme",
-    "schemes": "vstatics.synthesis.structures.growth",
-}
-"""Names that are imported when somebody asks for them: the help of commands needs none."""
-
-
-__getattr__ = later(__name__, _LATER)
+__getattr__ = later(__name__, {}, partial(module_of_own_name, "synthesis"))
 
 
 def __dir__() -> list[str]:

@@ -1,6 +1,6 @@
 """What the search for gearboxes provides to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, PictureKind
 
 ANNEX = Annex(
     name="synthesis",
@@ -14,5 +14,63 @@ ANNEX = Annex(
     },
     methods={
         "box_grids": "vstatics.synthesis.boxes.tables",
+        "plot_boxes": "vstatics.synthesis.cli.found_boxes",
+    },
+    groups={
+        "synth": {
+            "structures": (
+                "vstatics.synthesis.cli.structures",
+                "All schemes of so many planetary sets.",
+            ),
+            "case": ("vstatics.synthesis.cli.case", "A case of one of them."),
+            "combinations": (
+                "vstatics.synthesis.cli.combinations",
+                "What each combination of shift elements of a case does.",
+            ),
+            "fit": (
+                "vstatics.synthesis.cli.fit",
+                "Ratios of mechanisms for wanted ratios of gears.",
+            ),
+            "box": (
+                "vstatics.synthesis.cli.box.command",
+                "Whole gearboxes for wanted ratios of gears.",
+            ),
+            "teeth": (
+                "vstatics.synthesis.cli.teeth",
+                "Integer teeth for wanted ratios of gears or sets.",
+            ),
+        },
+    },
+    own_names={
+        "BoxFilter": "vstatics.synthesis.boxes.choice",
+        "BoxList": "vstatics.synthesis.boxes.choice",
+        "BoxSearch": "vstatics.synthesis.boxes.box",
+        "EngagedSet": "vstatics.synthesis.gears.kinds",
+        "Fit": "vstatics.synthesis.ratios.fitting",
+        "FoundScheme": "vstatics.synthesis.structures.growth",
+        "FoundTeeth": "vstatics.synthesis.teeth.finding",
+        "RankedBox": "vstatics.synthesis.boxes.choice",
+        "SetScheme": "vstatics.synthesis.structures.scheme",
+        "StructureSearch": "vstatics.synthesis.structures.growth",
+        "TeethLimits": "vstatics.synthesis.teeth.limits",
+        "box_is_planar": "vstatics.synthesis.boxes.figures.planar",
+        "combinations": "vstatics.synthesis.gears.search",
+        "count": "vstatics.synthesis.structures.counts",
+        "find_boxes": "vstatics.synthesis.boxes.choice",
+        "find_teeth": "vstatics.synthesis.teeth.finding",
+        "fit": "vstatics.synthesis.ratios.fitting",
+        "scheme_case": "vstatics.synthesis.gears.case_of_scheme",
+        "schemes": "vstatics.synthesis.structures.growth",
+    },
+    pictures={
+        "boxes": PictureKind(
+            "vstatics.synthesis.pictures.picture",
+            "what `synth box -f json` found, in place of a case: mean loss\n"
+            "over the largest torque, families, stick diagrams",
+            150,
+            shows="boxes",
+            refused={"gear": "found boxes are shown with all their gears"},
+            plots="plot_boxes",
+        ),
     },
 )

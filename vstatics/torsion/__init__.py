@@ -21,8 +21,10 @@ Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981 (chapters 1 to 3, append
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
 
 if TYPE_CHECKING:
@@ -69,39 +71,7 @@ __all__ = [
     "simplify",
 ]
 
-_LATER = {
-    "CaseModes": "vstatics.torsion.vibration.gear_modes",
-    "Correlation": "vstatics.torsion.random.spectra",
-    "Damped": "vstatics.torsion.vibration.measured",
-    "Dump": "vstatics.torsion.clutch.given",
-    "DumpTorque": "vstatics.torsion.clutch.dumped",
-    "GearDump": "vstatics.torsion.clutch.gear_dump",
-    "GearModes": "vstatics.torsion.vibration.gear_modes",
-    "GearRandom": "vstatics.torsion.random.random_vibration",
-    "GearReduction": "vstatics.torsion.reduction.reduced_values",
-    "GearResponse": "vstatics.torsion.forced.harmonic_torques",
-    "Harmonic": "vstatics.torsion.forced.harmonic_torques",
-    "Identified": "vstatics.torsion.vibration.measured",
-    "Mode": "vstatics.torsion.vibration.gear_modes",
-    "Simplification": "vstatics.torsion.reduction.simplification",
-    "SpectrumPoints": "vstatics.torsion.random.spectra",
-    "TorsionScheme": "vstatics.torsion.reduction.scheme",
-    "White": "vstatics.torsion.random.spectra",
-    "damping": "vstatics.torsion.vibration.measured",
-    "dump": "vstatics.torsion.clutch.dumped",
-    "gear_dumps": "vstatics.torsion.clutch.gear_dump",
-    "gear_scheme": "vstatics.torsion.reduction.reduced_scheme",
-    "identify": "vstatics.torsion.vibration.measured",
-    "modes": "vstatics.torsion.vibration.gear_modes",
-    "random_vibration": "vstatics.torsion.random.random_vibration",
-    "reduce": "vstatics.torsion.reduction.reduced_values",
-    "response": "vstatics.torsion.forced.harmonic_torques",
-    "simplify": "vstatics.torsion.reduction.simplification",
-}
-"""Names that are imported when somebody asks for them: most need scipy."""
-
-
-__getattr__ = later(__name__, _LATER)
+__getattr__ = later(__name__, {}, partial(module_of_own_name, "torsion"))
 
 
 def __dir__() -> list[str]:

@@ -1,6 +1,6 @@
 """What torsional vibration provides to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, PictureKind
 
 ANNEX = Annex(
     name="torsion",
@@ -16,5 +16,102 @@ ANNEX = Annex(
     methods={
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",
+        "scenario_speeds": "vstatics.torsion.pictures.orders.excited",
+    },
+    groups={
+        "torsion": {
+            "modes": (
+                "vstatics.torsion.cli.modes",
+                "Natural frequencies and shapes in every gear.",
+            ),
+            "reduce": ("vstatics.torsion.cli.reduce", "Inertias and compliances on one link."),
+            "simplify": (
+                "vstatics.torsion.cli.simplify",
+                "Fewer masses, the same low frequencies.",
+            ),
+            "response": (
+                "vstatics.torsion.cli.response",
+                "Amplitudes and torques by orders and speeds.",
+            ),
+            "random": (
+                "vstatics.torsion.cli.random",
+                "Deviations and life under random excitation.",
+            ),
+            "dump": ("vstatics.torsion.cli.dump", "The largest torque when the clutch is dumped."),
+            "identify": ("vstatics.torsion.cli.measured", "Compliances from a measured frequency."),
+            "damping": ("vstatics.torsion.cli.measured", "Dampings from logarithmic decrements."),
+        },
+    },
+    own_names={
+        "CaseModes": "vstatics.torsion.vibration.gear_modes",
+        "Correlation": "vstatics.torsion.random.spectra",
+        "Damped": "vstatics.torsion.vibration.measured",
+        "Dump": "vstatics.torsion.clutch.given",
+        "DumpTorque": "vstatics.torsion.clutch.dumped",
+        "GearDump": "vstatics.torsion.clutch.gear_dump",
+        "GearModes": "vstatics.torsion.vibration.gear_modes",
+        "GearRandom": "vstatics.torsion.random.random_vibration",
+        "GearReduction": "vstatics.torsion.reduction.reduced_values",
+        "GearResponse": "vstatics.torsion.forced.harmonic_torques",
+        "Harmonic": "vstatics.torsion.forced.harmonic_torques",
+        "Identified": "vstatics.torsion.vibration.measured",
+        "Mode": "vstatics.torsion.vibration.gear_modes",
+        "Simplification": "vstatics.torsion.reduction.simplification",
+        "SpectrumPoints": "vstatics.torsion.random.spectra",
+        "TorsionScheme": "vstatics.torsion.reduction.scheme",
+        "White": "vstatics.torsion.random.spectra",
+        "damping": "vstatics.torsion.vibration.measured",
+        "dump": "vstatics.torsion.clutch.dumped",
+        "gear_dumps": "vstatics.torsion.clutch.gear_dump",
+        "gear_scheme": "vstatics.torsion.reduction.reduced_scheme",
+        "identify": "vstatics.torsion.vibration.measured",
+        "modes": "vstatics.torsion.vibration.gear_modes",
+        "random_vibration": "vstatics.torsion.random.random_vibration",
+        "reduce": "vstatics.torsion.reduction.reduced_values",
+        "response": "vstatics.torsion.forced.harmonic_torques",
+        "simplify": "vstatics.torsion.reduction.simplification",
+    },
+    pictures={
+        "modes": PictureKind(
+            "vstatics.torsion.pictures.shapes.modes",
+            "natural modes of a gear, the first unless --gear says which:\n"
+            "shapes over the links, shares of the energy",
+            70,
+            "Natural modes",
+            "vibration",
+        ),
+        "campbell": PictureKind(
+            "vstatics.torsion.pictures.orders.campbell",
+            "natural frequencies of all gears over the input speed, and\n"
+            "where its orders meet them",
+            80,
+            "Campbell diagram",
+            "vibration",
+            options=("orders", "speed"),
+            least_width=135.0,
+        ),
+        "response": PictureKind(
+            "vstatics.torsion.pictures.orders.response",
+            "amplitude of the input over its speed under 1 N*m, a line for\n"
+            "each order, gear by gear",
+            90,
+            "Response",
+            "vibration",
+            options=("orders", "speed", "at"),
+            least_width=100.0,
+        ),
+        "dump": PictureKind(
+            "vstatics.torsion.pictures.dump",
+            "the largest torque when the clutch is dumped, by gear",
+            100,
+            "Dumped clutch",
+            "vibration",
+            least_width=135.0,
+        ),
+    },
+    picture_options={
+        "orders": "only {kinds} have orders",
+        "speed": "only {kinds} are over a speed",
+        "at": "only a response is that of a link",
     },
 )

@@ -1,6 +1,8 @@
 """What the vehicle, its cycles and life provides to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, PictureKind
+
+_FULL_LOAD = {"coast": "a vehicle is drawn at full load"}
 
 ANNEX = Annex(
     name="vehicle",
@@ -32,4 +34,47 @@ ANNEX = Annex(
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
     methods={"performance": "vstatics.vehicle.operation.traction"},
+    groups={
+        "damage": {
+            "record": (
+                "vstatics.vehicle.cli.damage.record",
+                "Damage by a record of torques, cycle by cycle.",
+            ),
+            "rayleigh": (
+                "vstatics.vehicle.cli.damage.rayleigh",
+                "Life under random stresses, in closed form.",
+            ),
+            "resize": (
+                "vstatics.vehicle.cli.damage.resize",
+                "A shaft of equal life under other torques.",
+            ),
+        },
+    },
+    pictures={
+        "traction": PictureKind(
+            "vstatics.vehicle.pictures.traction",
+            "force at the wheels of the `vehicle` over its speed, gear by\n"
+            "gear with all losses; resistance on slopes of 0 to 30 %",
+            120,
+            "Wheel force",
+            refused=_FULL_LOAD,
+            alike=True,
+        ),
+        "sawtooth": PictureKind(
+            "vstatics.vehicle.pictures.sawtooth",
+            "engine speed over road speed, gear by gear",
+            130,
+            "Engine speed over road speed",
+            refused=_FULL_LOAD,
+            alike=True,
+        ),
+        "steps": PictureKind(
+            "vstatics.vehicle.pictures.steps",
+            "forward gears on a logarithmic line of ratios, beside\n"
+            "geometric and progressive steps",
+            140,
+            "Steps between gears",
+            alike=True,
+        ),
+    },
 )

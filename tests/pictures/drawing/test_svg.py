@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from tests.commands import CASES
 from tests.pictures.test_charts_on_paper import in_van
 from vstatics import load, solve
-from vstatics.pictures import OF_VIBRATION, PICTURES, render
+from vstatics.pictures import drawn_kinds, render
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import Style
@@ -21,7 +21,8 @@ SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
 SET = solve(in_van(load(CASES / "ravigneaux-gf4a.yaml")))
 SPRINGS = solve(load(CASES / "moskvich412.yaml"))
-KINDS = [kind for kind in PICTURES if kind != "shift"]
+KINDS = [kind for kind in drawn_kinds() if kind != "shift"]
+OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vibration"]
 
 
 def parsed(svg: bytes) -> ET.Element:

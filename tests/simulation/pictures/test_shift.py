@@ -18,8 +18,8 @@ from vstatics.pictures.drawing.line_styles import thing_look
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
+from vstatics.pictures.runs import event_text, named_events
 from vstatics.simulation.pictures.elements import states
-from vstatics.simulation.pictures.events import event_text, named_events
 from vstatics.simulation.pictures.lines import thinned
 from vstatics.simulation.pictures.panels import panels
 from vstatics.simulation.record.asked import TABLES

@@ -23,7 +23,7 @@ from tests.torsion.cli.torsional import (
     said,
     tables,
 )
-from vstatics.torsion.cli.group import COMMANDS
+from vstatics.torsion.cli.group import TorsionCommands
 
 SIMPLIFY = ("simplify", "--gear", "direct", "--links", "2")
 ALL = (*((name, *options) for name, options in ASKED.items()), SIMPLIFY)
@@ -307,7 +307,7 @@ def test_a_doubt_of_the_reader_is_told_and_fails_if_strict(call: tuple[str, ...]
     assert "ratio 2" not in said(command, *options, "-q", text=text).err
 
 
-@pytest.mark.parametrize("command", [*COMMANDS])
+@pytest.mark.parametrize("command", [*TorsionCommands.modules])
 def test_without_its_argument_or_with_two_it_is_wrong_use(command: str) -> None:
     assert vstatics("torsion", command).status == 2
     assert vstatics("torsion", command, "a.yaml", "b.yaml").status == 2

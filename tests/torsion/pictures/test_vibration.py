@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -15,7 +14,7 @@ from tests.pictures.test_pictures import STYLES, overlaps
 from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, load, solve
 from vstatics.core.errors import CaseError
 from vstatics.core.texts import Language
-from vstatics.pictures import PICTURES, picture, render
+from vstatics.pictures import drawn_kinds, module_of, picture, render
 from vstatics.pictures.drawing.files import Format, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, Style
 from vstatics.torsion.pictures.shapes.links import mode_links
@@ -183,7 +182,7 @@ def test_damping_is_told_of_what_is_damped() -> None:
 def test_no_page_is_larger_than_its_paper_and_no_letter_small(
     name: str, kind: str, style: Style
 ) -> None:
-    module = import_module(PICTURES[kind])
+    module = module_of(kind)
     with settings_of(style):
         figures = module.draw(ODD[name], style)
     for figure in figures:
@@ -250,4 +249,4 @@ def test_without_scipy_the_command_names_the_extra(
 
 
 def test_kinds_are_known() -> None:
-    assert set(KINDS) < set(PICTURES)
+    assert set(KINDS) < set(drawn_kinds())

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
+from vstatics.core.annexes import picture_kinds
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import Transmission
@@ -20,7 +21,6 @@ from vstatics.core.texts import spoken, tr
 from vstatics.page.report.asked import EVERYTHING, AskedPage
 from vstatics.pictures import of_each_gear, pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
-from vstatics.pictures.drawing.words import KINDS
 from vstatics.simulation.record.motion import Motion
 
 _LIGHT, _DARK = Style(), Style(dark=True)
@@ -36,7 +36,7 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _COLOURED = ("style", "fill", "stroke")
 
 
-NAMES = KINDS
+NAMES = {kind: own.title for kind, own in picture_kinds().items()}
 """What a kind of picture is called."""
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")

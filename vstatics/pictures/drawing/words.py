@@ -6,23 +6,6 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.status import Status
 from vstatics.pictures.drawing.style import Style, number
 
-KINDS = {
-    "stick": "Stick diagram",
-    "structure": "Structure",
-    "flow": "Power flow",
-    "lever": "Lever diagram",
-    "efficiency": "Efficiency",
-    "plan": "Kinematic plan",
-    "modes": "Natural modes",
-    "campbell": "Campbell diagram",
-    "response": "Response",
-    "dump": "Dumped clutch",
-    "shift": "Run over time",
-    "traction": "Wheel force",
-    "sawtooth": "Engine speed over road speed",
-    "steps": "Steps between gears",
-}
-"""What a kind of picture is called, where it stands by itself."""
 ELEMENTS = (
     *("sun", "ring", "carrier", "small_sun", "large_sun", "sun2", "ring2", "left", "right"),
     *("worm", "wheel", "first", "second", "third", "mechanism", "variator", "converter"),

@@ -18,8 +18,7 @@ from vstatics.pictures.drawing.style import LEADER_WIDTH, Style, number
 from vstatics.pictures.plan.conditions import Condition
 from vstatics.pictures.plan.key import BROAD, PATH, gear_look
 from vstatics.pictures.plan.rays import KinematicPlan
-from vstatics.simulation.pictures.events import event_text, named_events
-from vstatics.simulation.record.motion import Event, Motion
+from vstatics.pictures.runs import PicturedEvent, PicturedRun, event_text, named_events
 
 COURSE_HEIGHT = 60.0
 """Of the time below a plan, without its events. [pt]"""
@@ -59,7 +58,7 @@ class PlanCourse(NamedTuple):
         return np.where(kept, values, np.nan)
 
 
-def course(case: Transmission, plan: KinematicPlan, motion: Motion) -> PlanCourse:
+def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> PlanCourse:
     """A run in the coordinates of a plan."""
     kept = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
     columns = {name: place for place, name in enumerate(motion.links)}
@@ -92,13 +91,13 @@ def _given(speed: float | SpeedOf, speeds: dict[int, Floats], turns: Floats) -> 
     return speed * turns
 
 
-def right_of(motion: Motion, style: Style) -> float:
+def right_of(motion: PicturedRun, style: Style) -> float:
     """Width that the names of events need [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return LEADER + widest(_name(event, style) for event in named) + LEADER / 2
 
 
-def high_of(motion: Motion, style: Style) -> float:
+def high_of(motion: PicturedRun, style: Style) -> float:
     """Height of the time below a plan [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return max(COURSE_HEIGHT, sum(height(_name(one, style)) + LABEL_GAP for one in named))
@@ -115,7 +114,7 @@ def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
                 pen.plot(run.masked(run.output, on_plan=on_plan), values, **look | more)
 
 
-def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) -> None:
+def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: PicturedRun) -> None:
     """The abscissa of the run over time, which goes down, below the plan."""
     (wide, high), style = pen.size, pen.style
     gears = [pen.across(mark.output) for mark in plan.marks]
@@ -137,12 +136,12 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: Motion) ->
     beside(pen, "right", ends)
 
 
-def _name(event: Event, style: Style) -> str:
+def _name(event: PicturedEvent, style: Style) -> str:
     return wrapped(f"{number(event.time)} {event_text(event, style)}", EVENT_NAME_WIDTH)
 
 
 def visited(
-    case: Transmission, plans: Sequence[KinematicPlan], motion: Motion
+    case: Transmission, plans: Sequence[KinematicPlan], motion: PicturedRun
 ) -> list[tuple[KinematicPlan, PlanCourse]]:
     """The plans on which the run is at any time, with its course."""
     every = [(plan, course(case, plan, motion)) for plan in plans]

@@ -28,7 +28,7 @@ from vstatics.pictures.plan.course import (
 from vstatics.pictures.plan.key import plan_note, plan_signs
 from vstatics.pictures.plan.panel import DrawnPlan, draw_plan, drawn_plan
 from vstatics.pictures.plan.rays import KinematicPlan, off_plans, plans
-from vstatics.simulation.record.motion import Motion
+from vstatics.pictures.runs import PicturedRun
 
 MOST_PLAN_WIDTH, LEAST_PLAN_WIDTH = 300.0, 92.0
 """Width of the axes of a plan at most; two plans stand side by side where they have the other."""
@@ -46,7 +46,7 @@ class PlanSheet(NamedTuple):
     """What all pages of a picture share; lengths in points."""
 
     case: Transmission
-    motion: Motion | None
+    motion: PicturedRun | None
     left_out: Sequence[str]
     """Names of the gears on no plan."""
     style: Style
@@ -97,7 +97,7 @@ class PlanRow(NamedTuple):
 
 
 def draw(
-    results: Results, style: Style, gears: Sequence[int] = (), motion: Motion | None = None
+    results: Results, style: Style, gears: Sequence[int] = (), motion: PicturedRun | None = None
 ) -> list[Figure]:
     """Draw all plans of a case, or those that have one of some gears, on pages.
 
@@ -135,7 +135,7 @@ def _sheet(
     case: Transmission,
     runs: Sequence[tuple[KinematicPlan, PlanCourse | None]],
     left_out: Sequence[str],
-    motion: Motion | None,
+    motion: PicturedRun | None,
     style: Style,
 ) -> PlanSheet:
     """Two plans side by side where both have room; one where a run has its events beside it."""

@@ -33,13 +33,6 @@ INSTANTS = 400
 """Of a run that is drawn, at least."""
 
 
-def named_by_run(results: Results, outcome: CalculatedCase) -> Results:
-    """The results of the case with the name of the scenario, if it has one, for its pictures."""
-    if outcome.scenario is None or not outcome.scenario.name:
-        return results
-    return results._replace(case=results.case.replace(name=outcome.scenario.name))
-
-
 def needs(extra: str, purpose: str) -> None:
     """Refuse what needs a package that is not there."""
     if message := missing(extra, purpose):
@@ -77,6 +70,14 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
         raise ReadError(map(read.locate, error.problems)) from None
     files.show(outcome.telling.printed(run_problems(read, motion)))
     return motion
+
+
+def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
+    """Return results with the name of their scenario, for pictures, and its run as of `run_of`."""
+    motion = run_of(outcome, out)
+    if outcome.scenario is None or not outcome.scenario.name:
+        return results, motion
+    return results._replace(case=results.case.replace(name=outcome.scenario.name)), motion
 
 
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:

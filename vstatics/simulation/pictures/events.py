@@ -5,59 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.core.errors import printable
 from vstatics.pictures.drawing.labels import LABEL_GAP, spread, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, Style
+from vstatics.pictures.runs import IMPORTANCE, event_word
 from vstatics.simulation.record.motion import Event
 
-NAME_LETTERS = 40
-"""Letters of a name."""
 MOST_ROW_EVENTS = 80
 """Events of a row that are tried for a word."""
 FAR_WORD = 26.0
 """A word stands no farther from its event than this. [pt]"""
-
-
-_ORDER = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
-
-
-def short(name: str) -> str:
-    """A name that fits into a margin, whoever wrote it.
-
-    >>> short("C1"), short("a" * 50)
-    ('C1', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa…')
-    """
-    safe = printable(name)
-    return safe if len(safe) <= NAME_LETTERS else f"{safe[: NAME_LETTERS - 1]}…"
-
-
-def event_word(event: Event, style: Style) -> str:
-    """What happens, where it stands beside the name.
-
-    >>> event_word(Event(0.3, "up", "step", None, "step", 2), Style())
-    'step 2'
-    """
-    word = event.word or event.event
-    number = f" {event.step}" if event.step else ""
-    return f"{style.text(word)}{number}"
-
-
-def event_text(event: Event, style: Style) -> str:
-    """What happens to what.
-
-    >>> event_text(Event(0.3, "C1", "locks"), Style())
-    'C1 locks'
-    """
-    return f"{short(event.element)} {event_word(event, style)}"
-
-
-def named_events(events: Sequence[Event], most: int) -> list[Event]:
-    """The events that get a label: all, or of many impacts and ends of slip before others."""
-    if len(events) <= most:
-        return list(events)
-    first = sorted(range(len(events)), key=lambda place: (_ORDER[events[place].event], place))
-    return [events[place] for place in sorted(first[:most])]
 
 
 class EventWord(NamedTuple):
@@ -95,7 +52,7 @@ def placed_words(
         if event.step and n != first_step:  # the row says of which sequence
             texts[n] = str(event.step)
     sizes = [width(text) + 2 * LABEL_GAP for text in texts]
-    order = sorted(range(len(events)), key=lambda n: (_ORDER[events[n][0].event], n))
+    order = sorted(range(len(events)), key=lambda n: (IMPORTANCE[events[n][0].event], n))
     kept: list[int] = []
     middles: list[float] = []
     for n in order[:MOST_ROW_EVENTS]:

@@ -14,7 +14,7 @@ from vstatics.pictures.drawing.labels import height, ticks, wrapped
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, Style
-from vstatics.simulation.pictures.events import short
+from vstatics.pictures.runs import short
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity_side, thinned
 
 PANEL_HEIGHT = 78.0

@@ -10,8 +10,9 @@ from vstatics.pictures.drawing.labels import LINE_HEIGHT, Span, height, width, w
 from vstatics.pictures.drawing.line_styles import Look, mixed, thing_look
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIZE, Style, number
+from vstatics.pictures.runs import event_text, short
 from vstatics.simulation.pictures.elements import ElementStates
-from vstatics.simulation.pictures.events import EventWord, event_text, placed_words, short
+from vstatics.simulation.pictures.events import EventWord, placed_words
 from vstatics.simulation.pictures.gears import GearPiece, Phase, ShiftPhase
 from vstatics.simulation.record.motion import Event
 

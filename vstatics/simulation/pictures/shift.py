@@ -17,8 +17,9 @@ from vstatics.pictures.drawing.line_styles import striped_look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, blank, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, TICK_LENGTH, Style
 from vstatics.pictures.drawing.words import TURN_TOGETHER, title
+from vstatics.pictures.runs import short
 from vstatics.simulation.pictures.elements import states
-from vstatics.simulation.pictures.events import draw_verticals, short
+from vstatics.simulation.pictures.events import draw_verticals
 from vstatics.simulation.pictures.gears import common, element_sets, gear_pieces, phases
 from vstatics.simulation.pictures.line_panel import (
     CAPACITY,

@@ -15,7 +15,6 @@ b'<?xml'
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from vstatics.core.errors import CaseError
@@ -29,12 +28,6 @@ if TYPE_CHECKING:
     from vstatics.pictures.drawing.files import Format
     from vstatics.pictures.drawing.style import Style
 
-SWEEP_PICTURES = {
-    "map": "vstatics.sweep.pictures.map",
-    "curves": "vstatics.sweep.pictures.curves",
-    "histogram": "vstatics.sweep.pictures.histogram",
-}
-"""Kind of picture of a sweep -> module."""
 COLUMNS: Mapping[str, Sequence[str]] = {
     "map": ("x", "y", "z", "by"),
     "curves": ("x", "y", "by"),
@@ -70,11 +63,11 @@ def sweep_figures(
 ) -> list[Figure]:
     """The pages as figures of matplotlib; parameters and errors as of `render_sweep`."""
     require("plot", "a picture")
+    from vstatics.pictures import module_of
     from vstatics.pictures.drawing.files import settings_of
 
     if not sweep.variants:
         message = "the sweep has no row, so there is nothing to draw: expected one with variants"
         raise CaseError("E433", f"{message} that its --where leaves")
-    module = import_module(SWEEP_PICTURES[kind])
     with settings_of(style):
-        return list(module.draw(sweep, style, asked))
+        return list(module_of(kind).draw(sweep, style, asked))

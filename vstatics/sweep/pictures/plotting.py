@@ -16,7 +16,7 @@ from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import checked_width
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plotting import format_of_picture
-from vstatics.sweep.pictures import COLUMNS, SWEEP_PICTURES, render_sweep, sweep_figures
+from vstatics.sweep.pictures import COLUMNS, render_sweep, sweep_figures
 from vstatics.sweep.pictures.columns import DrawnColumns, numbers
 
 if TYPE_CHECKING:
@@ -108,9 +108,9 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     '<?xml'
     """
     require("plot", "a picture")
-    if kind not in SWEEP_PICTURES:
-        expected = f"; expected one of {', '.join(SWEEP_PICTURES)}"
-        hint = nearest(kind, SWEEP_PICTURES) or expected
+    if kind not in COLUMNS:
+        expected = f"; expected one of {', '.join(COLUMNS)}"
+        hint = nearest(kind, COLUMNS) or expected
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
     asked = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
     _check(sweep, kind, asked)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -46,7 +46,7 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
     return read_document(data, name)
 
 
-def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style) -> int:
+def plot_boxes(cases: Sequence[str], to: Destination, style: Style, _: object = None) -> int:
     """Write the picture of found boxes; the exit status.
 
     Raises
@@ -65,7 +65,7 @@ def plot_boxes(cases: Sequence[str], to: Destination, form: Format, style: Style
     data, name = files.read_input(cases[0], TABLE_BYTES)
     listing, _ = read_document(data, name)
     with files.problems_of_file(name):
-        drawn = render_boxes(listing, form, style)
+        drawn = render_boxes(listing, cast("Format", to.form), style)
         files.show(_contradictions(drawn_boxes(listing, MOST_DRAWN_DIAGRAMS), name))
     files.write_pages(drawn, to.output)
     return DONE

@@ -4,25 +4,14 @@ from __future__ import annotations
 
 import click
 
+from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
-
-COMMANDS = {
-    "structures": ("vstatics.synthesis.cli.structures", "All schemes of so many planetary sets."),
-    "case": ("vstatics.synthesis.cli.case", "A case of one of them."),
-    "combinations": (
-        "vstatics.synthesis.cli.combinations",
-        "What each combination of shift elements of a case does.",
-    ),
-    "fit": ("vstatics.synthesis.cli.fit", "Ratios of mechanisms for wanted ratios of gears."),
-    "box": ("vstatics.synthesis.cli.box.command", "Whole gearboxes for wanted ratios of gears."),
-    "teeth": ("vstatics.synthesis.cli.teeth", "Integer teeth for wanted ratios of gears or sets."),
-}
 
 
 class SynthesisCommands(LazyGroup):
     """The commands of `vstatics synth`."""
 
-    modules = COMMANDS
+    modules = sub_commands("synth")
 
 
 @click.group(cls=SynthesisCommands)

@@ -4,24 +4,14 @@ from __future__ import annotations
 
 import click
 
+from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
-
-COMMANDS = {
-    "modes": ("vstatics.torsion.cli.modes", "Natural frequencies and shapes in every gear."),
-    "reduce": ("vstatics.torsion.cli.reduce", "Inertias and compliances on one link."),
-    "simplify": ("vstatics.torsion.cli.simplify", "Fewer masses, the same low frequencies."),
-    "response": ("vstatics.torsion.cli.response", "Amplitudes and torques by orders and speeds."),
-    "random": ("vstatics.torsion.cli.random", "Deviations and life under random excitation."),
-    "dump": ("vstatics.torsion.cli.dump", "The largest torque when the clutch is dumped."),
-    "identify": ("vstatics.torsion.cli.measured", "Compliances from a measured frequency."),
-    "damping": ("vstatics.torsion.cli.measured", "Dampings from logarithmic decrements."),
-}
 
 
 class TorsionCommands(LazyGroup):
     """The commands of `vstatics torsion`."""
 
-    modules = COMMANDS
+    modules = sub_commands("torsion")
 
 
 @click.group(cls=TorsionCommands)

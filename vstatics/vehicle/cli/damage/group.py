@@ -4,29 +4,18 @@ from __future__ import annotations
 
 import click
 
+from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
-
-COMMANDS = {
-    "record": (
-        "vstatics.vehicle.cli.damage.record",
-        "Damage by a record of torques, cycle by cycle.",
-    ),
-    "rayleigh": (
-        "vstatics.vehicle.cli.damage.rayleigh",
-        "Life under random stresses, in closed form.",
-    ),
-    "resize": ("vstatics.vehicle.cli.damage.resize", "A shaft of equal life under other torques."),
-}
 
 
 class DamageCommands(LazyGroup):
     """The commands of `vstatics damage`; what names none is a case and its record."""
 
-    modules = COMMANDS
+    modules = sub_commands("damage")
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """As click does."""
-        if args and args[0] not in (*COMMANDS, *ctx.help_option_names):
+        if args and args[0] not in (*self.modules, *ctx.help_option_names):
             args = ["record", *args]
         return super().parse_args(ctx, args)
 

@@ -1,0 +1,35 @@
+"""A picture of a run for those who work in Python."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vstatics.core.statics.solve import solve
+from vstatics.pictures import kinds_of_runs
+from vstatics.pictures.plotting import Picture, plot
+from vstatics.simulation.record.motion import Motion
+
+
+def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
+    """A picture of a run; parameters and errors as of `plot`.
+
+    Raises
+    ------
+    ValueError
+        If this is no kind of a run, or its case is not known.
+
+    Examples
+    --------
+    >>> from vstatics import ShiftElement, Transmission
+    >>> from vstatics.simulation import Scenario, Start, simulate
+    >>> case = Transmission(1, [ShiftElement(1)], [], [], inertias={1: 2.0})
+    >>> plot_motion(simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}))), "stick")
+    Traceback (most recent call last):
+    ValueError: 'stick' is no picture of a run; expected one of shift, plan
+    """
+    if kind not in (kinds := kinds_of_runs()):
+        expected = f"expected one of {', '.join(kinds)}"
+        raise ValueError(f"{kind!r} is no picture of a run; {expected}")
+    if motion.case is None:
+        raise ValueError("the motion has no case; expected one of `simulate`")
+    return plot(solve(motion.case), kind, motion=motion, **how)

@@ -1,0 +1,58 @@
+"""Pictures of written sweeps, in place of cases."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, cast
+
+from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.documents import is_a
+from vstatics.core.cli.shared.exit_status import DONE
+from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.options import refuse
+from vstatics.core.errors import ReadError, of_file
+from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.sweep.pictures import render_sweep
+from vstatics.sweep.pictures.columns import DrawnColumns
+
+if TYPE_CHECKING:
+    from vstatics.pictures.cli.options import AskedPicture
+    from vstatics.pictures.drawing.files import Format
+    from vstatics.pictures.drawing.style import Style
+
+
+def plot_written_sweep(
+    sweeps: Sequence[str], to: Destination, style: Style, asked: AskedPicture
+) -> int:
+    """Write the picture of a written sweep, in place of a case; the exit status.
+
+    Raises
+    ------
+    UsageError
+        If there are several files, or a column is not for the kind.
+    ReadError
+        If the file is no sweep, there is nothing to draw, or the picture can't be written.
+    """
+    from vstatics.core.readers import sweep_tables
+
+    kind, columns = asked.kind, DrawnColumns(asked.x, asked.y, asked.z, asked.by)
+    refuse(
+        (
+            kind == "histogram" and (columns.x or columns.z),
+            "--x, --z: histograms are of the columns of --y",
+        ),
+        (kind == "curves" and columns.z, "--z: only a map has contours"),
+        (
+            len(sweeps) > 1 or to.is_folder,
+            f"{kind}: expected one written sweep, and a file for its picture",
+        ),
+    )
+    data, name = files.read_input(sweeps[0], TABLE_BYTES)
+    if not is_a("sweep", data, name):
+        message = "this is no table of variants: expected what `vstatics sweep -o` has written"
+        raise ReadError([of_file("E039", name, message)])
+    sweep = sweep_tables.read(data, name)
+    with files.problems_of_file(name):
+        drawn = render_sweep(sweep, kind, cast("Format", to.form), style, columns)
+    files.write_pages(drawn, to.output)
+    return DONE
