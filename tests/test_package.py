@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import io
 import json
 import math
 import re
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -34,6 +36,47 @@ PAIR = {
 def test_every_name_of_the_package_is_there() -> None:
     for name in vstatics.__all__:
         assert getattr(vstatics, name) is not None
+
+
+def test_checkers_of_types_know_all_public_names() -> None:
+    """They read a list that is written; the program asks the records of annexes."""
+    tree = ast.parse(Path(vstatics.__file__).read_text(encoding="utf-8"))
+    [written] = [
+        ast.literal_eval(node.value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+    ]
+    assert written == vstatics.__all__ == dir(vstatics)
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "import vstatics",
+        "import vstatics.sweep",
+        "import vstatics.sweep.chunk",
+        "from vstatics.sweep.chunk import Chunk",
+        "from vstatics import sweep; import vstatics.sweep.chunk",
+        "import vstatics.sweep.chunk; from vstatics import sweep",
+        "from vstatics import *; import vstatics.sweep.chunk",
+        "import vstatics.sweep.chunk; from vstatics import *",
+    ],
+)
+def test_sweep_is_the_function_whatever_is_imported_first(imports: str) -> None:
+    code = f"{imports}; import sys, vstatics; from vstatics.sweep.chunk import Chunk as one; "
+    code += "assert vstatics.sweep is sys.modules['vstatics.sweep'].sweep is not one; "
+    code += "assert globals().get('sweep', vstatics.sweep) is vstatics.sweep is vstatics.sweep; "
+    code += "assert vstatics.Chunk is one"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_the_package_starts_without_annexes() -> None:
+    code = "import sys, vstatics; print(*(name for name in sys.modules if name[:8] == 'vstatics'))"
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert {name.split(".")[1] for name in said.stdout.split() if "." in name} == {
+        "core",
+        "elements",
+    }
 
 
 # Reading

@@ -25,9 +25,9 @@ except KeyboardInterrupt:
 # isort: split
 import sys
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from vstatics.core.annexes import module_of_name
+from vstatics.core.annexes import module_of_name, public_names
 from vstatics.core.errors import CaseError, Place, Problem, ReadError, VstaticsError
 from vstatics.core.extras import HIGHER, __version__, later
 from vstatics.core.model.parts import Damping, Load
@@ -39,7 +39,6 @@ from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.statics.state import GearState
-from vstatics.sweep import sweep
 
 if TYPE_CHECKING:
     from vstatics.core.checking import check
@@ -61,6 +60,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.parts import Scenario
+    from vstatics.sweep import sweep
     from vstatics.sweep.chunk import Chunk
     from vstatics.sweep.swept import Sweep
     from vstatics.sweep.variants.subject import VariedScenario, load_varied
@@ -74,74 +74,80 @@ if TYPE_CHECKING:
     from vstatics.vehicle.operation.driving import cycle
     from vstatics.vehicle.operation.trace import Trace
 
-__all__ = [
-    "CaseError",
-    "CentralWheel",
-    "Chunk",
-    "ClutchDump",
-    "Damping",
-    "DeviceDamage",
-    "Drawing",
-    "DriveCycle",
-    "Element",
-    "Explanation",
-    "Fatigue",
-    "Gear",
-    "GearExercise",
-    "GearFlow",
-    "GearState",
-    "Load",
-    "Mechanism",
-    "MeshEfficiency",
-    "Message",
-    "Motion",
-    "Picture",
-    "Place",
-    "PlanetMass",
-    "PowerFlow",
-    "Problem",
-    "RayleighLife",
-    "ReadError",
-    "ResizedShaft",
-    "Results",
-    "Scenario",
-    "ShiftElement",
-    "Spring",
-    "Summary",
-    "Sweep",
-    "Trace",
-    "Transmission",
-    "VariedScenario",
-    "Vehicle",
-    "Verdict",
-    "VstaticsError",
-    "__version__",
-    "check",
-    "compare",
-    "cycle",
-    "damages",
-    "distribution_matrix",
-    "example",
-    "exercise",
-    "explain_gear",
-    "flows",
-    "load",
-    "load_scenario",
-    "load_varied",
-    "loads",
-    "plot",
-    "rayleigh_life",
-    "resized",
-    "resized_by_ratio",
-    "save",
-    "simulate",
-    "solve",
-    "summarize",
-    "sweep",
-    "transmission",
-    "write_report",
-]
+    __all__ = [
+        "CaseError",
+        "CentralWheel",
+        "Chunk",
+        "ClutchDump",
+        "Damping",
+        "DeviceDamage",
+        "Drawing",
+        "DriveCycle",
+        "Element",
+        "Explanation",
+        "Fatigue",
+        "Gear",
+        "GearExercise",
+        "GearFlow",
+        "GearState",
+        "Load",
+        "Mechanism",
+        "MeshEfficiency",
+        "Message",
+        "Motion",
+        "Picture",
+        "Place",
+        "PlanetMass",
+        "PowerFlow",
+        "Problem",
+        "RayleighLife",
+        "ReadError",
+        "ResizedShaft",
+        "Results",
+        "Scenario",
+        "ShiftElement",
+        "Spring",
+        "Summary",
+        "Sweep",
+        "Trace",
+        "Transmission",
+        "VariedScenario",
+        "Vehicle",
+        "Verdict",
+        "VstaticsError",
+        "__version__",
+        "check",
+        "compare",
+        "cycle",
+        "damages",
+        "distribution_matrix",
+        "example",
+        "exercise",
+        "explain_gear",
+        "flows",
+        "load",
+        "load_scenario",
+        "load_varied",
+        "loads",
+        "plot",
+        "rayleigh_life",
+        "resized",
+        "resized_by_ratio",
+        "save",
+        "simulate",
+        "solve",
+        "summarize",
+        "sweep",
+        "transmission",
+        "write_report",
+    ]
 
+_FIRST = (
+    *("CaseError", "Damping", "Gear", "GearState", "Load", "Mechanism", "Message", "Place"),
+    *("Problem", "ReadError", "Results", "ShiftElement", "Spring", "Transmission"),
+    *("VstaticsError", "__version__", "distribution_matrix", "load", "loads", "solve"),
+)
+"""Public names that are imported with the package."""
 _LATER = {
     "CentralWheel": "vstatics.core.elements",
     "Drawing": "vstatics.core.elements.drawing",
@@ -181,7 +187,7 @@ HIGHER.update(
 """What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 
 
-__getattr__ = later(__name__, _LATER, module_of_name)
+_later = later(__name__, _LATER, module_of_name)
 _elements = ModuleType("vstatics.elements", "Gear sets with teeth: names that `vstatics` has, too.")
 _of_elements = ("CentralWheel", "Drawing", "Element", "MeshEfficiency", "PlanetMass")
 vars(_elements)["__getattr__"] = later(
@@ -192,5 +198,25 @@ sys.modules[_elements.__name__] = _elements
 """Scripts import these names from where they were first."""
 
 
+class _Package(ModuleType):
+    """The package, in which a function keeps its name although an annex is called so, too.
+
+    The import system binds each imported annex to its name: `sweep` is the function.
+    """
+
+    def __setattr__(self, name: str, value: object) -> None:
+        own = getattr(value, name, value) if isinstance(value, ModuleType) else value
+        super().__setattr__(name, own)
+
+
+sys.modules[__name__].__class__ = _Package
+
+
+def __getattr__(name: str) -> Any:
+    """Import a name when somebody asks for it; those of annexes are read only then."""
+    return __dir__() if name == "__all__" else _later(name)
+
+
 def __dir__() -> list[str]:
-    return __all__
+    """Return the public names of the core and of the annexes that are installed."""
+    return sorted([*_FIRST, *_LATER, *public_names()])

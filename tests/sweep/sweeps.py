@@ -17,11 +17,11 @@ from tests.commands import environment
 from tests.processes import names
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.steps import Steps
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.numbered import Variants
-from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.targets import Target
 from vstatics.sweep.variants.variation import Span, Variation
 

@@ -13,9 +13,15 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
+_OWNERS = {
+    **dict.fromkeys(("scenario", "simulate"), "simulation"),
+    **dict.fromkeys(("sweep file", "plot_sweep", "part_numbers", "with_part_numbers"), "sweep"),
+    "omega": "torsion",
+}
+"""Things that are asked for by name -> the annex that they belong to, installed or not."""
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
@@ -93,6 +99,25 @@ def _records() -> list[Annex]:
     return found
 
 
+def not_installed(what: str) -> str:
+    """Return the message that the annex of something is not installed.
+
+    >>> not_installed("omega")
+    'omega belongs to vstatics.torsion, which is not installed here'
+    """
+    annex = f"vstatics.{_OWNERS[what]}" if what in _OWNERS else "an annex of vstatics"
+    return f"{what} belongs to {annex}, which is not installed here"
+
+
+def loaded(module: str, name: str) -> Any:
+    """Return a part of a module that a record names.
+
+    >>> loaded("math", "sqrt")(9)
+    3.0
+    """
+    return getattr(import_module(module), name)
+
+
 def module_of_name(name: str) -> str:
     """Return the module of an annex that defines a public name; empty if there is none.
 
@@ -100,6 +125,11 @@ def module_of_name(name: str) -> str:
     ''
     """
     return next((annex.names[name] for annex in annexes() if name in annex.names), "")
+
+
+def public_names() -> list[str]:
+    """Return the public names of the annexes that are installed."""
+    return [name for annex in annexes() for name in annex.names]
 
 
 def module_of_method(name: str) -> str:

@@ -8,10 +8,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from functools import cache
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol
 
-from vstatics.core.annexes import module_of_method
+from vstatics.core.annexes import loaded, module_of_method, not_installed
 from vstatics.core.errors import CaseError
 
 if TYPE_CHECKING:
@@ -60,7 +59,7 @@ def later(
     def attribute(name: str) -> Any:
         if module := modules.get(name) or find(name):
             try:
-                return getattr(import_module(module), name)
+                return loaded(module, name)
             except ImportError as error:
                 raise needed(error, name, package) from None
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
@@ -85,13 +84,20 @@ HIGHER: dict[str, str] = {}
 """By the name of a function the module that has it: the package says so in its `__init__`."""
 
 
-def higher(function: str) -> Any:
+def higher(function: str, purpose: str = "") -> Any:
     """A function of a room above, by which a class has a method although its room knows none.
 
     Parameters
     ----------
     function : str
-        Its name. Where it is, is known to the package alone.
+        Its name. Where it is, is known to the package and to the records of annexes.
+    purpose : str
+        What needs the function, if not itself, for the message that its annex is not installed.
+
+    Raises
+    ------
+    CaseError
+        If no installed annex has the function.
 
     Examples
     --------
@@ -99,7 +105,10 @@ def higher(function: str) -> Any:
     >>> higher("to_dataframe").__module__
     'vstatics.core.tables.dataframe'
     """
-    return getattr(import_module(HIGHER.get(function) or module_of_method(function)), function)
+    module = HIGHER.get(function) or module_of_method(function)
+    if not module:
+        raise CaseError("E014", not_installed(purpose or function))
+    return loaded(module, function)
 
 
 @cache

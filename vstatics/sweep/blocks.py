@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from types import MappingProxyType
-from typing import NamedTuple, TypeAlias, TypeVar
+from typing import NamedTuple, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
+from vstatics.core.extras import higher
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.gear_steps import spread, steps
@@ -34,9 +35,8 @@ from vstatics.sweep.chunk import (
     joined,
     rows_of,
 )
-from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.plan import SweepPlan
-from vstatics.sweep.results.meanings import PART_NUMBERS, SPREAD, STEP
+from vstatics.sweep.results.meanings import OMEGA, PART_NUMBERS, SPREAD, STEP
 from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number
@@ -46,6 +46,22 @@ Chosen: TypeAlias = Integers | slice
 Made: TypeAlias = tuple[Chosen, Transmission | None]
 """A case that variants are of; None for what can be none."""
 Array = TypeVar("Array", Floats, Codes)
+
+
+class Frequencies(Protocol):
+    """Natural frequencies of variants, which the annex of torsional vibration calculates."""
+
+    @property
+    def omegas(self) -> Floats:
+        """Of each variant, gear and mode [rad/s]."""
+
+    @property
+    def tied_up(self) -> Booleans:
+        """Whether a gear of each variant cannot turn."""
+
+    @property
+    def conflict(self) -> Booleans:
+        """Whether the freewheels of each variant are in conflict."""
 
 
 class BlockTables(NamedTuple):
@@ -141,7 +157,7 @@ def block_tables(
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
-        modes = frequencies(case, targets, own, asked, first[:, plan.places])
+        modes = higher("frequencies", OMEGA)(case, targets, own, asked, first[:, plan.places])
     told = {
         table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
         for quantity, table in PART_NUMBERS.items()

@@ -19,12 +19,12 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.blocks import possible_numbers
 from vstatics.sweep.formats import Format
-from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.results.expressions import Terms
+from vstatics.sweep.results.meanings import OMEGA
 from vstatics.sweep.results.selection import read_objective, read_where
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variants.path_numbers import CasePath

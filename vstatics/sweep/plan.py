@@ -11,10 +11,9 @@ import numpy as np
 
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.results.columns import OutputColumns, output_headings
 from vstatics.sweep.results.expressions import Expression
-from vstatics.sweep.results.meanings import OF_RATIOS, OK, PART_NUMBERS, Tables
+from vstatics.sweep.results.meanings import OF_RATIOS, OK, OMEGA, PART_NUMBERS, Tables
 from vstatics.sweep.results.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath

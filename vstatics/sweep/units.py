@@ -7,11 +7,10 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.evaluation import LAST
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.tables.quantities import BY_NAME, UNITS
-from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.expressions import Node
-from vstatics.sweep.results.meanings import Selection
+from vstatics.sweep.results.meanings import OMEGA, Selection
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Target, Varied

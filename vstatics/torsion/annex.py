@@ -14,9 +14,10 @@ ANNEX = Annex(
         "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
     },
     methods={
+        "frequencies": "vstatics.torsion.vibration.varied_frequencies",
+        "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",
-        "scenario_speeds": "vstatics.torsion.pictures.orders.excited",
     },
     groups={
         "torsion": {

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from tests.sweep.sweeps import CASE, in_parts, variations
 from vstatics.core.errors import CaseError, Place, Problem, ReadError
+from vstatics.core.numerics.steps import Steps
 from vstatics.sweep.variants.numbered import VariantGrid, VariantPart, Variants, VariantTable, Zip
-from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.targets import Target
 from vstatics.sweep.variants.variation import read_variation
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from tests.sweep.sweeps import in_parts, variations
 from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.numerics.steps import Steps
 from vstatics.sweep.variants import samples
 from vstatics.sweep.variants.samples import METHODS, Method, Sample
-from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.variation import Span
 
 qmc = pytest.importorskip("scipy.stats").qmc

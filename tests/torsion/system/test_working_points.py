@@ -20,11 +20,11 @@ from tests.torsion.systems import Array
 from vstatics import Gear, Load, Mechanism, Spring, Transmission, solve
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import OfLoad
-from vstatics.sweep.frequencies import frequencies
 from vstatics.torsion import Harmonic, modes, response
 from vstatics.torsion.random.random_vibration import random_vibration
 from vstatics.torsion.random.spectra import White
 from vstatics.torsion.system.working_points import working_gear
+from vstatics.torsion.vibration.varied_frequencies import frequencies
 
 RPM = math.pi / 30
 

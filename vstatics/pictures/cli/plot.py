@@ -182,8 +182,7 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
         with wrong_value("--at"):
             results.case.link_number(excited.at)
     if outcome.scenario is not None:
-        speeds = higher("scenario_speeds")(outcome.scenario.scenario)
-        excited = excited._replace(speeds=speeds)
+        excited = excited._replace(speeds=outcome.scenario.input_speeds)
     return style._replace(excited=excited)
 
 

@@ -15,6 +15,7 @@ from vstatics.core import readers
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import Path, Problem, ReadError
 from vstatics.core.jobs.input_files import read_file
+from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers import Stream
 from vstatics.core.readers.kinds import is_foreign, kind_of
@@ -70,6 +71,16 @@ class ScenarioFile(NamedTuple):
     def locate(self, problem: Problem) -> Problem:
         """Give a problem of the scenario, or of its case, its place."""
         return located(problem, self.spots, self.reading)
+
+    @property
+    def input_speeds(self) -> tuple[float, ...]:
+        """Speeds of the input at the start, and of torques over its speed [rpm]."""
+        entry, start = self.scenario.case.input, self.scenario.start
+        found = [start.speed, start.speeds.get(entry, 0.0)]
+        for link, law in self.scenario.torques:
+            if link == entry and getattr(law, "over", "") == "speed":
+                found += law.x  # type: ignore[union-attr]
+        return tuple(abs(speed) / RAD_PER_RPM for speed in found if speed)
 
 
 class ScenarioDocument(NamedTuple):

@@ -18,7 +18,6 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.tables.names import NAME
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import GEAR
-from vstatics.sweep.frequencies import OMEGA
 from vstatics.sweep.results.expressions import (
     CONSTANTS,
     Expression,
@@ -32,6 +31,7 @@ from vstatics.sweep.results.expressions import (
 from vstatics.sweep.results.meanings import (
     OF_RATIOS,
     OK,
+    OMEGA,
     PART_NUMBERS,
     SPREAD,
     Selection,

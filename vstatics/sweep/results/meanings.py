@@ -9,6 +9,8 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
+OMEGA = "omega"
+"""Table of natural frequencies, which the annex of torsional vibration calculates. [rad/s]"""
 STEP, SPREAD = "step", "spread"
 OF_RATIOS = (STEP, SPREAD)
 """Tables that follow from the ratios of all gears; only sweeps have them."""

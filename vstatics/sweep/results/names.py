@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from vstatics.core.errors import nearest, quoted, typed_number
+from vstatics.core.extras import higher
 from vstatics.core.model.fields import gear_place, numbered_gear
 from vstatics.core.model.parts import Law
 from vstatics.core.model.transmission import Transmission
@@ -25,10 +26,10 @@ from vstatics.core.tables.names import (
     written,
 )
 from vstatics.core.tables.quantities import BY_NAME
-from vstatics.sweep.frequencies import OMEGA, mode_names
 from vstatics.sweep.results.meanings import (
     OF_RATIOS,
     OK,
+    OMEGA,
     PART_NUMBERS,
     SPREAD,
     STEP,
@@ -180,7 +181,9 @@ class SweepNames:
 
     @cached_property
     def _modes(self) -> list[str]:
-        return mode_names(self.case, [one for one in self.varied if isinstance(one, Target)])
+        varied = [one for one in self.varied if isinstance(one, Target)]
+        names: list[str] = higher("mode_names", OMEGA)(self.case, varied)
+        return names
 
     def _frequency(self, read: TableName) -> Selection:
         """Natural frequencies; a mode that the case has not may be one of a variant."""

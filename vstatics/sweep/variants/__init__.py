@@ -2,6 +2,6 @@
 
 `subject` is a case or a scenario. `targets` tells which number of a case is meant, `path_numbers`
 which by a path, `part_numbers` which make another case, `scenario_numbers` which of a scenario;
-`variation` reads over which values it goes, `steps` are such values, `samples` points between
-bounds, `table` a file of variants. `numbered` gives any block of them at any time.
+`variation` reads over which values it goes, `samples` points between bounds, `table` a file of
+variants. `numbered` gives any block of them at any time.
 """

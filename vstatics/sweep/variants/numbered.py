@@ -12,8 +12,8 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.spool import Spool
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.steps import Steps
 from vstatics.simulation.scenario.distribution import Distribution
-from vstatics.sweep.variants.steps import Steps
 from vstatics.sweep.variants.targets import Varied
 from vstatics.sweep.variants.variation import MOST, Span, Variation
 

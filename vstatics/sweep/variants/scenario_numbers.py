@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from vstatics.core.errors import Place, nearest, quoted
 from vstatics.core.model.shape import UNIT_OF
-from vstatics.core.readers.named.arithmetic import calculated
 from vstatics.core.readers.named.node_paths import (
     Keys,
     NoValueError,
@@ -235,35 +234,3 @@ def in_si(unit: str) -> str:
         measure = in_any_unit(f"1 {unit}", tuple(UNIT_OF)).measure
         return UNIT_OF[measure] if measure else unit
     return unit
-
-
-def common_unit(text: str) -> tuple[str, str]:
-    """The values of `--vary` with blanks in place of their unit, and this unit.
-
-    Raises
-    ------
-    ValueError
-        If there are several.
-
-    Examples
-    --------
-    >>> common_unit("1000 rpm:2000 rpm:11"), common_unit(".1,.2")
-    (('1000    :2000    :11', 'rpm'), ('.1,.2', ''))
-    """
-    units: dict[str, None] = {}
-    bare = list(text)
-    at = 0
-    for cell in re.split(r"[:,]", text):
-        number = cell.rpartition("=")[2]
-        try:
-            unit = calculated(number.strip()).behind
-        except ValueError:
-            unit = ""
-        if unit:
-            units[unit] = None
-            begin = at + cell.rindex(unit)
-            bare[begin : begin + len(unit)] = " " * len(unit)
-        at += len(cell) + 1
-    if len(units) > 1:
-        raise ValueError(f"read values in {' and '.join(units)}, expected one unit for all")
-    return "".join(bare), next(iter(units), "")

@@ -11,12 +11,13 @@ import numpy as np
 from vstatics.core.errors import Place, Problem, ReadError
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.steps import Steps, stepped
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.named.scalars import number as finite_number
+from vstatics.core.readers.named.units import common_unit
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.scenario_numbers import NumberPath, common_unit
-from vstatics.sweep.variants.steps import Steps, stepped
+from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Subject, target_of
 from vstatics.sweep.variants.targets import NAMES, Varied, behind, refusal, shown
 

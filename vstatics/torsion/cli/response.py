@@ -35,7 +35,7 @@ def speeds_of(text: str) -> Floats:
     """Speeds [rpm] from A:B:N, or a list."""
     import numpy as np
 
-    from vstatics.sweep.variants.steps import Steps
+    from vstatics.core.numerics.steps import Steps
 
     parts = text.split(":")
     if len(parts) != 3:
@@ -49,8 +49,7 @@ def speeds_of(text: str) -> Floats:
 
 def _rpm(text: str) -> Floats:
     """The same, perhaps with a unit behind each speed."""
-    from vstatics.core.readers.named.units import quantity
-    from vstatics.sweep.variants.scenario_numbers import common_unit
+    from vstatics.core.readers.named.units import common_unit, quantity
 
     bare, unit = common_unit(text)
     if unit and text.count(unit) != len(bare.split(":")[:2] if ":" in bare else bare.split(",")):

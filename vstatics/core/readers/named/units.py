@@ -265,3 +265,35 @@ def relative(text: str, kind: Quantity) -> float:
     if not any(sign.isalpha() for sign in text):
         raise ValueError(expected(text))
     return WithUnit(quantity(text, kind, f", or one relative to the input {kind}"), kind)
+
+
+def common_unit(text: str) -> tuple[str, str]:
+    """The values of `--vary` with blanks in place of their unit, and this unit.
+
+    Raises
+    ------
+    ValueError
+        If there are several.
+
+    Examples
+    --------
+    >>> common_unit("1000 rpm:2000 rpm:11"), common_unit(".1,.2")
+    (('1000    :2000    :11', 'rpm'), ('.1,.2', ''))
+    """
+    units: dict[str, None] = {}
+    bare = list(text)
+    at = 0
+    for cell in re.split(r"[:,]", text):
+        number = cell.rpartition("=")[2]
+        try:
+            unit = calculated(number.strip()).behind
+        except ValueError:
+            unit = ""
+        if unit:
+            units[unit] = None
+            begin = at + cell.rindex(unit)
+            bare[begin : begin + len(unit)] = " " * len(unit)
+        at += len(cell) + 1
+    if len(units) > 1:
+        raise ValueError(f"read values in {' and '.join(units)}, expected one unit for all")
+    return "".join(bare), next(iter(units), "")

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.style import Excitation
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.parts import Scenario
 
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 """Of any four-stroke engine: half orders, the shaft, the firing of four, six, eight, twelve
@@ -101,16 +98,6 @@ def _of_engine(case: Transmission) -> Iterator[float]:
         yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
     if case.dump is not None and case.dump.J1[0] == case.input:
         yield case.dump.omega1
-
-
-def scenario_speeds(scenario: Scenario) -> tuple[float, ...]:
-    """The speeds of the input that a scenario tells: its start, torques over speed [rpm]."""
-    entry, start = scenario.case.input, scenario.start
-    found = [start.speed, start.speeds.get(entry, 0.0)]
-    for link, law in scenario.torques:
-        if link == entry and getattr(law, "over", "") == "speed":
-            found += law.x  # type: ignore[union-attr]
-    return tuple(abs(one) / RAD_PER_RPM for one in found if one)
 
 
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vstatics.sweep.variants.steps import Steps, stepped
+from vstatics.core.numerics.steps import Steps, stepped
 
 NUMBERS = st.floats(-1e6, 1e6).map(lambda number: round(number, 6))
 

@@ -1,14 +1,14 @@
 """Natural frequencies of the variants of a block: `omega[mode, gear]` of expressions.
 
-Variants with the same ratios have the same links, so they go together to the room `torsion`,
-which is imported here alone, and only when a frequency is asked for.
+Variants with the same ratios have the same links, so they are calculated together. A sweep finds
+`frequencies` through the record of this annex, and only when a frequency is asked for.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -17,13 +17,14 @@ from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import CONFLICT
-from vstatics.sweep.variants.targets import OF_MECHANISM, Target
+from vstatics.torsion.system.coordinates import coordinates
+from vstatics.torsion.system.gear_system import TorsionalSystem
+from vstatics.torsion.system.state import vibrating
+from vstatics.torsion.vibration.other_ratios import VariedSystem, frequencies_of_ratios
+from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
 
-if TYPE_CHECKING:
-    from vstatics.torsion.system.gear_system import TorsionalSystem
-
-OMEGA = "omega"
-"""The name of the table. [rad/s]"""
+OF_MECHANISM = ("ratio", "efficiency")
+"""Quantities that belong to a mechanism."""
 FEW_EQUAL_RATIOS = 64
 """Where fewer variants than these have the same ratios they are solved with those of others."""
 
@@ -31,7 +32,19 @@ Asked = Mapping[int, Sequence[int]]
 """Index of a gear -> indices of modes, of those that are not rigid."""
 
 
-class Frequencies(NamedTuple):
+class VariedQuantity(Protocol):
+    """A number of the case that a sweep varies."""
+
+    @property
+    def owner(self) -> int:
+        """Index of the mechanism, of the elastic device, or of the link."""
+
+    @property
+    def quantity(self) -> str:
+        """Quantity that varies, such as `stiffness`."""
+
+
+class VariedFrequencies(NamedTuple):
     """Natural frequencies of variants, and why there are none.
 
     Attributes
@@ -49,11 +62,11 @@ class Frequencies(NamedTuple):
 
 def frequencies(
     case: Transmission,
-    targets: Sequence[Target],
+    targets: Sequence[VariedQuantity],
     values: Floats,
     asked: Asked,
     first: Floats | None = None,
-) -> Frequencies:
+) -> VariedFrequencies:
     """The frequencies of variants.
 
     Where stiffnesses and inertias alone vary modes are numbered as in the first variant of all,
@@ -62,7 +75,7 @@ def frequencies(
     Parameters
     ----------
     case : Transmission
-    targets : sequence of Target
+    targets : sequence of VariedQuantity
     values : ndarray, shape (variants, targets)
         The varied numbers, all of them possible.
     asked : mapping
@@ -76,14 +89,13 @@ def frequencies(
     >>> from vstatics import Spring
     >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0)
     >>> case = Transmission(2, [], [], [], springs=[shaft], inertias={1: 2.0, 2: 2.0})
-    >>> stiffness = Target("S1.stiffness", 0, "stiffness")
+    >>> from types import SimpleNamespace
+    >>> stiffness = SimpleNamespace(owner=0, quantity="stiffness")
     >>> frequencies(case, [stiffness], np.array([[100.0], [400.0]]), {0: [0]}).omegas
     array([[[10.]],
     <BLANKLINE>
            [[20.]]])
     """
-    from vstatics.torsion.system.state import vibrating
-
     count = 1 + max((mode for modes in asked.values() for mode in modes), default=-1)
     omegas = np.full((len(values), len(case.gears), count), np.nan)
     tied_up, conflict = np.zeros((2, len(values)), np.bool_)
@@ -103,10 +115,10 @@ def frequencies(
             else:
                 found = _of_gear(case, system, targets, values[rows], modes, first)
                 omegas[rows[:, np.newaxis], gear, modes] = found
-    return Frequencies(omegas, tied_up, conflict)
+    return VariedFrequencies(omegas, tied_up, conflict)
 
 
-def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
+def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
     """The numbers of modes that a gear of the case has at most: as it is, or with varied inertias.
 
     A gear that is tied up may have one in a variant.
@@ -117,9 +129,6 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
         If scipy is missing.
     """
     require("torsion", "omega")
-    from vstatics.torsion.system.coordinates import coordinates
-    from vstatics.torsion.system.state import vibrating
-
     varied = [target.owner + 1 for target in targets if target.quantity == "inertia"]
     for link in varied:
         if link in case.masses:
@@ -131,7 +140,7 @@ def mode_names(case: Transmission, targets: Sequence[Target]) -> list[str]:
     return [str(number) for number in range(1, max(counts, default=0) + 1)]
 
 
-def _structures(case: Transmission, targets: Sequence[Target], values: Floats) -> Integers:
+def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
     """A number for each variant: one for equal ratios.
 
     Efficiencies count where freewheels or the slopes of springs with points depend on torques.
@@ -154,7 +163,9 @@ def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
     yield from np.split(order, np.flatnonzero(np.diff(kinds[order])) + 1)
 
 
-def _with_ratios(case: Transmission, targets: Sequence[Target], values: Floats) -> Transmission:
+def _with_ratios(
+    case: Transmission, targets: Sequence[VariedQuantity], values: Floats
+) -> Transmission:
     """The case with the ratios and efficiencies of a variant."""
     mechanisms = list(case.mechanisms)
     for target, value in zip(targets, values.tolist(), strict=True):
@@ -166,15 +177,12 @@ def _with_ratios(case: Transmission, targets: Sequence[Target], values: Floats) 
 
 def _by_ratios(
     case: Transmission,
-    targets: Sequence[Target],
+    targets: Sequence[VariedQuantity],
     values: Floats,
     gear: int,
     modes: Sequence[int],
 ) -> tuple[Floats, Booleans]:
     """The frequencies of a gear where nearly all ratios differ, and which of them are found."""
-    from vstatics.torsion.system.state import vibrating
-    from vstatics.torsion.vibration.other_ratios import VariedSystem, frequencies_of_ratios
-
     one = _with_ratios(case, targets, values[0])
     system = vibrating(one, one.gears[gear])
     if isinstance(system, str):
@@ -197,14 +205,12 @@ def _by_ratios(
 def _of_gear(  # noqa: PLR0913 PLR0917
     case: Transmission,
     system: TorsionalSystem,
-    targets: Sequence[Target],
+    targets: Sequence[VariedQuantity],
     values: Floats,
     modes: Sequence[int],
     first: Floats | None,
 ) -> Floats:
     """The frequencies of a gear, of shape (variants, modes)."""
-    from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
-
     stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
     start = _elastic_and_heavy(case, system, targets, values[:1] if first is None else first)
     return variant_frequencies(
@@ -218,7 +224,7 @@ def _of_gear(  # noqa: PLR0913 PLR0917
 
 
 def _elastic_and_heavy(
-    case: Transmission, system: TorsionalSystem, targets: Sequence[Target], values: Floats
+    case: Transmission, system: TorsionalSystem, targets: Sequence[VariedQuantity], values: Floats
 ) -> tuple[dict[int, Floats], dict[int, Floats]]:
     """Varied stiffnesses and inertias by their places; what is open in a gear has none."""
     places = {device.name: place for place, device in enumerate(system.elastic)}
