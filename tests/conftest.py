@@ -13,6 +13,7 @@ from _pytest.doctest import DoctestModule
 from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
+from tests.installed import HERE, TESTS, is_tested
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -47,6 +48,13 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
+def pytest_ignore_collect(collection_path: Path) -> bool | None:
+    """Leave out files of tests that need an annex which is not installed."""
+    if collection_path.suffix != ".py" or not collection_path.is_relative_to(TESTS):
+        return None
+    return None if is_tested(collection_path) else True
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collect_file(
     file_path: Path,
@@ -69,7 +77,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--kills",
         type=int,
         default=count(2, 40),
-        help="so often tests/cli/test_killed.py kills work of each kind",
+        help="so often tests/core/cli/test_killed.py kills work of each kind",
     )
 
 
@@ -83,6 +91,8 @@ def frozen() -> None:
 @pytest.fixture
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Reports have none: they take the most time."""
+    if "page" not in HERE:
+        return
     from vstatics.page.report.page_pictures import Pictures
 
     monkeypatch.setattr("vstatics.page.report.material.pictures", lambda *_, **__: Pictures())

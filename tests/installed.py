@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from pathlib import Path
 
 import pytest
 
 from vstatics.core.annexes import annexes
 
+TESTS = Path(__file__).parent
 COMMANDS = {
     "plot": "pictures",
     "sweep": "sweep",
@@ -36,6 +38,19 @@ NAMES = {
     "write_report": "page",
 }
 """The annex of each public name of the package that is not of the core."""
+FILES: dict[str, tuple[str, ...]] = {
+    "page/report/pair/test_runs.py": ("simulation",),
+    "page/serve/test_bare_units.py": ("simulation",),
+    "page/serve/test_random_numbers.py": ("sweep",),
+    "simulation/published/test_pages.py": ("torsion",),
+    "simulation/published/test_published_starts.py": ("torsion",),
+    "simulation/report/runs/test_browser.py": ("page",),
+    "simulation/report/runs/test_record.py": ("page",),
+    "simulation/report/test_motion.py": ("page",),
+    "synthesis/cli/box/test_process.py": ("sweep",),
+    "torsion/report/test_vibration.py": ("page",),
+}
+"""Annexes that files of tests need beside their own, and beside those that it needs."""
 ANNEXES = tuple(dict.fromkeys([*COMMANDS.values(), *NAMES.values()]))
 HERE = {annex.name for annex in annexes()}
 _FOLDER = re.compile(rf"\b(?:vstatics|tests|docs)[./]({'|'.join(ANNEXES)})\b")
@@ -45,6 +60,11 @@ _CALL = re.compile(rf"\bvstatics[ .]({'|'.join({**COMMANDS, **NAMES})})\b")
 def missing(names: Iterable[str]) -> list[str]:
     """Return the annexes of some that are not installed."""
     return sorted({*names} - HERE)
+
+
+def is_tested(file: Path) -> bool:
+    """Return whether the annexes are installed that a file of tests needs."""
+    return not missing(FILES.get(file.relative_to(TESTS).as_posix(), ()))
 
 
 def needs(*names: str) -> pytest.MarkDecorator:

@@ -12,7 +12,6 @@ import vstatics
 from tests import commands
 from tests.commands import CASES, ROOT
 from vstatics.core.examples import ScenarioName
-from vstatics.simulation import load_scenario
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
@@ -20,12 +19,6 @@ def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
     assert {Path(name) for name in vstatics.example()} == files
     assert vstatics.example("mzkt7922") == vstatics.load(CASES / "mzkt7922.yaml")
     assert vstatics.example("mzkt7922") != vstatics.load(CASES / "mzkt7922.dat")
-
-
-def test_an_example_is_what_its_file_holds() -> None:
-    assert vstatics.example("zf-8hp70") == vstatics.load(CASES / "zf-8hp70.yaml")
-    scenario = vstatics.example("scenarios/tarasik-box")
-    assert scenario == load_scenario(CASES / "scenarios/tarasik-box.yaml")
 
 
 def test_a_checker_of_types_is_told_which_names_are_those_of_scenarios() -> None:

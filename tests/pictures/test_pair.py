@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.vehicle.pictures.cars import box
+from tests.installed import needs
 from vstatics import ReadError, load, solve
 from vstatics.pictures import render
 from vstatics.pictures.drawing.labels import title_width
@@ -61,8 +61,11 @@ def test_sticks_stand_over_one_another() -> None:
     assert max(heights(upper)) < min(heights(lower))
 
 
+@needs("vehicle")
 def test_efficiencies_stand_beside_each_other_on_one_scale() -> None:
     """Three gears of .99 and of .9: the bars are ten times as long, and start at one height."""
+    from tests.vehicle.pictures.cars import box
+
     both = [PairedCase(name, box([3, 2, 1], eta)) for name, eta in (("a", 0.99), ("b", 0.9))]
     [svg] = pair_pages(both, "efficiency", "svg", Style())
     root = parsed(svg)
@@ -80,7 +83,10 @@ def test_efficiencies_stand_beside_each_other_on_one_scale() -> None:
     assert top < low < lower
 
 
+@needs("vehicle")
 def test_long_names_over_panels_side_by_side_stay_apart() -> None:
+    from tests.vehicle.pictures.cars import box
+
     names = ("A gearbox of a long name, its-file.yaml", "A gearbox of a long name, other.yaml")
     both = [PairedCase(name, box([3, 2, 1])) for name in names]
     [svg] = pair_pages(both, "efficiency", "svg", Style())
@@ -96,7 +102,10 @@ def test_long_names_over_panels_side_by_side_stay_apart() -> None:
     assert max(placed[line] + title_width(line) for line in second) < PAGE_WIDTH
 
 
+@needs("vehicle")
 def test_charts_of_two_cases_share_their_scales() -> None:
+    from tests.vehicle.pictures.cars import box
+
     both = [PairedCase(name, box(ratios)) for name, ratios in (("a", [3, 1]), ("b", [6, 1]))]
     for kind in ("traction", "sawtooth"):
         [svg] = pair_pages(both, kind, "svg", Style())
@@ -146,7 +155,10 @@ def test_three_cases_need_a_directory_and_two_may_have_one(tmp_path: Path) -> No
     }
 
 
+@needs("vehicle")
 def test_a_case_without_a_picture_is_named(tmp_path: Path) -> None:
+    from tests.vehicle.pictures.cars import box
+
     said = vstatics("plot", ONE, CASES / "wheel-hub.yaml", "-k", "plan", "-o", tmp_path / "a.svg")
     assert (said.status, "wheel-hub.yaml: error: a kinematic plan" in said.err) == (1, True)
     both = [PairedCase("a", box([2.0])), PairedCase("b", box([2.0], vehicle=None))]

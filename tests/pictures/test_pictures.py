@@ -10,7 +10,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -22,7 +22,9 @@ from vstatics import CaseError, Results, load, solve
 from vstatics.pictures import drawn_kinds, module_of, picture, render
 from vstatics.pictures.drawing.files import FORMATS, Format, settings_of
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
-from vstatics.simulation.record.motion import Motion
+
+if TYPE_CHECKING:
+    from vstatics.simulation.record.motion import Motion
 
 NAMES = [path.name for path in SHIPPED]
 QUICK = ("mzkt7922.dat", "power-split.yaml")

@@ -23,7 +23,7 @@ from vstatics.core.statics.results import Results
 
 HERE = Path(__file__).parent
 CASES = HERE.parents[1] / "cases"
-WITH_OWN_TEST = {"mzkt7922", "tsitovich-table-3-9"}
+WITH_OWN_TEST = {"mzkt7922"}
 
 DOCUMENTS: dict[str, Any] = {
     path.stem: json.loads(path.read_text(encoding="utf-8"))

@@ -136,13 +136,3 @@ def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
         assert ran.status == 1
         assert "case.yaml:4:22: error: gears.one.drag.out: " + said in ran.err
     assert not result.exists()
-
-
-def test_a_sweep_file_is_told_as_one(tmp_path: Path) -> None:
-    file = tmp_path / "sweep.yaml"
-    file.write_text("{case: box.yaml, vary: {D.ratio: -2:-3:3}}", encoding="utf-8")
-    for command in ("check", "run", "explain"):
-        said = vstatics(command, file)
-        assert (said.status, said.err.count("\n")) == (1, 1)
-        assert "this is a sweep file, expected a case; `vstatics sweep --file`" in said.err
-    assert "a sweep file by --file" in vstatics("sweep", file).err

@@ -168,19 +168,16 @@ HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
 
 
 COMMANDS = main.list_commands(click.Context(main))
-TORSION = main.get_command(click.Context(main), "torsion")
-"""None where its annex is not installed."""
-ALL = (
-    *COMMANDS,
-    *(
-        f"torsion {one}"
-        for one in (
-            TORSION.list_commands(click.Context(TORSION))
-            if isinstance(TORSION, click.Group)
-            else ()
-        )
-    ),
-)
+
+
+def subcommands(name: str) -> list[str]:
+    """Return the commands of a group; nothing where its annex is not installed."""
+    context = click.Context(main)
+    group = main.get_command(context, name)
+    return group.list_commands(context) if isinstance(group, click.Group) else []
+
+
+ALL = (*COMMANDS, *(f"torsion {one}" for one in subcommands("torsion")))
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """Work that is killed at random moments and resumed: nothing is lost or mixed up.
 
-``pytest tests/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
+``pytest tests/core/cli/test_killed.py --kills 200 -s`` tries it more often, and tells how often.
 """
 
 from __future__ import annotations

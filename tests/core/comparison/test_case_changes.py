@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import random
 from pathlib import Path
 
 import pytest
 
 from tests.commands import SHIPPED
-from vstatics import CaseError, Transmission
+from vstatics import Transmission
 from vstatics.core import readers
 from vstatics.core.comparison.case_changes import case_changes
 from vstatics.core.model.parts import Gear
-from vstatics.sweep.variants.part_numbers import own_part_number, part_numbers, with_part_numbers
 
 CASES = [path for path in SHIPPED if path.suffix == ".yaml"]
 
@@ -22,29 +20,6 @@ def test_a_case_is_that_of_itself(path: Path) -> None:
     case = readers.load(path)
     renamed = case.replace(name="other", description="other", source="other")
     assert list(case_changes(renamed, case)) == []
-
-
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_a_number_that_a_sweep_varies_is_told_by_its_path(path: Path) -> None:
-    """The variant is made by the sweep; what else it changes follows from the number."""
-    case = readers.load(path)
-    numbers = part_numbers(case)
-    own = {name: own_part_number(case, number) for name, number in numbers.items()}
-    known = [
-        name
-        for name, value in own.items()
-        if isinstance(value, int | float) and value and numbers[name].kind != "relative_torque"
-    ]
-    for name in random.Random(path.stem).sample(known, min(4, len(known))):  # noqa: S311
-        value = own[name]
-        assert isinstance(value, int | float)
-        other = value + 1 if isinstance(value, int) else value * 0.9
-        try:
-            variant = with_part_numbers(case, [numbers[name]], [other])
-        except CaseError:
-            continue  # such a case can't be
-        told = {one.path: (one.expected, one.actual) for one in case_changes(variant, case)}
-        assert told == {name: (pytest.approx(value), pytest.approx(other))}
 
 
 def test_parts_and_gears_that_are_new_or_gone_are_one_path(zf: Transmission) -> None:

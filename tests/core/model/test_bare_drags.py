@@ -88,8 +88,3 @@ def test_commands_warn_with_the_place_and_the_torque(command: tuple[str, ...]) -
     allowed = vstatics(*command, "-", "--allow", "W440", stdin=BARE.encode())
     assert "W440" not in allowed.all
     assert "has no unit" not in allowed.all
-
-
-def test_a_sweep_warns_once() -> None:
-    vary = ("--vary", "load.torque=50 N*m:200 N*m:7")
-    assert vstatics("sweep", "-", *vary, stdin=BARE.encode()).err.count("has no unit") == 1

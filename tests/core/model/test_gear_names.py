@@ -5,16 +5,13 @@ from __future__ import annotations
 import pytest
 
 from tests.commands import CASES, MZKT, vstatics
+from tests.installed import HERE
 from vstatics import (
     Gear,
-    Mechanism,
     Results,
-    ShiftElement,
     Transmission,
     load,
     solve,
-    sweep,
-    torsion,
 )
 
 EIGHT = solve(load(CASES / "zf-8hp70.yaml"))
@@ -31,14 +28,17 @@ def test_a_number_that_is_no_name_is_no_place_among_numbered_gears() -> None:
     for read in ("9", "0", "10", "08"):
         with pytest.raises(ValueError, match=f"no gear '{read}'"):
             EIGHT["ratio", read]
-    with pytest.raises(ValueError, match="gears are 1, 2, 3, 4, 5, 6, 7, 8, R; #9 is R"):
-        EIGHT.plot("lever", gear="9")
     assert EIGHT["ratio", "#9"] == EIGHT["ratio", "R"] == EIGHT["ratio", 9]
     said = vstatics("flow", CASES / "zf-8hp70.yaml", "--gear", "9")
     assert said.status == 2
     assert "#9 is R" in said.err
-    said = vstatics("sweep", CASES / "zf-8hp70.yaml", "--vary", "P1.ratio=-2", "--out", "ratio[9]")
-    assert "there is no gear `9`" in said.err
+    if "pictures" in HERE:
+        with pytest.raises(ValueError, match="gears are 1, 2, 3, 4, 5, 6, 7, 8, R; #9 is R"):
+            EIGHT.plot("lever", gear="9")
+    if "sweep" in HERE:
+        words = ("--vary", "P1.ratio=-2", "--out", "ratio[9]")
+        said = vstatics("sweep", CASES / "zf-8hp70.yaml", *words)
+        assert "there is no gear `9`" in said.err
 
 
 @pytest.mark.parametrize("names", [("R", "1", "2"), ("R", "1st", "2nd"), ("R1", "R2", "D1")])
@@ -66,15 +66,3 @@ def test_words_have_places_and_numbered_gears_of_a_deck_their_numbers() -> None:
     assert said.status == 0
     deck = solve(load(MZKT))
     assert deck["ratio", "4"] == deck["ratio", 4] == deck.ratio[3]
-
-
-def test_gears_of_torsion_and_columns_of_sweeps_are_the_same() -> None:
-    case = load(CASES / "moskvich412.yaml")
-    assert [one.name for one in torsion.modes(case, ["4", "#5"])] == ["4", "1 at stop"]
-    with pytest.raises(ValueError, match="no gear '5'"):
-        torsion.modes(case, ["5"])
-    engaged = [Gear([1], name="low"), Gear([2], name="high")]  # ring held; all as one
-    elements = [ShiftElement(2), ShiftElement(1, 2)]
-    words = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], engaged)
-    [chunk] = sweep(words, {"D1.ratio": [-3]}, out="ratio[2], ratio[#1]")
-    assert chunk.columns.tolist() == [[1, 4]]

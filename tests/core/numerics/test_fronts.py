@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,7 +15,6 @@ from tests.chance import count
 from vstatics.core.numerics import fronts
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.fronts import merged, non_dominated
-from vstatics.sweep.results.selection import limited
 
 RANDOM = settings(max_examples=count(30, 225))
 
@@ -106,29 +104,3 @@ def test_equal_points_are_all_kept(objectives: int) -> None:
     assert non_dominated(equal).tolist() == list(range(len(equal)))
     of_first, of_second = merged(equal, equal)
     assert len(of_first) == len(of_second) == len(equal)
-
-
-@RANDOM
-@given(points(st.integers(1, 4)), st.integers(1, 30))
-def test_a_limited_front_is_a_part_of_it(objectives: Floats, count: int) -> None:
-    front = objectives[non_dominated(objectives)]
-    rows = limited(front, count)
-    assert len(rows) == min(count, len(front))
-    assert all(one < other for one, other in pairwise(rows.tolist()))
-    if len(front) > 0 and front.shape[1] <= count:
-        assert (front[rows].min(axis=0) == front.min(axis=0)).all()
-
-
-def test_a_limited_front_is_spread() -> None:
-    """101 points on a line: ends, middle, quarters."""
-    line = np.column_stack([np.arange(101.0), np.arange(100.0, -1, -1)])
-    assert limited(line, 1).tolist() == [0]
-    assert limited(line, 2).tolist() == [0, 100]
-    assert limited(line, 3).tolist() == [0, 50, 100]
-    assert limited(line, 5).tolist() == [0, 25, 50, 75, 100]
-    assert limited(line * [1, 1000], 5).tolist() == [0, 25, 50, 75, 100]
-
-
-def test_equal_points_come_last_in_a_limited_front() -> None:
-    front = np.array([[0.0, 2.0], [0.0, 2.0], [1.0, 1.0], [2.0, 0.0]])
-    assert limited(front, 3).tolist() == [0, 2, 3]

@@ -31,8 +31,6 @@ from vstatics.core.model.parts import Load
 from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.writers import deck, listing, named
 from vstatics.core.writers.result_json import document
-from vstatics.sweep import sweep
-from vstatics.sweep.chunk import STATUS
 
 U = -73 / 35
 SIMPSON = """\
@@ -515,11 +513,6 @@ def test_random_trains(seed: int) -> None:
     u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
     assert not disagreements(case, u, None, range(4))
     assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
-
-
-def test_a_sweep_tells_a_conflict() -> None:
-    (made,) = sweep(pair(2.0), {"D1.ratio": [2, -2]}, out="ratio")
-    assert [STATUS[code] for code in made.status] == ["ok", "conflict"]
 
 
 # -- reading, writing, checking ----------------------------------------------------------

@@ -15,7 +15,6 @@ from vstatics.core.tables.names import table_rows
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.writers import listing
 from vstatics.core.writers.result_json import document
-from vstatics.sweep import sweep
 
 OWN = ["small_sun", "large_sun", "ring", "carrier"]
 ELEMENTS = ["forward", "reverse", "direct", "overdrive", "low"]
@@ -49,17 +48,6 @@ def test_csv_has_these_rows(aod: Results, name: str) -> None:
     found = [line for line in csv_of(aod) if line[0] == key]
     assert len(found) == len(GEARS) * len(ROWS[name])
     assert {row for line in found for row in line} >= set(ROWS[name])
-
-
-@pytest.mark.parametrize("name", ROWS)
-def test_a_sweep_has_these_rows(aod: Results, name: str) -> None:
-    efficiency = aod.case.mechanisms[0].efficiency
-    (made,) = sweep(aod.case, {"set.small_sun-short.efficiency": [efficiency]}, out=name)
-    assert len(made.headings) == len(GEARS) * len(ROWS[name])
-    by_row = made.columns[0].reshape(-1)
-    assert sorted(by_row) == pytest.approx(sorted(getattr(aod, name).ravel()))
-    for row in ROWS[name]:
-        assert sum(f"[{row}," in heading or f'"{row}"' in heading for heading in made.headings) == 5
 
 
 def test_the_listing_has_these_rows(aod: Results) -> None:

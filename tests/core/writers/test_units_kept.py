@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-import random
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
-import yaml
 
-from tests.commands import CASES, SHIPPED
-from vstatics import Transmission, load, loads, save, sweep
+from vstatics import Transmission, load, loads, save
 from vstatics.core.comparison.case_changes import case_changes
 from vstatics.core.writers.named import mapping, write_yaml
 
-LOADED = [
-    path
-    for path in SHIPPED
-    if path.suffix == ".yaml" and "load" in yaml.safe_load(path.read_text(encoding="utf-8"))
-]
-QUICK = ("gm-8l90.yaml", "moskvich412.yaml")
 LIKE_THE_PAGE = """\
 links: [sun, ring, carrier]
 load: {speed: 1000 rpm, torque: 200 N*m}
@@ -38,28 +27,6 @@ gears:
 """
 
 
-def with_units(data: dict[str, Any], chance: random.Random) -> dict[str, Any]:
-    """A case with all keys that take N*m, here and there."""
-
-    def torque() -> str:
-        return f"{chance.uniform(1, 30):.6g} N*m"
-
-    case = load(CASES / data.pop("file"))
-    links = [*case.link_names[: case.own_links]]
-    data["drag"] = {link: torque() for link in chance.sample(links, 2)}
-    for name, element in data.get("shift_elements", {}).items():
-        own = element if isinstance(element, dict) else {"links": element}
-        more = {"capacity": f"{chance.uniform(500, 5000):.6g} N*m"}
-        if "kind" not in own and chance.random() < 0.5:
-            more["drag"] = torque()
-        data["shift_elements"][name] = own | more
-    for name, gear in data["gears"].items():
-        given = gear if isinstance(gear, dict) else {"engaged": gear}
-        drag = {"drag": {chance.choice(links): torque()}} if chance.random() < 0.5 else {}
-        data["gears"][name] = given | drag
-    return data
-
-
 def with_load(case: Transmission, torque: float) -> Transmission:
     assert case.load is not None
     return case.replace(load=case.load._replace(torque=torque, power=None))
@@ -69,12 +36,6 @@ def again(case: Transmission, folder: Path, suffix: str) -> Transmission:
     path = folder / f"again{suffix}"
     assert save(case, path) == []
     return load(path)
-
-
-def swept(case: Transmission) -> np.ndarray[Any, Any]:
-    """Efficiencies over the torque of the load."""
-    torques = {"load.torque": [20.0, 150.0, 777.0]}
-    return np.vstack([chunk.columns for chunk in sweep(case, torques, out="efficiency")])
 
 
 @pytest.mark.parametrize("suffix", [".yaml", ".json", ".xlsx"])
@@ -89,23 +50,6 @@ def test_the_load_changes_and_what_has_a_unit_does_not(tmp_path: Path, suffix: s
         assert there.shift_elements[0].capacity == pytest.approx(300 / abs(torque))
         assert there.shift_elements[1].capacity == 2.5  # a bare number is a part of the load
         assert there.gear_drag(there.gears[0]) == pytest.approx({3: 4 / abs(torque), 1: 0.01})
-
-
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, id=path.name, marks=[pytest.mark.slow] * (path.name not in QUICK))
-        for path in LOADED
-    ],
-)
-def test_a_shipped_case_with_units_everywhere_is_swept_alike(path: Path, tmp_path: Path) -> None:
-    chance = random.Random(path.name)  # noqa: S311
-    data = yaml.safe_load(path.read_text(encoding="utf-8"))
-    case = Transmission.from_dict(with_units(data | {"file": path.name}, chance))
-    made = again(case, tmp_path, chance.choice([".yaml", ".json", ".xlsx"]))
-    assert made == case
-    assert with_load(made, 33.0) == with_load(case, 33.0)
-    np.testing.assert_array_equal(swept(made), swept(case))
 
 
 def test_a_part_of_another_load_is_written_as_a_part() -> None:

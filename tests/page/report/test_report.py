@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, vstatics
+from tests.installed import needs
 from tests.page.report.pages import NASTY, NASTY_CASE, Page, number, output, report, value, write
-from tests.vehicle.pictures.cars import box
 from vstatics import load, solve
 from vstatics.core.errors import CaseError
 from vstatics.core.summary import summarize
@@ -357,8 +357,11 @@ def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:
     assert not (tmp_path / "out.html").exists()
 
 
+@needs("vehicle")
 def test_the_page_of_a_car_has_what_its_vehicle_does() -> None:
     """Top speeds of the summary, wheel force and the speeds of its engine; a box alone has none."""
+    from tests.vehicle.pictures.cars import box
+
     results = box([3.5, 1.9, 1.0])
     [part] = [one for one in sections(gather(results)) if one.name == "Vehicle"]
     shown = " ".join(part.shown)

@@ -9,18 +9,17 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.commands import CASES
+from tests.pictures.test_charts_on_paper import in_van
 from vstatics import load, solve
 from vstatics.pictures import drawn_kinds, render
 from vstatics.pictures.drawing.files import settings_of
 from vstatics.pictures.drawing.pen import blank
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.drawing.svg import halo, told, written_as_svg
-from vstatics.vehicle.case.vehicle import Vehicle
 
 SVG = "{http://www.w3.org/2000/svg}"
 STYLE = Style()
-VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])
-SET = solve(load(CASES / "ravigneaux-gf4a.yaml").replace(vehicle=VAN))
+SET = solve(in_van(load(CASES / "ravigneaux-gf4a.yaml")))
 SPRINGS = solve(load(CASES / "moskvich412.yaml"))
 KINDS = [kind for kind in drawn_kinds() if kind != "shift"]
 OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vibration"]

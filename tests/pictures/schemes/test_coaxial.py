@@ -14,13 +14,13 @@ import pytest
 
 import vstatics
 from tests.chance import count, seeded
+from tests.installed import needs
 from tests.pictures.measured import measured
 from tests.pictures.schemes.test_schemes import overlaps
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.springs import between
-from vstatics.page.report.page_pictures import HALF
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.files import settings_of, written
 from vstatics.pictures.drawing.style import Style
@@ -30,7 +30,6 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.schemes.titles import teeth_of
-from vstatics.synthesis import box_is_planar
 
 SVG = "{http://www.w3.org/2000/svg}"
 SHIPPED = Path(__file__).parents[3] / "cases"
@@ -249,10 +248,13 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
     return written(figure, "svg", style, "box"), figure.texts[0].get_text()
 
 
+@needs("synthesis")
 @pytest.mark.parametrize(
     "seed", [*range(4), *(pytest.param(one, marks=pytest.mark.slow) for one in range(4, 40))]
 )
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
+    from vstatics.synthesis import box_is_planar
+
     case = next_box(Random(seed))  # noqa: S311
     is_planar = nx.check_planarity(axis_graph(case))[0]
     assert box_is_planar(case) == is_planar
@@ -293,10 +295,18 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
     assert max(levels) == round(max(y for lines in own.values() for *_, y in lines))
 
 
-@pytest.mark.parametrize("width", ["page", "half", "narrow"])
+def half() -> Style:
+    """Return the style of a picture in half the width of a page of HTML."""
+    from vstatics.page.report.page_pictures import HALF
+
+    return HALF
+
+
+@pytest.mark.parametrize("width", ["page", pytest.param("half", marks=needs("page")), "narrow"])
 @pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
-    style = {"page": Style(), "half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
+    styles = {"page": Style(), "narrow": Style(width=320.0, wheels=True)}
+    style = half() if width == "half" else styles[width]
     cases = [vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")) for name in names]
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):

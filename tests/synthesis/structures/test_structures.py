@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tests.oracle import schemes as oracle
-from tests.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
+from tests.synthesis.oracle.test_schemes import GROUPS, all_codes, is_connected, is_sound, least
 from vstatics.core.tables.answer import plain_data
 from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.estimate import estimate

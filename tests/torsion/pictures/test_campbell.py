@@ -11,6 +11,7 @@ import pytest
 
 from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED, vstatics
+from tests.installed import needs
 from tests.pictures import drawn as said
 from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tree
 from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
@@ -19,7 +20,6 @@ from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Excitation, Style
 from vstatics.torsion.pictures.orders import campbell
 from vstatics.torsion.pictures.orders.excited import ORDERS, running_speeds
-from vstatics.vehicle.case.vehicle import Vehicle
 
 FASTEST = {
     "driveline-8hp70.yaml": 5000.0,  # a quarter above 4000 rpm
@@ -236,7 +236,10 @@ def test_the_table_has_the_speed_of_every_resonance() -> None:
         assert f"{speed:.0f}" in table
 
 
+@needs("vehicle")
 def test_resonances_within_the_range_of_the_engine_are_bold_in_the_table() -> None:
+    from vstatics.vehicle.case.vehicle import Vehicle
+
     engine = [(100.0, 50.0), (400.0, 80.0)]  # rad/s: 955 to 3820 rpm
     results = of_frequency(40.0, vehicle=Vehicle(1000.0, 0.3, engine=engine))
     table = dict(numbers_of_table(results))
@@ -248,7 +251,10 @@ def test_resonances_within_the_range_of_the_engine_are_bold_in_the_table() -> No
     }
 
 
+@needs("vehicle")
 def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() -> None:
+    from vstatics.vehicle.case.vehicle import Vehicle
+
     engine = [(100.0, 50.0), (400.0, 80.0)]
     gears = [Gear(load=Load(speed=700.0)), Gear(load=Load(speed=-4200.0))]
     results = of_frequency(40.0, vehicle=Vehicle(1000.0, 0.3, engine=engine))

@@ -11,12 +11,12 @@ import pytest
 from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, seeded
+from tests.installed import needs
 from tests.torsion.systems import Array, matrices
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.torsion import modes, random_vibration
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
-from vstatics.vehicle.case.fatigue import Fatigue
 
 ROAD = Correlation(1e-4, ((1.0, 0.3, 0.8),), 10.0)
 """R(l) = 1e-4 exp(-.3 l) cos(.8 l) m^2, at 10 m/s."""
@@ -252,8 +252,11 @@ def test_a_converter_stills_what_would_drift() -> None:
     assert gear.links["1"].velocity_rms > 0
 
 
+@needs("vehicle")
 def test_life_of_a_device_with_a_fatigue_strength() -> None:
     """Damage a second = nu D^(m/2) I/(endurance^m N), I = 3.6191919 of exponent 3 (facts of 4.6)."""
+    from vstatics.vehicle.case.fatigue import Fatigue
+
     strength = Fatigue(100e6, 3, 4e6, section_modulus=1e-6)
     [bare] = random_vibration(mounted(), 1, White(1.0))
     wanted = 60e6 * 1e-6 / (200 * bare.devices["mount"].twist_rms)  # to a stress of 60 MPa

@@ -14,12 +14,11 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
+from tests.installed import needs
 from tests.torsion.systems import Array, chain, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import CaseError, Damping, Gear, Load, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.core.model.converters import Converter
-from vstatics.simulation import Scenario, Start, simulate
-from vstatics.simulation.scenario.laws import constant
 from vstatics.torsion import Harmonic, modes, response
 from vstatics.torsion.system.converters import WorkingConverter
 
@@ -186,8 +185,12 @@ def test_loss_factors_beside_a_converter() -> None:
     assert len(slow[0]) == 2
 
 
+@needs("simulation")
 def test_a_small_step_of_a_simulation_dies_away_as_the_eigenvalues_say() -> None:
     """A run about the working point, torques that hold it, and the linear one, by its exponential."""
+    from vstatics.simulation import Scenario, Start, simulate
+    from vstatics.simulation.scenario.laws import constant
+
     case = two_masses()
     held = ((1, constant(94.0)), (2, constant(-117.5)))
     start = Start(speeds={1: 200.0 + 1e-3, 2: 140.0})
@@ -201,7 +204,10 @@ def test_a_small_step_of_a_simulation_dies_away_as_the_eigenvalues_say() -> None
         assert speeds - [200, 140] == pytest.approx(change, rel=1e-4, abs=1e-8)
 
 
+@needs("simulation")
 def test_a_mechanism_of_its_kind_is_the_same_converter() -> None:
+    from vstatics.simulation import Scenario, Start, simulate
+
     mechanism = Mechanism(1, 2, 0, 0.7, name="TC", kind="converter", points=POINTS)
     case = Transmission(2, [], [mechanism], [Gear()], inertias={1: 0.4, 2: 0.2}, load=AT_200)
     assert only(case).damped == only(two_masses(gears=[Gear(speed_ratios={1: 0.7})])).damped

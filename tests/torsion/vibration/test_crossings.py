@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
+from tests.installed import needs
 from tests.torsion.systems import Array, chain
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from tests.torsion.vibration.test_variants import system_of
-from vstatics import Spring, Transmission, sweep
+from vstatics import Spring, Transmission
 from vstatics.torsion.vibration.variants import variant_frequencies
 
 
@@ -37,8 +38,11 @@ def test_wheels_in_antiphase_keep_their_number() -> None:
     assert found[0, 0] < 5 < found[2, 0]
 
 
+@needs("sweep")
 def test_a_sweep_takes_the_numbers_of_its_first_variant_in_every_piece() -> None:
     """Of 3000 stiffnesses, more than a block of them has."""
+    from vstatics import sweep
+
     [made] = sweep(wheels(70.0), {"propshaft.stiffness": (1, 2000, 3000)}, out="omega[1], omega[2]")
     first, second = made.columns.T
     np.testing.assert_allclose(second, 5.0, rtol=1e-12)

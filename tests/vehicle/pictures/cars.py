@@ -14,6 +14,8 @@ ENGINE = [(100.0, 100.0), (300.0, 160.0), (600.0, 120.0)]
 """Full load [rad/s], [N*m]."""
 CAR = Vehicle(1200, 0.3, 0.012, 0.65, 4.1, engine=ENGINE)
 
+VAN = Vehicle(1750, 0.32, 0.012, 0.9, 3.7, engine=[(100.0, 150.0), (400.0, 225.0), (600.0, 180.0)])
+
 
 def box(
     ratios: Sequence[float], efficiency: float = 0.97, vehicle: Vehicle | None = CAR

@@ -13,7 +13,6 @@ from vstatics.core.model.open_converters import with_open_converters
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.writers.named import write_json, write_yaml
-from vstatics.simulation.scenario.file import read_scenario
 
 CASE = """links: [engine, turbine, out]
 mechanisms: {pair: {first: turbine, second: out, ratio: 2}}
@@ -64,18 +63,6 @@ def test_a_converter_is_not_written_to_a_deck() -> None:
     case = loaded(CASE)
     with pytest.raises(CaseError, match="the converter of TC"):
         check_deck(case)
-
-
-def test_a_scenario_without_converters_has_those_of_the_case() -> None:
-    reading = read_yaml(CASE.encode(), "case.yaml")
-    scenario = b"{case: case.yaml, duration: 1, start: {speeds: {engine: 1, turbine: 1}}%s}"
-    own = b", converters: {C2: {links: [engine, out], points: [[0, 1, 1]]}}"
-    without, other = (
-        read_scenario(scenario % more, "s.yaml").with_case(reading).scenario.converters
-        for more in (b"", own)
-    )
-    assert without == reading.case.converters
-    assert other == (Converter("C2", 1, 3, ((0.0, 1.0, 1.0),)),)
 
 
 def test_a_mechanism_of_its_kind_with_lambda_is_one_of_them() -> None:

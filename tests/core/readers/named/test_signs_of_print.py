@@ -15,7 +15,6 @@ from vstatics import CaseError, ReadError, solve
 from vstatics.core.errors import lookalike
 from vstatics.core.readers import loads, read
 from vstatics.core.readers.named.scalars import number
-from vstatics.vehicle.operation.trace import read_trace
 
 BLANKS = "\u00a0\u202f\u2009"
 """No-break, narrow no-break, thin."""
@@ -45,7 +44,6 @@ KWZ(I),I=1,NP: 0 0
 KMZ(I),I=1,NP: 0 0
 NAME F1: a clutch
 """
-CYCLE = "Time (s), Speed [km/h], Remark\n0, 0 , a b\n 2 ,36, c d\n"
 
 
 def spoilt(text: str, rng: Random) -> str:
@@ -60,13 +58,6 @@ def test_blanks_of_print_are_blanks(text: str, file: str, seed: int) -> None:
     other = read(spoilt(text, seeded(5000 + seed)).encode(), file).case
     assert other == case
     assert other.link_names == case.link_names
-
-
-@pytest.mark.parametrize("seed", range(count(10, 200)))
-def test_blanks_of_print_are_blanks_in_tables(seed: int) -> None:
-    trace = read_trace(spoilt(CYCLE, seeded(5100 + seed)).encode(), "t.csv")
-    assert (trace.duration[0], trace.speed[0]) == (2.0, pytest.approx(5.0))
-    assert trace.table.head.skipped == ["Remark"]
 
 
 def test_digits_are_not_grouped() -> None:

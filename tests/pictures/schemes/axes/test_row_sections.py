@@ -12,13 +12,13 @@ import pytest
 
 import vstatics
 from tests.commands import CASES
+from tests.installed import needs
 from tests.pictures.schemes.axes.boxes import axes_by_link, of_class, svg_of, wheels
 from tests.pictures.schemes.axes.test_axes import check_bridged, check_joined, colors_of
 from tests.pictures.schemes.test_coaxial import crossings, next_box, planar_boxes
 from vstatics import Mechanism, Transmission
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
-from vstatics.synthesis import box_is_planar
 
 
 def transaxle(box: Transmission) -> Transmission:
@@ -42,8 +42,11 @@ def test_planar_boxes_before_a_final_drive_are_drawn_without_crossings(count: in
         assert wheel.x == pytest.approx(other.x, abs=0.1)
 
 
+@needs("synthesis")
 @pytest.mark.slow
 def test_a_title_says_how_often_links_cross() -> None:
+    from vstatics.synthesis import box_is_planar
+
     boxes = (next_box(Random(seed)) for seed in range(100))  # noqa: S311
     others = islice((box for box in boxes if not box_is_planar(box)), 3)
     told = []

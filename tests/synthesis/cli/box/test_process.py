@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 
 from tests.commands import environment, process
-from tests.core.jobs.test_cluster import Cluster
 from tests.processes import names, wait_for
+from tests.sweep.test_cluster import Cluster
 from vstatics.synthesis.boxes.batches.found import found_in, prepare
 from vstatics.synthesis.boxes.box import BoxSearch
 

@@ -19,7 +19,7 @@ import pytest
 from tests.chance import count, seeded
 from tests.oracle.boxes import HELD, Frame, Space, all_frames
 from tests.oracle.test_boxes import Pairs, ratio
-from tests.oracle.test_found_boxes import asked, ports_of
+from tests.synthesis.oracle.test_found_boxes import asked, ports_of
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox, WantedSequence
 from vstatics.synthesis.boxes.figures.measured import measured
 

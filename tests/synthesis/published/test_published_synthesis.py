@@ -20,12 +20,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.commands import ROOT
 from tests.oracle.combinations import Train, every
 from vstatics import load, solve
 from vstatics.core.model.transmission import Gear, ShiftElement
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
-PAGE = Path(__file__).parents[2] / "docs" / "synthesis" / "tables.md"
+PAGE = ROOT / "docs" / "synthesis" / "tables.md"
 TABLE_10 = [
     "a1",
     "h1",

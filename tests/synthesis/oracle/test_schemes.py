@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from itertools import combinations, permutations, product
-from pathlib import Path
 
 import pytest
 
+from tests.commands import ROOT
 from tests.oracle.schemes import KEPT, SUN_AND_RING, bodies, classes, connected, labelled, sound
 
 pytestmark = pytest.mark.slow  # nothing in them is the program's own
 Code = tuple[int, ...]
-PAGE = Path(__file__).parents[2] / "docs" / "synthesis" / "method.md"
+PAGE = ROOT / "docs" / "synthesis" / "method.md"
 
 
 def subsets_of_links(sets: int, links: int) -> Iterator[tuple[frozenset[int], ...]]:

@@ -1,0 +1,44 @@
+"""Tests of what is installed: they import no annex that may be missing where they run."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+import pytest
+
+from tests.installed import ANNEXES, FILES, HERE, TESTS, skip_without_command, used_in
+from vstatics.core.annexes import annexes
+
+NEEDS = {annex.name: {annex.name, *annex.needs} for annex in annexes()}
+
+
+def imported_at_once(tree: ast.Module) -> Iterator[str]:
+    """Return the annexes that a module imports when it is imported itself."""
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom):
+            for alias in node.names:
+                yield from used_in(f"{node.module}.{alias.name}")
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                yield from used_in(alias.name)
+
+
+def test_files_of_tests_import_what_is_installed_where_they_run() -> None:
+    """Their own annex and those that it needs; others are named in `FILES`, none in vain."""
+    more: dict[str, tuple[str, ...]] = {}
+    for path in TESTS.rglob("*.py"):
+        name = path.relative_to(TESTS).as_posix()
+        own = name.split("/")[0]
+        used = {*imported_at_once(ast.parse(path.read_text(encoding="utf-8")))}
+        if others := used - NEEDS.get(own, set()):
+            more[name] = tuple(annex for annex in ANNEXES if annex in others)
+    listed = {name: needs for name, needs in FILES.items() if (TESTS / name).exists()}
+    assert more == listed
+
+
+def test_a_command_of_a_missing_annex_is_skipped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tests.installed.HERE", HERE - {"page"})
+    skip_without_command("run", "summary")
+    with pytest.raises(pytest.skip.Exception, match="needs page"):
+        skip_without_command("report")
