@@ -35,12 +35,13 @@ from vstatics.core.readers.results import read_results
 from vstatics.core.writers import listing, named, result_json
 from vstatics.simulation.scenario.file import read_scenario
 from vstatics.simulation.scenario.formula import Formula, read_formula
+from vstatics.simulation.variants.subject import VariedScenario
 from vstatics.sweep import build
 from vstatics.sweep.file import read_sweep_file
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.results.expressions import read_expression
-from vstatics.sweep.variants.subject import Document, VariedScenario
+from vstatics.sweep.variants.subject import Document
 from vstatics.sweep.variants.table import read_table
 from vstatics.sweep.variants.targets import target
 from vstatics.sweep.variants.variation import read_variation

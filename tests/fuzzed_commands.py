@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from tests.commands import CASES, vstatics
-from tests.sweep import scenarios
+from tests.simulation.variants import scenarios
 from tests.synthesis.boxes.listed_boxes import simpson
 from vstatics import VstaticsError, load, solve
 from vstatics.core.writers import listing, result_json

@@ -11,8 +11,8 @@ import pytest
 import vstatics
 from tests import commands
 from tests.commands import CASES, ROOT
-from vstatics.core.examples import ScenarioName
 from vstatics.simulation import load_scenario
+from vstatics.simulation.examples import ScenarioName
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:

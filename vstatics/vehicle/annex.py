@@ -1,6 +1,6 @@
 """What the vehicle, its cycles and life provides to the program."""
 
-from vstatics.core.annexes import Annex, Command
+from vstatics.core.annexes import Annex, Command, Schema
 
 ANNEX = Annex(
     name="vehicle",
@@ -31,4 +31,28 @@ ANNEX = Annex(
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
     methods={"performance": "vstatics.vehicle.operation.traction"},
+    schemas={
+        "cycle": Schema(
+            "vstatics.vehicle.operation.drive_cycle",
+            "CycleAnswer",
+            "A driving cycle, of vstatics cycle",
+        ),
+        "damage": Schema(
+            "vstatics.vehicle.damage.devices",
+            "DamageAnswer",
+            "Damage by a record of torques, of vstatics damage",
+        ),
+        "rayleigh": Schema(
+            "vstatics.vehicle.damage.rayleigh",
+            "RayleighLife",
+            "Life under random stresses, of vstatics damage rayleigh",
+            documents=False,
+        ),
+        "resize": Schema(
+            "vstatics.vehicle.damage.resize",
+            "ResizedShaft",
+            "A shaft of equal life, of vstatics damage resize",
+            documents=False,
+        ),
+    },
 )

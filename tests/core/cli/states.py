@@ -12,7 +12,7 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import NEUTRAL, Said, vstatics
-from tests.sweep.scenarios import CASE, SCENARIO
+from tests.simulation.variants.scenarios import CASE, SCENARIO
 from tests.sweep.sweeps import CASE_TEXT
 from vstatics.sweep import build, runs
 from vstatics.synthesis.boxes.batches import work

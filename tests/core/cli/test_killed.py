@@ -19,7 +19,7 @@ import pytest
 
 from tests.chance import seeded
 from tests.commands import MZKT, environment
-from tests.sweep import scenarios
+from tests.simulation.variants import scenarios
 from tests.sweep.sweeps import CASE_TEXT, children, names
 from vstatics.synthesis.cli.box.output import RECORD
 
