@@ -118,8 +118,8 @@ def _no_constant(name: str) -> NoReturn:
 def _folder() -> Path:
     """A folder of this process, with the files that commands read beside the mutated one."""
     folder = Path(tempfile.mkdtemp(prefix="vstatics-fuzz-"))
-    if "sweep" in HERE:
-        from tests.sweep.scenarios import CASE
+    if "simulation" in HERE:
+        from tests.simulation.variants.scenarios import CASE
 
         (folder / "set.yaml").write_bytes(CASE)
     (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
@@ -175,7 +175,7 @@ def commands() -> Mapping[str, Fuzzed]:
 
 
 def _of_simulation() -> dict[str, Fuzzed]:
-    from tests.sweep.scenarios import SCENARIO
+    from tests.simulation.variants.scenarios import SCENARIO
 
     limit = ("--limit", str(LIMIT_SECONDS))
     return {

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sweep.scenarios import CASE, SCENARIO
+from tests.installed import HERE
 from tests.sweep.sweeps import CASE_TEXT
 from vstatics.sweep import build, runs
 
@@ -15,8 +15,11 @@ from vstatics.sweep import build, runs
 def write_inputs(folder: Path) -> None:
     """Write a case, and a scenario with its case."""
     (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
-    (folder / "set.yaml").write_bytes(CASE)
-    (folder / "lock.yaml").write_bytes(SCENARIO)
+    if "simulation" in HERE:
+        from tests.simulation.variants.scenarios import CASE, SCENARIO
+
+        (folder / "set.yaml").write_bytes(CASE)
+        (folder / "lock.yaml").write_bytes(SCENARIO)
 
 
 def prepare_sweeps(monkeypatch: pytest.MonkeyPatch) -> None:

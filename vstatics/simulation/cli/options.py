@@ -14,7 +14,6 @@ from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.cli.shared.values import above_0, value
-from vstatics.simulation.cli.scenario_run import LIMIT_OPTION
 from vstatics.simulation.tolerances import RTOL
 
 Method = Literal["events", "tarasik"]
@@ -111,7 +110,7 @@ options = gathered(
         default="events",
         help="`tarasik`: the published equations (12) to (15), for comparison.",
     ),
-    LIMIT_OPTION,
+    arguments.limit,
     click.option(
         "--damage", is_flag=True, help="Also what torques do to devices that have `fatigue`."
     ),
