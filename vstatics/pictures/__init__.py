@@ -27,13 +27,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from vstatics.core.extras import require
-from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from vstatics.core.statics.results import Results
     from vstatics.pictures.drawing.style import Style
     from vstatics.simulation.record.motion import Motion
 
