@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.gears.case_of_scheme import names_of_mean
+from vstatics.synthesis.gears.names import names_of_mean
 from vstatics.synthesis.tolerances import NO_FIGURE
 
 
