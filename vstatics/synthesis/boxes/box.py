@@ -172,9 +172,9 @@ class FoundBox(NamedTuple):
         return [element for element in self.elements if element[1] != HELD]
 
 
-LARGEST_RATIO = 1000.0
+LARGEST_BOX_RATIO = 1000.0
 """Upper limit of gear ratios, of reciprocal ratios, and of ring teeth/sun teeth. [-]"""
-ANY_QUOTIENT = (1.0, LARGEST_RATIO**2)
+ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
 """Widest range of the ratio of a gear divided by the ratio of a later gear. [-]"""
 MOST_BOX_SETS = 5
 """Largest number of gear sets; more sets have more schemes than can be examined."""
@@ -266,8 +266,8 @@ def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("shafts", f"read {search.shafts}, expected 0 to {MOST_LINKS}")
         return
     low, high = search.bounds
-    if not 1 < low < high <= LARGEST_RATIO:
-        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_RATIO:g}"
+    if not 1 < low < high <= LARGEST_BOX_RATIO:
+        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_BOX_RATIO:g}"
         yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
     if not 0 < search.tolerance <= COARSEST:
         message = f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
@@ -288,8 +288,8 @@ def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("ratios", f"read {len(targets)}, expected {MOST_TARGETS} at most")
         return
     for target in targets:
-        if not 1 / LARGEST_RATIO <= abs(target) <= LARGEST_RATIO:
-            sizes = f"{1 / LARGEST_RATIO:g} to {LARGEST_RATIO:g} in size, below 0 backward"
+        if not 1 / LARGEST_BOX_RATIO <= abs(target) <= LARGEST_BOX_RATIO:
+            sizes = f"{1 / LARGEST_BOX_RATIO:g} to {LARGEST_BOX_RATIO:g} in size, below 0 backward"
             yield _problem("ratios", f"read {target:g}, expected a ratio of {sizes}")
     for target in sorted({target for target in targets if targets.count(target) > 1}):
         yield _problem("ratios", f"read {target:g} twice, expected gears that differ")

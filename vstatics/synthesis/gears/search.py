@@ -130,7 +130,7 @@ def _name(links: Sequence[str]) -> str:
     return "-".join(["T" if len(links) == 1 else "F", *links])
 
 
-MOST_COMBINATIONS = 1_000_000
+MOST_TRIED_COMBINATIONS = 1_000_000
 """Default limit of the number of combinations, about ten seconds of work."""
 ROW_NUMBERS_AT_ONCE = 500_000
 """Number of values in the rows of combinations that are calculated together."""
@@ -220,7 +220,7 @@ class CombinationSearch:
         """Elements to choose from."""
         return chosen_elements(self.case, self._asked)
 
-    def check(self, at_most: int | None = MOST_COMBINATIONS) -> None:
+    def check(self, at_most: int | None = MOST_TRIED_COMBINATIONS) -> None:
         """Refuse more combinations than a limit, or more than memory has room for.
 
         Raises
@@ -337,7 +337,7 @@ def combinations(
     case: Transmission,
     engaged: int | Sequence[int] = (),
     elements: str | Sequence[str] = (),
-    at_most: int = MOST_COMBINATIONS,
+    at_most: int = MOST_TRIED_COMBINATIONS,
 ) -> list[EngagedSet]:
     """Return all combinations of shift elements of a case, with kinds and ratios.
 

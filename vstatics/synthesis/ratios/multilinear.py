@@ -19,7 +19,7 @@ Polynomial = Mapping[int, Fraction]
 Term = tuple[Fraction, Fraction]
 """Two coefficients: without and with the ratio of the row."""
 
-MOST_TERMS = 30_000
+MOST_FORMULA_TERMS = 30_000
 """Largest number of products to add; the formula of a gearbox has some dozens."""
 PRIME = 2**61 - 1
 """Modulus of the test for zero, with a chance of error of 1e-17.
@@ -89,8 +89,8 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
             for used, sums in after.items()
         )
         minors = {used: sums for used, sums in nonzero if sums}
-        if work > MOST_TERMS:
-            message = f"the formula of its ratio has more than {MOST_TERMS} terms"
+        if work > MOST_FORMULA_TERMS:
+            message = f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
             raise CaseError("E818", f"{message}; expected more ratios that are given")
     return minors.get((1 << len(unknowns)) - 1, {})
 

@@ -7,7 +7,7 @@ from functools import cache, lru_cache
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
+from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, BoxSearch
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.joining import set_room
 from vstatics.synthesis.boxes.search.kernel import Room
@@ -27,7 +27,7 @@ def asked_arrays(search: BoxSearch) -> Asked:
     factors = np.exp(widths + TARGET_MARGIN)
     ends = np.sort([targets / factors, targets * factors], axis=0)
     if search.sequence is not None:  # an additional target that all forward ratios reach
-        ends = np.append(ends, [[1 / LARGEST_RATIO], [LARGEST_RATIO]], axis=1)
+        ends = np.append(ends, [[1 / LARGEST_BOX_RATIO], [LARGEST_BOX_RATIO]], axis=1)
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 

@@ -17,7 +17,7 @@ from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
 from vstatics.synthesis.structures.scheme import SetScheme
 
-MOST_FOUND = 1_000_000
+MOST_FOUND_BOXES = 1_000_000
 """Largest number of gearboxes to keep, because of memory."""
 MOST_MEASURED = 50_000
 """Largest number of gearboxes whose figures are calculated."""
@@ -144,7 +144,7 @@ class SearchedPieces:
         else:
             write_piece(self._store.directory, piece, buffers)
         self._accounts[piece] = account
-        check_most(self.found, MOST_FOUND)
+        check_most(self.found, MOST_FOUND_BOXES)
 
     def boxes(self) -> Iterator[FoundBox]:
         """Yield all gearboxes in the order of the pieces, whichever finished first."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
+from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import NO_END
@@ -57,7 +57,7 @@ def sequence_of(wanted: WantedSequence | None, *, singly: bool) -> Sequence:
 
 def _ends(given: tuple[float, float]) -> tuple[float, float]:
     low, high = given
-    no_end = high >= LARGEST_RATIO**2
+    no_end = high >= LARGEST_BOX_RATIO**2
     return math.log(low) - TARGET_MARGIN, math.inf if no_end else math.log(high) + TARGET_MARGIN
 
 
