@@ -9,7 +9,7 @@ The size is the sum of the magnitudes that a value was made from. Its rounding e
 at most a few units in the last place of its size (running error analysis: Wilkinson
 1963). So a difference of no more than a unit in the last place of its size is zero, unless
 a millionth of its larger term is left: sizes overrate the error of long calculations. What is
-larger, and yet so small that few digits are left, is told by `solve_told`.
+larger, and yet so small that few digits are left, is told by `solve_with_certainty`.
 
 Whether a difference of traced numbers is zero is decided for the first variant as for floats.
 For the others it is guarded: by parts of the terms, or, of any sign, by their own sizes, which
@@ -100,10 +100,10 @@ def solve(
     >>> solve(equations, 3, sums=[{0: 1.0, 1: -1.0}])
     Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
     """
-    return solve_told(equations, unknowns, sums, arithmetic)[0]
+    return solve_with_certainty(equations, unknowns, sums, arithmetic)[0]
 
 
-def solve_told(
+def solve_with_certainty(
     equations: Sequence[Equation],
     unknowns: int,
     sums: Sequence[Mapping[int, Number]] = (),
