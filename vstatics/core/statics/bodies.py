@@ -18,7 +18,7 @@ from vstatics.core.statics.speeds import is_tie
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
-    """Return the bodies of a gear, from its speeds.
+    """Return the bodies of a gear from the speeds of links.
 
     Engaged shift elements join their links, and so do devices and springs without internal motion.
     A link that is held to the housing is not joined.
@@ -34,7 +34,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
 
 
 def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
-    """Return whether all members of a device rotate at the same speed."""
+    """Return whether all members of a device rotate at equal speeds."""
     with_housing = [0.0, *speeds]
     first, *others = (with_housing[link] for link in _links(device))
     size = absolute(first)
@@ -72,7 +72,7 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
     bodies = case.bodies(gear)
     held: set[int] = set()
     while free := [index for index in range(len(case.mechanisms)) if index not in held]:
-        locked_up = _held(case, free, bodies)
+        locked_up = _locked_up(case, free, bodies)
         if not locked_up:
             break
         for index in locked_up:
@@ -81,8 +81,8 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
     return held
 
 
-def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
-    """Return the indices of the given mechanisms whose links are one body."""
+def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
+    """Return the indices of the given mechanisms whose links form a single body."""
     locked_up: set[int] = set()
     apart: dict[frozenset[int], list[int]] = {}
     """Indices of mechanisms by the set of three bodies that they join."""
@@ -98,15 +98,15 @@ def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) 
             locked_up.add(index)
     for first, *others in apart.values():
         for other in others:
-            ours, theirs = (_torques(case.mechanisms[n], bodies) for n in (first, other))
+            ours, theirs = (_torques_on_bodies(case.mechanisms[n], bodies) for n in (first, other))
             left, right = ours[0] * theirs[1], ours[1] * theirs[0]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
                 locked_up |= {first, other}
     return locked_up
 
 
-def _torques(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
-    """Return the torques of a mechanism on its three bodies, sorted by body."""
+def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
+    """Return the torques of a mechanism on three bodies, sorted by body."""
     joined = (bodies[link] for link in mechanism.links)
     torques = map(value, row_of(mechanism, mechanism.ratio))
     return [torque for _, torque in sorted(zip(joined, torques, strict=True))]

@@ -35,7 +35,7 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """Return the torques on the shift elements of one case, and where there is any.
+    """Return the torques on the shift elements of a case, and marks of loaded elements.
 
     Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
     torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.
@@ -91,7 +91,7 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
-    """Yield the gears of one case whose load a converter cannot take at its speed ratio.
+    """Yield the gears whose load a converter cannot take at the speed ratio.
 
     Each item is the index of a gear and the text of a message. A converter is checked if its points
     contain lambda and the load has a speed and a torque.
@@ -139,7 +139,7 @@ def disagreement(name: str, brought: float, able: float, at: tuple[float, float]
 
 
 def overloads(results: Results) -> Iterator[tuple[int, str]]:
-    """Yield the overloaded shift elements of one case.
+    """Yield the overloaded shift elements of a case.
 
     Each item is the index of a gear and the text of a message.
     """

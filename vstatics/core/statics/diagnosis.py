@@ -37,7 +37,7 @@ class Said(NamedTuple):
 
 
 def freedom(case: Transmission) -> int:
-    """Return the degrees of freedom of the train without its shift elements.
+    """Return the degrees of freedom of the train without shift elements.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -53,7 +53,7 @@ def given_conditions(gear: Gear) -> int:
 
 
 def messages(results: Results) -> list[Message]:
-    """Return the messages about the results of one case that the case does not suppress."""
+    """Return the messages about the results of a case, except suppressed messages."""
     return not_allowed(_messages(results), results.case.untold)
 
 
@@ -74,13 +74,13 @@ def _messages(results: Results) -> Iterator[Message]:
     ):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
-        lost = tuple(_digit_messages(results, number)) if results.exact[number] else ()
+        lost = tuple(_lost_digit_messages(results, number)) if results.exact[number] else ()
         remarks = (
-            *(_conflict(case, gear) if results.conflict[number] else ()),
+            *(_conflict_messages(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(results, number, gear) if case.outputs else ()),
             *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
             *_idle_messages(results, number, gear),
-            *(_shared(case, given, held) if held else ()),
+            *(_sharing_freewheels(case, given, held) if held else ()),
             *(() if is_usual else _drag_messages(results, number, gear)),
             *_outside_messages(results, number, gear),
             *(Said("W430", text) for index, text in overloaded if index == number),
@@ -93,7 +93,7 @@ def _messages(results: Results) -> Iterator[Message]:
 
 
 def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
-    """Yield the converters that a gear does not bypass, with their speed ratios [-]."""
+    """Yield the converters that a gear does not bypass, with speed ratios [-]."""
     bypassed = case.bypassed(gear)
     for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
         if pair[0].kind == "converter" and place not in bypassed:
@@ -116,7 +116,7 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def outside_message(names: Sequence[str]) -> Message:
-    """Return the note that laws were evaluated outside their points."""
+    """Return the note about laws evaluated outside the given points."""
     return Message("N414", f"outside the points of {spoken(names)} the last one counts")
 
 
@@ -136,15 +136,13 @@ def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Sai
 def _of_irregular_gear(
     results: Results, number: int, gear: Gear, lost: Sequence[Said]
 ) -> Iterator[Said]:
-    """Yield the messages on speeds, lost digits, torques and losses, in this order."""
     yield from _speed_messages(results, number, gear)
     yield from lost
     yield from _torque_messages(results, number, gear, is_told=bool(lost))
     yield from _loss_messages(results, number)
 
 
-def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
-    """Warn of freewheels that could hold instead of the freewheels that do."""
+def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
     others = freewheels.alternatives(case, gear, held)
     if others:
         holding, able_to_hold = (
@@ -193,8 +191,7 @@ def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
     return [name for name, value in zip(names, values, strict=True) if math.isnan(plain(value))]
 
 
-def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
-    """Report freewheels that engaged shift elements drive backward."""
+def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
     speeds = solve_speeds(case, gear, _rows(case, gear))
     for number in freewheels.driven_backward(case, gear, speeds):
         name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
@@ -208,8 +205,8 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
         )
 
 
-def _missed(results: Results, number: int, gear: Gear) -> list[int]:
-    """Return the numbers of freewheels that would make the output turn if they held."""
+def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
+    """Return the numbers of freewheels that could drive the output by holding."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
@@ -260,7 +257,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
 
 
 def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
-    """Return the side of 0 on which a torque takes power at a link, and such a torque.
+    """Return the side of 0 on which a torque takes power at a link, and an example.
 
     The torque is a part of the input torque, which acts against its speed when coasting. Without an
     input torque it is in N*m.
@@ -310,7 +307,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     links = "" if results.tied_up[number] else named
     neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
     unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
-    over = _missed(results, number, gear) if neutral else []
+    over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
     advice = "; engage another shift element or give a speed" if neutral else ""
     return Said(
@@ -321,7 +318,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause on freewheels that overrun, and advice where their links are exchanged."""
+    """Return a clause on freewheels that overrun, and advice on exchanged links."""
     if not numbers:
         return "", ""
     names = [case.shift_elements[number - 1].name for number in numbers]
@@ -341,7 +338,7 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
 
 
 def _is_adrift(results: Results, number: int) -> bool:
-    """Return whether a gear is neutral and its torques are out of balance."""
+    """Return whether a gear is neutral, with torques out of balance."""
     return bool(
         results.missing[number]
         and np.isnan(results.ratio[number])
@@ -356,7 +353,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_loaded(case, gear))
-    at_ratios = _at_speed_ratios(case, gear)
+    at_ratios = _speed_ratios_by_name(case, gear)
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
@@ -401,14 +398,12 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         shared = ""  # the torques are named only in the first message
 
 
-def _at_speed_ratios(case: Transmission, gear: Gear) -> dict[str, float]:
-    """Return the speed ratios of variators and converters in a gear by their names [-]."""
+def _speed_ratios_by_name(case: Transmission, gear: Gear) -> dict[str, float]:
     pairs = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
     return {mechanism.name: ratio for mechanism, ratio in pairs if mechanism.kind}
 
 
-def _digit_messages(results: Results, number: int) -> Iterator[Said]:
-    """Warn of digits lost by rounding near a singular train."""
+def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
     lost = None if results.conflict[number] else digits.lost_digits(results.gear_at(number))
     if lost is None:
         return
@@ -435,7 +430,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
             return  # reported with the speeds
-        advice = _gaining(results, number) or _unheld(results, number)
+        advice = _gaining_converters(results, number) or _unheld_torques(results, number)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -458,8 +453,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
 
 
-def _gaining(results: Results, number: int) -> str:
-    """Name the converters that would gain power at the speed ratio of the gear."""
+def _gaining_converters(results: Results, number: int) -> str:
     if not results.case.has_converter:
         return ""
     state = results.gear_at(number)
@@ -469,8 +463,8 @@ def _gaining(results: Results, number: int) -> str:
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 
-def _unheld(results: Results, number: int) -> str:
-    """Name the external torques without a reaction, and freewheels that could hold them."""
+def _unheld_torques(results: Results, number: int) -> str:
+    """Name the external torques without a reaction, and freewheels that could react."""
     case, state = results.case, results.gear_at(number)
     gear, variant = state.gear, state.ideal.variant
     input_link = case.gear_input(gear)
@@ -508,7 +502,6 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
 
 
 def _loss_messages(results: Results, number: int) -> Iterator[Said]:
-    """Report self-locking, drag above the input power, and reversed or ambiguous power flow."""
     case = results.case
     if results.locked[number]:
         way = " when coasting" if case.coasts(case.gears[number]) else ""
@@ -581,7 +574,7 @@ REGULAR = {
 
 
 def regular_gears(results: Results) -> Iterator[bool]:
-    """Yield for each gear of one case whether speeds and torques exist, agree and are unique.
+    """Yield for each gear whether speeds and torques exist, agree and are unique.
 
     >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],

@@ -30,7 +30,7 @@ class LostDigits(NamedTuple):
     """Links and devices of a gear whose speeds and torques keep few digits."""
 
     digits: int
-    """Number of digits that are certain in every one of these speeds and torques."""
+    """Number of certain digits of all speeds and torques listed."""
     links: list[str]
     """Names of the links with uncertain speeds."""
     devices: list[str]
@@ -51,15 +51,15 @@ def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
-    """Return the speeds and torques of a gear that rounding makes uncertain, or None.
+    """Return the speeds and torques of a gear that rounding makes uncertain.
 
     The gear must belong to one case, not to arrays of variants. Large systems are not examined.
     """
     case, ideal = state.case, state.ideal
     if len(case.devices) + case.links > MOST_EXACT_UNKNOWNS:
         return None
-    speeds = _exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
-    by_link = _parts(state.speeds, speeds)
+    speeds = _solved_exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
+    by_link = _relative_errors(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
     if state.consistent and all(abs(plain(u)) < math.inf for u in state.lossy_ratios):
         lossy = _torque_parts(state, state.lossy_torques, columns(case, state.lossy_ratios))
@@ -85,28 +85,31 @@ def _torque_parts(
     case, gear = state.case, state.gear
     loaded = [*loaded_devices(case, gear), len(case.devices)]
     drag = state.drag.external if lossy else {}
-    exact = _exactly(torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding))
+    exact = _solved_exactly(
+        torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding)
+    )
     rounded = [torques.factors[device] for device in loaded]
     parts = [0.0] * (len(case.devices) + 1)
-    for device, part in zip(loaded, _parts(rounded, exact[: len(loaded)]), strict=True):
+    for device, part in zip(loaded, _relative_errors(rounded, exact[: len(loaded)]), strict=True):
         parts[device] = part
     return parts
 
 
-def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
-    """Solve a system in exact fractions and round the solution once."""
+def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
 
     solution = elimination.solve(rows, unknowns, arithmetic=elimination.EXACT)
     return list(map(rounded, solution.values))
 
 
-def _parts(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """Return relative errors; 1 where only the number or only its exact value exists."""
-    return [_part(plain(number), value) for number, value in zip(numbers, exact, strict=True)]
+def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
+    """Return relative errors; 1 where either the number or the exact value is NaN."""
+    return [
+        _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
+    ]
 
 
-def _part(number: float, exact: float) -> float:
+def _relative_error(number: float, exact: float) -> float:
     if math.isnan(number) or math.isnan(exact):
         return float(math.isnan(number) != math.isnan(exact))
     return abs(number - exact) / max(abs(number), abs(exact), NO_POWER)

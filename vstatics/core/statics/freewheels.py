@@ -52,13 +52,12 @@ def find_state(
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
             return state
-    if any(map(is_traced, _numbers(gear, ratios, efficiencies))):
+    if any(map(is_traced, _traceable_numbers(gear, ratios, efficiencies))):
         raise Untraceable
     return _exact_state(case, gear, ratios, efficiencies)
 
 
-def _numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:
-    """Yield all numbers of a gear that can be traced."""
+def _traceable_numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:
     yield from ratios
     for efficiency in efficiencies:
         yield from efficiency if isinstance(efficiency, Efficiency) else (efficiency,)
@@ -98,8 +97,8 @@ def _find_state(
     if not case.freewheels or not overrunning.consistent:  # tied up, whatever the freewheels do
         return _state(variant, gear, overrunning)
     if driven_backward(case, gear, overrunning):
-        return _conflict(variant, gear, overrunning)
-    for held in _sets(case):
+        return _state_without_values(variant, gear, overrunning)
+    for held in _sets_of_freewheels(case):
         gear_held = with_engaged(gear, held)
         speeds = solve_speeds(case, gear_held, variant.rows) if held else overrunning
         state = _possible(variant, gear_held, speeds)
@@ -109,7 +108,7 @@ def _find_state(
 
 
 def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
-    """Return the state with some freewheels engaged, or None if it is impossible.
+    """Return the state with some freewheels engaged, if possible.
 
     The state is possible if the engaged freewheels can hold and the others can overrun.
     """
@@ -197,8 +196,7 @@ def input_direction(case: Transmission, gear: Gear) -> int:
     return -1 if case.input_turns(gear) == "backward" else 1
 
 
-def _sets(case: Transmission) -> Iterator[tuple[int, ...]]:
-    """Yield all sets of freewheels, the smallest first."""
+def _sets_of_freewheels(case: Transmission) -> Iterator[tuple[int, ...]]:
     for size in range(len(case.freewheels) + 1):
         yield from combinations(case.freewheels, size)
 
@@ -223,8 +221,7 @@ def _can_hold(state: GearState, number: int) -> bool:
     return bool(pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number)))
 
 
-def _conflict(variant: Variant, gear: Gear, overrunning: Speeds) -> GearState:
-    """Return a state without values."""
+def _state_without_values(variant: Variant, gear: Gear, overrunning: Speeds) -> GearState:
     case = variant.case
     nan = math.nan
     speeds = overrunning._replace(

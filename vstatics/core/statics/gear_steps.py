@@ -43,7 +43,7 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
 
 
 def spread(case: Transmission, ratios: Floats) -> Floats:
-    """Return the largest forward ratio divided by the smallest, shape (...).
+    """Return the largest forward ratio divided by the smallest, shape ``(...)``.
 
     Forward is the direction, input and output that most gears share, or else those of the first
     gear. NaN is returned for a case without gears.
@@ -70,7 +70,7 @@ def spread(case: Transmission, ratios: Floats) -> Floats:
 
 
 def _alike(case: Transmission) -> list[list[int]]:
-    """Return for each gear the indices of all others with its input and output.
+    """Return for each gear the indices of other gears with equal input and output.
 
     Operating points are left out.
     """

@@ -50,7 +50,7 @@ class IdealGear(NamedTuple):
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
-    """Return a gear without losses, from its engaged shift elements and their speeds."""
+    """Return a gear without losses, from engaged shift elements and speeds."""
     case, columns = variant.case, variant.columns
     torques = solve_torques(case, gear, columns)
     if gaining(variant, gear, speeds, torques):
@@ -61,7 +61,7 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
 
 
 def gaining(variant: Variant, gear: Gear, speeds: Speeds, torques: Torques) -> list[str]:
-    """Return the names of converters that would gain power, which none can."""
+    """Return the names of converters that would gain power, which is impossible."""
     mechanisms = enumerate(variant.case.mechanisms)
     direction = -1 if variant.case.coasts(gear) else 1
     return [
@@ -72,7 +72,6 @@ def gaining(variant: Variant, gear: Gear, speeds: Speeds, torques: Torques) -> l
 
 
 def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direction: int) -> bool:
-    """Return whether a mechanism is a converter that would gain power."""
     if variant.case.mechanisms[place].kind != "converter":
         return False
     entering = times(
@@ -83,7 +82,7 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
 
 
 def converter_slip(variant: Variant, place: int) -> Number:
-    """Return the share of its power that a converter loses, ``1 - K i`` [-]."""
+    """Return the share of power that a converter loses, ``1 - K i`` [-]."""
     ratio = variant.ratios[place]
     torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
     return 1 - torque_ratio * ratio
@@ -100,7 +99,7 @@ def no_torques(torques: Torques) -> Torques:
 def mechanism_torques(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[Number]:
-    """Return the torque on the first link of each mechanism, 0 if it is negligible.
+    """Return the torque on the first link of each mechanism, 0 if negligible.
 
     A torque is negligible if it is tiny relative to another torque on every link of the mechanism.
     So a stage of a large ratio is compared only with the torques on its own links.
@@ -122,7 +121,7 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
 
 
 _OnLink = tuple[int, Number]
-"""Index of a device, or `OUTSIDE`, and the magnitude of its torque on a link."""
+"""Index of a device, or `OUTSIDE`, and the magnitude of the torque on a link."""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:
@@ -137,7 +136,6 @@ def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequen
 def _torques_by_link(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[list[_OnLink]]:
-    """Return all torques on each link, starting with the housing."""
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, column in enumerate(columns):

@@ -83,7 +83,7 @@ def _that_matter(state: GearState) -> dict[str, bool]:
         return {}
 
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
-        """Return the torques of the ports, and the power that enters with them."""
+        """Return the torques of the ports, and the power that enters."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
         ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
         torques = solve_torques(case, gear, columns(case, ratios), state.drag)

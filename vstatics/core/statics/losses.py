@@ -21,7 +21,7 @@ from vstatics.core.statics.torques import Torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques of a gear with losses under one set of signs, and their consequences."""
+    """Torques of a gear with losses under a set of signs, and the resulting losses."""
 
     signs: Signs
     torques: Torques
@@ -59,7 +59,7 @@ def check_signs(
 
     Signs are admissible if the sign of every mechanism with losses is the sign of its flow, or one
     of the two is 0, and if the efficiency is above 0. The efficiency is not checked if drag may be
-    overcome from the output, or if the gear has none without losses.
+    overcome from the output, or if it does not exist without losses.
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -122,7 +122,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency that ranks sets of signs; lossless flow tells inputs from outputs.
+    """Return the efficiency that ranks sets of signs; lossless flow separates the ports.
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise it is the output power divided by the input power. Each port counts on the side of its

@@ -66,7 +66,7 @@ def column(ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def value(coefficient: Any) -> Any:
-    """Return the value of a coefficient, the sum if it has two terms."""
+    """Return the value of a coefficient, or the sum of two terms."""
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
@@ -378,7 +378,7 @@ def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
 
 
 class Variant(NamedTuple):
-    """Transmission with numbers for its mechanisms: floats, or traced for many variants."""
+    """Transmission with numbers of mechanisms: floats, or traced for many variants."""
 
     case: Transmission
     ratios: Sequence[Number]
@@ -396,7 +396,7 @@ def variant_of(
     ratios: Sequence[Number] | None = None,
     efficiencies: Sequence[Number | Efficiency] | None = None,
 ) -> Variant:
-    """Return a variant; ratios and efficiencies default to those of the case."""
+    """Return a variant; the case provides default ratios and efficiencies."""
     if ratios is None:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)

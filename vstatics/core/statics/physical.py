@@ -20,11 +20,11 @@ _NEEDED = {
     "Nm": ("torque", "torque: 300 N*m"),
     "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
 }
-"""Quantities that a unit needs of the load, and an example of them in YAML."""
+"""Quantities that a unit needs of the load, and an example in YAML."""
 
 
 def scales(case: Transmission) -> dict[str, Floats]:
-    """Return the factors from relative numbers to rpm, Nm and kW, one for each gear.
+    """Return the factors of each gear from relative numbers to rpm, Nm and kW.
 
     The arrays have the shape (gears,), with NaN where the load lacks the quantity. The unit of
     torque is 1 N*m if the load has no torque.
@@ -46,7 +46,7 @@ def scales(case: Transmission) -> dict[str, Floats]:
 
 
 def gear_scales(case: Transmission) -> list[dict[str, float]]:
-    """Return the factors of each gear, as `scales` does, for powers in their real direction.
+    """Return the factors of `scales` for powers in real direction, by gear.
 
     `GearState.powers`, ports and flows have reversed the powers of coasting already, so the factor
     to kW is positive.
@@ -76,7 +76,7 @@ def lacking_load(name: str, unit: str) -> str:
 
 
 class _PhysicalArray:
-    """Descriptor of an array in the unit that ends its name."""
+    """Descriptor of an array in the unit at the end of the name."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")
@@ -137,13 +137,13 @@ class PhysicalResults(ResultFields):
 
     @property
     def input_power_kW(self) -> Floats:  # noqa: N802
-        """Power that enters by all external torques, with losses, shape (..., gears) [kW]."""
+        """Power that enters by all external torques, with losses, shape ``(..., gears)`` [kW]."""
         power: Floats = np.maximum(self._port_powers("input_power"), 0.0).sum(axis=-1)
         return power
 
     @property
     def output_power_kW(self) -> Floats:  # noqa: N802
-        """Power that leaves by all external torques, with losses, shape (..., gears) [kW].
+        """Power that leaves by all external torques, with losses, shape ``(..., gears)`` [kW].
 
         Drag does not count as an external torque: the difference from the input power is lost in
         meshes or to drag.
@@ -153,7 +153,7 @@ class PhysicalResults(ResultFields):
 
     @property
     def port_powers_kW(self) -> Floats:  # noqa: N802
-        """Power that enters at each link, with losses, shape (..., gears, links) [kW]."""
+        """Power that enters at each link, with losses, shape ``(..., gears, links)`` [kW]."""
         return self._port_powers("port_powers")
 
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
@@ -175,7 +175,6 @@ class PhysicalResults(ResultFields):
         return array
 
     def _port_powers(self, name: str) -> Floats:
-        """Return the power that enters at each link, (..., gears, links) [kW]."""
         case = self.case
         power = np.zeros((*self.speeds.shape[:-1], case.links))
         for number, gear in enumerate(self.points.gears if self.points else case.gears):

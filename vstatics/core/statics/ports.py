@@ -23,7 +23,7 @@ class Port(NamedTuple):
     speed: float
     """Speed of the link. [-]"""
     torque: float
-    """Torque that an output gives to its load, or that acts on another link. [-]
+    """Torque that an output gives to the load, or external torque on another link. [-]
 
     NaN if indeterminate.
     """
@@ -33,7 +33,7 @@ class Port(NamedTuple):
 
 
 class GearPorts(NamedTuple):
-    """Ports of a gear and its losses; input power minus output power is lost."""
+    """Ports and losses of a gear; input power minus output power is lost."""
 
     ports: Sequence[Port]
     """The input, the outputs, then the links with a given speed or torque."""
@@ -85,7 +85,6 @@ def ports(state: GearState) -> GearPorts:
 
 
 def _way(entering: float) -> Way:
-    """Return the direction of the power that enters, relative to the power at the input link."""
     if math.isnan(entering) or abs(entering) <= NO_POWER:
         return ""
     return "in" if entering > 0 else "out"

@@ -15,14 +15,14 @@ DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 
 
 class LinkPower(NamedTuple):
-    """Power that a link gives to a member of a device; negative if the link receives it."""
+    """Power that a link gives to a member of a device; negative if the link receives."""
 
     kind: DeviceKind
     number: int
     """Number of the shift element, mechanism, drawn gear set or spring, or of the port's link."""
     name: str
     member: str
-    """Name of the member; empty for ports and drag of links, which have one link only."""
+    """Name of the member; empty for ports and drag of links."""
     link: int
     power: Number
     """Power relative to the input power, NaN if indeterminate. [-]"""
@@ -120,7 +120,7 @@ def device_powers(  # noqa: PLR0913
 
 
 def drag_powers(case: Transmission, speeds: Sequence[Number], drag: Drag) -> Iterator[LinkPower]:
-    """Yield the power that each link loses to its own drag."""
+    """Yield the power that each link loses to drag."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))

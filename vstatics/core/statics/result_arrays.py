@@ -47,17 +47,17 @@ class Message(NamedTuple):
 
     @property
     def severity(self) -> Severity:
-        """Severity of the message, from its identifier."""
+        """Severity of the message, from the identifier."""
         return severity(self.id)
 
     def __str__(self) -> str:
-        """Return the message in one line, with the name of its gear."""
+        """Return the message in a single line, with the name of the gear."""
         gear = f"gear {self.gear}: " if self.gear else ""
         return f"{self.severity}: {gear}{self.text} [{self.id}]"
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""Marks of laws that are evaluated outside their points, (variants, gears), by name."""
+"""Marks of laws evaluated outside the given points, (variants, gears), by name."""
 NOWHERE: Outside = MappingProxyType({})
 
 
@@ -74,11 +74,11 @@ class OperatingPoints(NamedTuple):
     Gears of one case contain the drag that follows from their speeds.
     """
     efficiencies: Sequence[Sequence[Any]] = ()
-    """Efficiencies that depend on speed or torque, of one case, by gear and mechanism. [-]"""
+    """Efficiencies that depend on speed or torque, by gear and mechanism. [-]"""
     open: Integers | None = None
-    """Solutions for load-dependent efficiencies, (variants, gears): 0 unique, 1 none, 2 several."""
+    """Solutions for load-dependent efficiencies: 0 unique, 1 missing, 2 several."""
     outside: Outside = NOWHERE
-    """Laws that were evaluated outside their points."""
+    """Laws evaluated outside the given points."""
 
 
 class ResultFields(_NamedFields):
@@ -95,91 +95,91 @@ class ResultFields(_NamedFields):
     """The transmission, with the conventions used."""
 
     speeds: Floats
-    """Speeds of links, (..., gears, links). [-]"""
+    """Speeds of links, ``(..., gears, links)``. [-]"""
     planet_speeds: Floats
-    """Speeds of planets relative to the third link (carrier), (..., gears, planets). [-]"""
+    """Speeds of planets relative to the third link (carrier), ``(..., gears, planets)``. [-]"""
     slip_speeds: Floats
-    """Speed of the first link minus the second, (..., gears, shift elements). [-]"""
+    """Speed of the first link minus the second, ``(..., gears, shift elements)``. [-]"""
     ratio: Floats
-    """Ratio ``w_input/w_output``, (..., gears). [-]"""
+    """Ratio ``w_input/w_output``, ``(..., gears)``. [-]"""
 
     torques: Floats
-    """Torques without losses, (..., gears, shift elements + mechanisms + springs + 1). [-]
+    """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
 
     Torques act on the first link of each device; a spring has its own torque. The last is the
     output torque, given to the load. A drawn gear set has a row for each member: the torque that
     its links give to the member.
     """
     holding_torques: Floats
-    """External torques that hold given speeds, (..., gears, links). [-]"""
+    """External torques that hold given speeds, ``(..., gears, links)``. [-]"""
 
     lossy_torques: Floats
     """Torques with losses, in the layout of `torques`. [-]"""
     lossy_holding_torques: Floats
     """Holding torques with losses, in the layout of `holding_torques`. [-]"""
     efficiency: Floats
-    """Efficiency, (..., gears). [-]"""
+    """Efficiency, ``(..., gears)``. [-]"""
     power_sign: Floats
-    """Power-flow sign: +1 first link drives, -1 is driven, 0 idle, (..., gears, mechanisms). [-]"""
+    """Sign of power: +1 first link drives, -1 driven, 0 idle, ``(..., gears, mechanisms)``. [-]"""
     idle: Booleans
-    """Marks of devices without torque or locked up, (..., gears, devices)."""
+    """Marks of devices without torque or locked up, ``(..., gears, devices)``."""
     losses: Floats
-    """Power losses, negative when coasting, as the flow is reversed, (..., gears, devices). [-]"""
+    """Power losses, negative when coasting (reversed flow), ``(..., gears, devices)``. [-]"""
     power_balance: Floats
-    """External power minus all losses, 0 but for rounding, (..., gears). [-]"""
+    """External power minus all losses, 0 but for rounding, ``(..., gears)``. [-]"""
     drag_losses: Floats
-    """Total power lost to drag, negative when coasting, (..., gears). [-]"""
+    """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
 
     consistent: Booleans
-    """Lossy torques exist, with signs that agree with their flow, (..., gears)."""
+    """Lossy torques exist, with signs that agree with their flow, ``(..., gears)``."""
     locked: Booleans
-    """Self-locking gears, (..., gears)."""
+    """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans
-    """Drag exceeds the input power, so power enters at the output, (..., gears)."""
+    """Drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
     undecided: Booleans
-    """The search for signs was cut short, so `locked` is unknown, (..., gears)."""
+    """The search for signs was cut short, so `locked` is unknown, ``(..., gears)``."""
     turned: Booleans
-    """Mechanisms whose flow is reversed by losses, (..., gears, mechanisms)."""
+    """Mechanisms whose flow is reversed by losses, ``(..., gears, mechanisms)``."""
     choices: Integers
-    """Number of sets of signs that agree with their flow, (..., gears)."""
+    """Number of sets of signs that agree with their flow, ``(..., gears)``."""
 
     tied_up: Booleans
-    """Conditions for the speeds contradict each other, (..., gears)."""
+    """Conditions for the speeds contradict each other, ``(..., gears)``."""
     missing: Integers
-    """Number of conditions that the speeds lack, (..., gears)."""
+    """Number of conditions that the speeds lack, ``(..., gears)``."""
     excess: Integers
-    """Number of conditions that others imply or contradict, (..., gears)."""
+    """Number of conditions that others imply or contradict, ``(..., gears)``."""
     balanced: Booleans
-    """Torques without losses exist, (..., gears)."""
+    """Torques without losses exist, ``(..., gears)``."""
 
     holds: Booleans
-    """Shift elements that are engaged, and freewheels that hold, (..., gears, shift elements)."""
+    """Engaged shift elements and freewheels that hold, ``(..., gears, shift elements)``."""
     conflict: Booleans
-    """A freewheel can neither hold nor overrun, (..., gears)."""
+    """A freewheel can neither hold nor overrun, ``(..., gears)``."""
     exact: Booleans
-    """Gears calculated in fractions, as floats leave too few digits, (..., gears)."""
+    """Gears calculated in fractions, as floats leave too few digits, ``(..., gears)``."""
 
     mesh_torques: Floats
-    """Torque on the first gear of each mesh of drawn gear sets, (..., gears, meshes). [-]"""
+    """Torque on the first gear of each mesh of drawn gear sets, ``(..., gears, meshes)``. [-]"""
     lossy_mesh_torques: Floats
     """Mesh torques with losses, in the layout of `mesh_torques`. [-]"""
     mesh_losses: Floats
-    """Power lost in each mesh, (..., gears, meshes). [-]"""
+    """Power lost in each mesh, ``(..., gears, meshes)``. [-]"""
 
     messages: Sequence[Message] = ()
-    """Messages about the gears of one case; empty for arrays of variants."""
+    """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
     """Loads, and numbers of gears that vary in addition to ratios and efficiencies."""
 
     @property
     def output_torque(self) -> Floats:
-        """Output torque without losses, given to the load, shape (..., gears) [-]."""
+        """Output torque without losses, given to the load, shape ``(..., gears)`` [-]."""
         return self.torques[..., -1]
 
     @property
     def lossy_output_torque(self) -> Floats:
-        """Output torque with losses, given to the load, shape (..., gears) [-]."""
+        """Output torque with losses, given to the load, shape ``(..., gears)`` [-]."""
         return self.lossy_torques[..., -1]
 
 
@@ -217,7 +217,7 @@ GearTable: TypeAlias = Literal[
     "missing",
     "excess",
 ]
-"""Tables of one value for each gear.
+"""Tables with a single value for each gear.
 
 Type checkers learn from this list that such a table and a gear give a number; of any other table,
 two names give an array.
@@ -270,7 +270,7 @@ OUTPUT = "Mx"
 
 
 def row_names(case: Transmission, rows: Rows) -> list[str]:
-    """Return the names of the rows of an array; empty for a value of the gear itself.
+    """Return the names of the rows of an array; empty for a value of the whole gear.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
@@ -281,7 +281,7 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
 
 
 def first_rows(case: Transmission) -> dict[int, str]:
-    """Return the names of rows with the torque on a mechanism's first link, by its index.
+    """Return the names of rows with the torque on a first link, by index of mechanism.
 
     Mechanisms without a row for this torque alone are left out.
 
@@ -329,7 +329,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
 
 
 def row_counts(case: Transmission) -> dict[str, int | None]:
-    """Return the number of rows of each array of `Results`; None for a value of the gear itself."""
+    """Return the number of rows of each array of `Results`, if not a scalar per gear."""
     names = all_row_names(case)
     return {
         name: None if array.rows == "one" else len(names[array.rows])

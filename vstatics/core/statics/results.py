@@ -50,38 +50,37 @@ class Results(PhysicalResults):
     @overload
     def __getitem__(self, key: tuple[str, Any] | tuple[str, Any, Any]) -> Any: ...
     def __getitem__(self, key: Any) -> Any:
-        """Return an array, or a number in it, by names: ``results["speeds", "ring", "low"]``.
+        """Return an array, or a number, by names: ``results["speeds", "ring", "low"]``.
 
         For variants a number is an array, too; type checkers see a float.
         """
         return higher("by_name")(self, key)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether two results have equal numbers, to the last bit, of the same case."""
+        """Return whether two results of a case have equal numbers, to the last bit."""
         if not isinstance(other, Results):
             return NotImplemented
         points, others = self.points, other.points
         return (
             self.case == other.case
             and self.messages == other.messages
-            and _same(_own_arrays(self), _own_arrays(other))
-            and _same(points.scales if points else {}, others.scales if others else {})
+            and _equal_arrays(_arrays_as_calculated(self), _arrays_as_calculated(other))
+            and _equal_arrays(points.scales if points else {}, others.scales if others else {})
         )
 
     def __ne__(self, other: object) -> bool:
-        """Return the opposite of ``==``; a tuple would compare its items."""
+        """Return the opposite of ``==``; a tuple would compare items."""
         return not self == other
 
     # type: ignore[assignment] # results hold arrays and are compared by their numbers
     __hash__ = None
 
     def _repr_html_(self) -> str:
-        """Return the table of the gears for a notebook."""
         shown: str = higher("results_html")(self)
         return shown
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return a pandas table: one row per variant and gear, one column per table and row.
+        """Return a pandas table: a row per variant and gear, a column per table and row.
 
         Returns
         -------
@@ -129,7 +128,7 @@ class Results(PhysicalResults):
         return dataset
 
     def to_json(self, file: str = "") -> str:
-        """Return the JSON text of `vstatics run -f json` for one case, a golden result.
+        """Return the JSON text of `vstatics run -f json` for a case, a golden result.
 
         Parameters
         ----------
@@ -147,7 +146,7 @@ class Results(PhysicalResults):
         return text
 
     def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
-        """Return a picture of the results, drawn by `vstatics.plot`; notebooks show it.
+        """Return a picture of the results, drawn by `vstatics.plot`, for a file or notebook.
 
         Parameters
         ----------
@@ -174,7 +173,7 @@ class Results(PhysicalResults):
         return picture
 
     def __repr__(self) -> str:
-        """Return a short description: the case, its gears and the shape of variants."""
+        """Return a short description: case, gears and shape of variants."""
         case, axes = self.case, self.ratio.shape[:-1]
         variants = f", variants of shape {axes}" if axes else ""
         name = f" of {case.name!r}" if case.name else ""
@@ -182,7 +181,7 @@ class Results(PhysicalResults):
 
     @property
     def calculable(self) -> Booleans:
-        """Gears with speeds and torques, so that losses can be calculated, shape (..., gears)."""
+        """Gears with speeds and torques, so that losses can be found, shape ``(..., gears)``."""
         return self.balanced & ~self.tied_up & ~self.conflict
 
     def existing(self, name: str) -> Floats:
@@ -204,7 +203,7 @@ class Results(PhysicalResults):
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:
-        """Return the state of a gear of one case: speeds, torques, powers and status.
+        """Return the state of a gear of a single case: speeds, torques, powers and status.
 
         Parameters
         ----------
@@ -221,7 +220,7 @@ class Results(PhysicalResults):
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """Return the state of a gear of one case by the index of the gear."""
+        """Return the state of a gear of a single case by the index of the gear."""
         case = self.case
         gears = self.points.gears if self.points else case.gears
         efficiencies: Sequence[Any] = [mechanism.efficiency for mechanism in case.mechanisms]
@@ -238,7 +237,7 @@ class Results(PhysicalResults):
         return state
 
     def status(self, number: int) -> Status:
-        """Return the status of a gear of one case, by its number from 1."""
+        """Return the status of a gear of a single case, by number from 1."""
         index, case = number - 1, self.case
         output = case.gear_output(case.gears[index])
         all_statuses = statuses(
@@ -254,7 +253,7 @@ class Results(PhysicalResults):
 
     @property
     def with_freewheels_engaged(self) -> Transmission:
-        """Case in which every freewheel is a plain shift element, engaged where it holds.
+        """Case with plain shift elements for freewheels, engaged in gears where they hold.
 
         The results must belong to one case, not to arrays of variants.
         """
@@ -272,7 +271,7 @@ class Results(PhysicalResults):
 
     @property
     def with_numbers_only(self) -> Transmission:
-        """Case as a deck can express it: freewheels engaged, speeds of other links as numbers.
+        """Case for a deck: freewheels engaged, speeds of other links as numbers.
 
         An indeterminate speed is left out. The results must belong to one case, not to arrays of
         variants.
@@ -296,20 +295,18 @@ class Results(PhysicalResults):
         return bool(self.tied_up.any() or self.conflict.any())
 
 
-def _own_arrays(results: Results) -> dict[str, Any]:
-    """Return the arrays by name, as calculated."""
+def _arrays_as_calculated(results: Results) -> dict[str, Any]:
     return {name: results.in_own_unit(name) for name in ARRAYS}
 
 
-def _same(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
-    """Return whether arrays by name are equal; NaN equals NaN."""
+def _equal_arrays(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
     return some.keys() == others.keys() and all(
         np.array_equal(array, others[name], equal_nan=True) for name, array in some.items()
     )
 
 
 def expect_one_case(given: Results, function: str) -> None:
-    """Refuse results of variants, with the name of the function that needs one case.
+    """Refuse results of variants, with the name of the function that needs a single case.
 
     Raises
     ------

@@ -22,7 +22,7 @@ MEANINGS = {ONE_PIECE: "carries torque, nothing in it moves", IDLE: "carries no 
 
 
 def role(torques: Iterable[float], *, still: bool) -> Role:
-    """Return the role of a mechanism; empty if it transmits power.
+    """Return the role of a mechanism; empty if power is transmitted.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def role(torques: Iterable[float], *, still: bool) -> Role:
 
 
 def roles(results: Results, number: int) -> list[Role]:
-    """Return the role of each device of one case in a gear, by index of the gear.
+    """Return the role of each device in a gear, by index of the gear.
 
     Roles are empty if no power flow exists.
 
@@ -92,7 +92,7 @@ def _may_turn(links: Sequence[int]) -> bool:
 
 
 def device_torques(case: Transmission, torques: Sequence[float]) -> Iterator[list[float]]:
-    """Yield the torques of each device in an array: on its first link, or on its members."""
+    """Yield the torques of each device in an array: on the first link, or on members."""
     behind_elements = iter(torques[len(case.shift_elements) :])
     for device in case.own_devices:
         yield list(islice(behind_elements, 1 if case.drawing is None else len(device.members)))

@@ -58,14 +58,14 @@ class Admissible(NamedTuple):
     """Admissible signs of the largest efficiency."""
 
     lossy: LossyTorques | None = None
-    """Torques under these signs; None for a self-locking gear or a search that was cut short."""
+    """Torques under the signs; missing if self-locking or if the search was cut short."""
     choices: int = 0
     """Number of admissible sets of signs."""
     cut_short: bool = False
 
 
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
-    """Find the signs that agree with the flow they lead to.
+    """Find the signs that agree with the resulting power flow.
 
     The signs without losses are tried first, then all sets of signs. If neither is admissible, both
     are tried again with an output that may overcome drag.
@@ -77,8 +77,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """
     start = ideal_signs(ideal, moving=moving)
     admissible = Admissible(no_solution(ideal, start.signs))
-    if moving and _open(ideal, start):
-        admissible = Admissible(_common(ideal, start))
+    if moving and _indeterminate(ideal, start):
+        admissible = Admissible(_common_values(ideal, start))
     elif moving:
         admissible = _admissible(ideal, start)
         if admissible.lossy is None and not admissible.cut_short and ideal.drag.losses:
@@ -128,7 +128,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag, and none leaves at the input."""
+    """Return whether power enters at the output to overcome drag, without leaving at the input."""
     if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
@@ -139,7 +139,7 @@ def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
     return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
 
 
-def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
+def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
     """Return the mechanisms with losses whose direction of power is indeterminate."""
     return [
         place
@@ -258,7 +258,6 @@ def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iter
 
 
 def _in_floats(ideal: IdealGear) -> IdealGear | None:
-    """Return a gear with fractions, rounded to floats; None for a gear without fractions."""
     if not any(map(is_exact, ideal.variant.ratios)):
         return None
     from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
@@ -268,19 +267,19 @@ def _in_floats(ideal: IdealGear) -> IdealGear | None:
 
 
 def _is_refused(rough: IdealGear, signs: Signs) -> bool:
-    """Return whether signs contradict their flow beyond any doubt by rounding."""
+    """Return whether signs contradict the flow beyond any doubt by rounding."""
     lossy = torques_for_signs(rough, signs)
     known = not any(map(is_nan, lossy.torques.on_first_link))
     return known and lossy.torques.certain and not lossy.admissible
 
 
-def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
     """Return the values that all sets of signs share, where the flow is indeterminate.
 
     So a redundant part of a train does not hide the determinate values of its other parts.
     """
     none = no_solution(ideal, start.signs)
-    open_ = _open(ideal, start)
+    open_ = _indeterminate(ideal, start)
     if len(open_) > SEARCHED:
         return none
     tried = list(_every_set(ideal, start, open_))
@@ -288,27 +287,32 @@ def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
         return none
     torques = [lossy.torques for lossy in tried]
     return LossyTorques(
-        signs=tuple(map(_same_sign, zip(*(lossy.signs for lossy in tried), strict=True))),
+        signs=tuple(map(_common_sign, zip(*(lossy.signs for lossy in tried), strict=True))),
         torques=Torques(
-            list(map(_same, zip(*(lossy.on_first_link for lossy in torques), strict=True))),
+            list(
+                map(_common_number, zip(*(lossy.on_first_link for lossy in torques), strict=True))
+            ),
             {
-                link: _same([lossy.holding[link] for lossy in torques])
+                link: _common_number([lossy.holding[link] for lossy in torques])
                 for link in none.torques.holding
             },
             consistent=True,
-            of_columns=list(map(_same, zip(*(lossy.factors for lossy in torques), strict=True))),
+            of_columns=list(
+                map(_common_number, zip(*(lossy.factors for lossy in torques), strict=True))
+            ),
         ),
-        directions=tuple(map(_same_sign, zip(*(lossy.directions for lossy in tried), strict=True))),
-        losses=list(map(_same, zip(*(lossy.losses for lossy in tried), strict=True))),
-        efficiency=_same([power_ratio(ideal, lossy) for lossy in tried]),
+        directions=tuple(
+            map(_common_sign, zip(*(lossy.directions for lossy in tried), strict=True))
+        ),
+        losses=list(map(_common_number, zip(*(lossy.losses for lossy in tried), strict=True))),
+        efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
         drag_losses=tried[0].drag_losses,
-        balance=_same([lossy.balance for lossy in tried]),
+        balance=_common_number([lossy.balance for lossy in tried]),
         admissible=False,
     )
 
 
-def _same(values: Sequence[Number | Residual]) -> Number:
-    """Return the number that all values equal, to rounding; else NaN."""
+def _common_number(values: Sequence[Number | Residual]) -> Number:
     numbers = [value for value in values if not isinstance(value, Residual)]
     if len(numbers) < len(values):
         raise Untraceable
@@ -319,8 +323,7 @@ def _same(values: Sequence[Number | Residual]) -> Number:
     return first if agree else math.nan
 
 
-def _same_sign(values: Sequence[Number]) -> float:
-    """Return the sign that all values have; else NaN."""
+def _common_sign(values: Sequence[Number]) -> float:
     signs = [_decided(value) for value in values]
     return signs[0] if len(set(signs)) == 1 else math.nan
 
@@ -333,7 +336,7 @@ def _decided(x: Number) -> float:
 
 
 def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
-    """Let the signs follow the flow until they agree.
+    """Let the signs follow the flow until both agree.
 
     When the iteration repeats itself, only the sign with the largest gain of power is reversed.
     """
@@ -364,7 +367,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 
 
 def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
-    """Return the signs with one reversed: of the mechanism that gains most power."""
+    """Return the signs, reversed only for the mechanism that gains most power."""
     gains = [
         -loss * ideal.direction if x != y else -math.inf
         for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
@@ -405,7 +408,7 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
     unloaded = [bool(torque == 0) for torque in torques]
     still = [bool(speed == 0) for speed in relative_speeds]
     signs = [
-        _of_idle(ideal, place, is_unloaded=unloaded[place])
+        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
         if unloaded[place] or still[place]
         else sign(power(torques[place], relative_speeds[place])) * ideal.direction
         for place in range(len(torques))
@@ -413,8 +416,7 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
     return IdealSigns(tuple(signs), unloaded, still)
 
 
-def _of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
-    """Return the sign of an idle mechanism by the convention of the case."""
+def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
     if ideal.case.idle == "exact":
         return 0.0
     published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])

@@ -126,7 +126,6 @@ def solve(  # noqa: PLR0913
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
-    """Return the case with other ratios and efficiencies, of shape (1, mechanisms)."""
     mechanisms = list(case.mechanisms)
     for quantity, given in (("ratio", u), ("efficiency", eta)):
         if given is not None:
@@ -166,7 +165,7 @@ def _variants(
 
 
 def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
-    """Return a problem for the first wrong number in an array (..., mechanisms)."""
+    """Return a problem for the first wrong number in an array ``(..., mechanisms)``."""
     for number in range(len(case.mechanisms) if given is not None else 0):
         column = np.asarray(given)[..., number]
         default = float(getattr(case.mechanisms[number], quantity))

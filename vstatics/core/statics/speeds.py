@@ -59,7 +59,6 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
 
 
 def _difference(first: int, second: int) -> dict[int, float]:
-    """Return the difference of two link speeds as a sum of unknowns."""
     terms = {first - 1: 1.0, second - 1: -1.0}
     terms.pop(HOUSING - 1, None)
     return terms

@@ -265,7 +265,7 @@ class GearState(NamedTuple):
 
 Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
-"""Values of one gear by the name of an array of `Results`, for one variant or traced for many."""
+"""Values of a gear by name of the array of `Results`, as floats or traced."""
 
 
 def values_of(state: GearState) -> Values:
@@ -303,8 +303,8 @@ def values_of(state: GearState) -> Values:
         "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
         "conflict": state.conflict,
         "exact": state.exact,
-        "mesh_torques": list(_of_meshes(state, state.torques.on_first_link)),
-        "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
+        "mesh_torques": list(_mesh_torques(state, state.torques.on_first_link)),
+        "lossy_mesh_torques": list(_mesh_torques(state, state.lossy_torques.on_first_link)),
         "mesh_losses": [
             lossy.losses[index] for device in devices for index, _ in device.meshes_by_index
         ],
@@ -312,19 +312,17 @@ def values_of(state: GearState) -> Values:
 
 
 def _planet_speeds(state: GearState) -> Iterator[Number | Residual]:
-    """Yield the speeds of all planets relative to their carriers."""
     case, ratios = state.case, state.ideal.variant.ratios
     for device in case.own_devices:
         for planet in device.planets:
             index = planet.mechanism
             if planet.wheels and (index < 0 or ratios[index] == planet.ratio):
-                yield _by_wheels(state, planet)
+                yield _planet_speed_by_wheels(state, planet)
             else:
-                yield _by_ratio(state, index)
+                yield _planet_speed_by_ratio(state, index)
 
 
-def _by_ratio(state: GearState, index: int) -> Number | Residual:
-    """Return a planet's speed from the planet ratio of a mechanism."""
+def _planet_speed_by_ratio(state: GearState, index: int) -> Number | Residual:
     mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
     if mechanism.planet_ratio is not None:
         return motion / mechanism.planet_ratio
@@ -333,8 +331,7 @@ def _by_ratio(state: GearState, index: int) -> Number | Residual:
     return math.nan if is_plain is False else where(is_plain, motion / ((ratio + 1) / 2))
 
 
-def _by_wheels(state: GearState, planet: Planet) -> Number:
-    """Return a planet's speed from the first central gear in mesh that has a speed."""
+def _planet_speed_by_wheels(state: GearState, planet: Planet) -> Number:
     if math.isnan(planet.speed):
         return math.nan
 
@@ -365,7 +362,7 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
     ]
 
 
-def _of_meshes(state: GearState, torques: Numbers) -> Iterator[Number]:
+def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
     """Yield the torque on the first gear of each mesh, NaN if its teeth are unknown."""
     elements = len(state.case.shift_elements)
     for device in state.case.own_devices:

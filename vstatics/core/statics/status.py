@@ -17,7 +17,7 @@ class Status(NamedTuple):
     meaning: str
     """Clause that explains the status to a new reader."""
     is_fault: bool = False
-    """True if no gear should have this status."""
+    """True if a gear should never have the status."""
     has_power: bool = False
     """True if power can flow in spite of the status."""
 

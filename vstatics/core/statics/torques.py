@@ -26,12 +26,12 @@ NOTHING: Mapping[int, Number] = MappingProxyType({})
 
 
 class Drag(NamedTuple):
-    """Drag of a gear, known from its speeds."""
+    """Drag of a gear, known from the speeds."""
 
     links: Mapping[int, Number] = NOTHING
     """External torque of each link's own drag, by link number. [-]"""
     elements: Mapping[int, Number] = NOTHING
-    """Torque on the first link of each open shift element that drags, by its index. [-]"""
+    """Torque on the first link of each open shift element that drags, by index. [-]"""
     external: Mapping[int, Number] = NOTHING
     """External torque of all drag by link number, including open shift elements. [-]"""
     losses: Sequence[Number] = ()
@@ -44,7 +44,7 @@ NO_DRAG = Drag()
 def drag_torques(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> Drag:
-    """Return the drag of a gear at its speeds; no drag at speeds that are 0 or indeterminate.
+    """Return the drag of a gear; no drag at speeds that are 0 or indeterminate.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def drag_torques(
     >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
     ({2: 0.1}, [0.025])
     """
-    torques, of_links = _open(case, gear), case.gear_drag(gear)
+    torques, of_links = _drag_of_open_elements(case, gear), case.gear_drag(gear)
     if not of_links and not torques:
         return NO_DRAG
     direction = -1 if case.coasts(gear) else 1
@@ -88,8 +88,7 @@ def drag_torques(
     return Drag(links, elements, external, losses)
 
 
-def _open(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Return the drag of each open shift element by its number; 0 is left out."""
+def _drag_of_open_elements(case: Transmission, gear: Gear) -> dict[int, float]:
     return {
         number: matrix.given_torque(case, gear, torque)
         for number, torque in case.gear_open_drag(gear).items()
@@ -100,7 +99,7 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements of one case whose drag has no speed.
+    """Return the names of links and open shift elements whose drag has no speed.
 
     A law that is 0 at rest is an `OfLoad` of 0, so such a number counts as drag.
     """
@@ -147,12 +146,12 @@ def without_load(case: Transmission) -> list[str]:
 
 
 def times(first: Number, second: Number) -> Number:
-    """Return a product, 0 if one factor is 0 even if the other does not exist."""
+    """Return a product, 0 if any factor is 0 even if the second factor is NaN."""
     return 0.0 if first == 0 or second == 0 else first * second
 
 
 Shares = Mapping[int, Number]
-"""Share of each device in a sum, by its index."""
+"""Share of each device in a sum, by index."""
 
 
 class Torques(NamedTuple):

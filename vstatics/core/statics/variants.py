@@ -38,13 +38,13 @@ _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
-"""Number of a mechanism that varies in one gear."""
+"""Number of a mechanism that varies in a gear."""
 OfGear = Literal["speeds", "torques", "drag", "open_drag", "speed_ratios"]
 """Mapping of a gear whose numbers vary."""
 
 
 class GearNumber(NamedTuple):
-    """Number that varies in one gear."""
+    """Number that varies in a gear."""
 
     quantity: OfMechanism | OfGear
     owner: int
@@ -52,7 +52,7 @@ class GearNumber(NamedTuple):
 
 
 GearNumbers = Mapping[GearNumber, Floats]
-"""Arrays of shape (variants,); speeds and torques are relative to those of the input [-].
+"""Arrays of shape (variants,); speeds and torques are relative to the input [-].
 
 If the case fixes a gear's number, the gear must have a number there.
 """
@@ -81,13 +81,13 @@ def solve_variants(
     held = any(gear.speeds for gear in case.gears)
     block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
-    structure = (*_structure(case), tuple(fixed), names)
+    structure = (*_case_key(case), tuple(fixed), names)
     for number, (given, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
         gear = case.with_all_drag(given)
         if variants:
             gear_inputs = _gear_inputs(by_gear[number]) if by_gear else NO_GEAR_INPUTS
             fixed_part = gear_inputs.left_out_of(gear) if by_gear else gear
-            key = (*structure, *gear_inputs.key, *_conditions(case, fixed_part))
+            key = (*structure, *gear_inputs.key, *_gear_key(case, fixed_part))
             numbers = (
                 prepared(np.vstack([inputs.values, *gear_inputs.rows]))
                 if gear_inputs.rows
@@ -100,7 +100,9 @@ def solve_variants(
     for name, width in counts.items():
         table = tables.get(name)
         if table is None:
-            arrays[name] = _nothing(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
+            arrays[name] = _placeholder(
+                ARRAYS[name].dtype, (variants, len(case.gears), width or 0)
+            )
         else:
             arrays[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
     return arrays
@@ -109,9 +111,10 @@ def solve_variants(
 def _inputs(
     case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
 ) -> tuple[list[float | None], Inputs]:
-    """Return the fixed numbers, None where they vary, and the numbers that vary.
+    """Return the fixed numbers and the varying numbers.
 
-    A single case has no fixed numbers, so that its plans suit other cases of its structure.
+    Fixed numbers are None where they vary. A single case has no fixed numbers, so that its plans
+    suit other cases of its structure.
     """
     mechanisms = case.mechanisms
     # A ratio of NaN is given by every gear separately.
@@ -135,7 +138,7 @@ def _inputs(
 
 
 class _GearInputs(NamedTuple):
-    """Numbers of one gear: inputs of its plans, and numbers that are equal in all variants."""
+    """Numbers of a gear: inputs of plans, and numbers that are equal in all variants."""
 
     places: tuple[GearNumber, ...] = ()
     rows: Sequence[Floats] = ()
@@ -147,7 +150,7 @@ class _GearInputs(NamedTuple):
         return (self.places, self.constants) if self.places or self.constants else ()
 
     def left_out_of(self, gear: Gear) -> Gear:
-        """Return the gear without the numbers that these inputs replace."""
+        """Return the gear without the numbers that the inputs replace."""
         given = {*self.places, *(place for place, _ in self.constants)}
         for quantity in {place.quantity for place in given} - {*OF_MECHANISMS}:
             others = getattr(gear, quantity).items()
@@ -156,7 +159,7 @@ class _GearInputs(NamedTuple):
         return gear
 
     def put(self, gear: Gear, ratios: list[Any], efficiencies: list[Any], numbers: Any) -> Gear:
-        """Return the gear with these numbers; replace ratios and efficiencies in place."""
+        """Return the gear with the given numbers; replace ratios and efficiencies in place."""
         maps: dict[str, Any] = {}
         given = dict([*self.constants, *zip(self.places, numbers, strict=True)])
         for (quantity, owner), number in given.items():
@@ -193,7 +196,6 @@ def _gear_inputs(columns: GearNumbers) -> _GearInputs:
 
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
-    """Return the numbers of each mechanism, None if not given."""
     return [None] * mechanisms if given is None else list(given.T)
 
 
@@ -214,7 +216,7 @@ def _forms(
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
+def _placeholder(kind: type, shape: tuple[int, ...]) -> Any:
     """Return a read-only array of NaN that takes no memory."""
     return np.broadcast_to(kind(np.nan), shape)
 
@@ -234,7 +236,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance"}),
 }
-"""Fields on which no result depends; a drawing acts by its devices, a load by its sign."""
+"""Fields on which no result depends; a drawing acts by devices, a load by sign."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -255,7 +257,7 @@ _OF_SPRING = _kept(Spring, Spring._fields)
 _OF_GEAR = _kept(Gear, Gear._fields)
 
 
-def _structure(case: Transmission) -> tuple[Hashable, ...]:
+def _case_key(case: Transmission) -> tuple[Hashable, ...]:
     """Return the part of the key that all gears share, without numbers that can vary.
 
     The key is built from all fields but a few, so that a new field cannot be forgotten: plans of
@@ -268,15 +270,15 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
     return (*_OF_CASE(case), case.own_links, elements, mechanisms, springs, drawn)
 
 
-def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """Return the part of the key that belongs to one gear."""
+def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """Return the part of the key that belongs to a gear."""
     fields_of_gear = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)
-    return (*fields_of_gear, *ends, turned, case.coasts(gear), *_loads(case, gear))
+    return (*fields_of_gear, *ends, turned, case.coasts(gear), *_torque_key(case, gear))
 
 
-def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """Return the given torques that act without an input torque; empty with an input torque."""
     if case.input_torque(gear):
         return ()
@@ -302,7 +304,6 @@ def _function(
     names: Sequence[str],
     gear_inputs: _GearInputs,
 ) -> Function:
-    """Return the calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
 
     def calculate(numbers: Sequence[Number]) -> list[Number | Residual | Condition]:
