@@ -148,8 +148,7 @@ def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[
     run = _Elimination([row_of(equation, FLOATS) for equation in equations], FLOATS)
     known = run.by_free_unknowns(unknowns)
     rows = [known[unknown] for unknown in range(unknowns)]
-    # type: ignore[arg-type] # floats only
-    return [{column: float(entry[0]) for column, entry in row.items()} for row in rows]
+    return [{column: float(entry[0]) for column, entry in row.items()} for row in rows]  # type: ignore[arg-type] # floats only
 
 
 def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:

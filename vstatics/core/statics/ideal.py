@@ -40,7 +40,7 @@ class IdealGear(NamedTuple):
 
     @property
     def direction(self) -> int:
-        """Direction of power: +1, or -1 when coasting, where every flow is reversed."""
+        """+1, or -1 when coasting, where every flow of power is reversed."""
         return -1 if self.case.coasts(self.gear) else 1
 
     @property

@@ -72,8 +72,7 @@ class Results(PhysicalResults):
         """Return the opposite of ``==``; a tuple would compare items."""
         return not self == other
 
-    # type: ignore[assignment] # results hold arrays and are compared by their numbers
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment] # results hold arrays; == compares numbers
 
     def _repr_html_(self) -> str:
         shown: str = higher("results_html")(self)
@@ -271,7 +270,7 @@ class Results(PhysicalResults):
 
     @property
     def with_numbers_only(self) -> Transmission:
-        """Case for a deck: freewheels engaged, speeds of other links as numbers.
+        """Case for a deck, with freewheels engaged and speeds of other links as numbers.
 
         An indeterminate speed is left out. The results must belong to one case, not to arrays of
         variants.

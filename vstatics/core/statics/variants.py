@@ -100,9 +100,7 @@ def solve_variants(
     for name, width in counts.items():
         table = tables.get(name)
         if table is None:
-            arrays[name] = _placeholder(
-                ARRAYS[name].dtype, (variants, len(case.gears), width or 0)
-            )
+            arrays[name] = _placeholder(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
         else:
             arrays[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
     return arrays
