@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from types import MappingProxyType
+from types import MappingProxyType, ModuleType
 from typing import NamedTuple
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
@@ -55,6 +55,21 @@ class PictureKind(NamedTuple):
     """Whether it can have the scales of another case, too."""
 
 
+class ReportPart(NamedTuple):
+    """A section of the page of a case."""
+
+    name: str
+    """Its heading."""
+    module: str
+    """Module with ``has_part(case, runs=...)`` and ``part(request)``."""
+    place: int
+    """Sections stand in ascending order of their places."""
+    is_printed: bool = True
+    """Whether it is printed unless other sections are asked for."""
+    scripts: str = ""
+    """Module with the `SCRIPTS` and the `STYLE` that a page with a run has, if any."""
+
+
 class Annex(NamedTuple):
     """What an annex provides."""
 
@@ -74,6 +89,8 @@ class Annex(NamedTuple):
     """Kind of picture -> what `vstatics plot` needs of it."""
     picture_options: Mapping[str, str] = _NOTHING
     """Option of pictures that few kinds have -> why {kinds} alone have it."""
+    report: Mapping[str, ReportPart] = MappingProxyType({})
+    """Word that chooses a section of the page of a case -> the section."""
 
 
 @cache
@@ -86,11 +103,16 @@ def _records() -> list[Annex]:
     found = []
     for name in _NAMES:
         try:
-            found.append(import_module(f"vstatics.{name}.annex").ANNEX)
+            found.append(module(f"vstatics.{name}.annex").ANNEX)
         except ModuleNotFoundError as error:
             if error.name not in (f"vstatics.{name}", f"vstatics.{name}.annex"):
                 raise
     return found
+
+
+def module(name: str) -> ModuleType:
+    """Import a record, or a module that a record names."""
+    return import_module(name)
 
 
 def module_of_name(name: str) -> str:
@@ -131,3 +153,9 @@ def picture_kinds() -> Mapping[str, PictureKind]:
 def picture_options() -> Mapping[str, str]:
     """Return the options of pictures that few kinds have, and what is said of other kinds."""
     return {name: why for annex in annexes() for name, why in annex.picture_options.items()}
+
+
+@cache
+def report_parts() -> Mapping[str, ReportPart]:
+    """Return the sections that annexes add to the page of a case."""
+    return {key: part for annex in annexes() for key, part in annex.report.items()}

@@ -4,6 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="page",
+    needs=("pictures",),
     commands={
         "serve": Command(
             "vstatics.page.cli.serve",
@@ -17,4 +18,5 @@ ANNEX = Annex(
     names={
         "write_report": "vstatics.page.report.saving",
     },
+    methods={"stamped_page": "vstatics.page.report.html_page"},
 )

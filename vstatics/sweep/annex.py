@@ -6,6 +6,7 @@ _NO_GEAR = {"gear": "expected --by gear, or the column of a gear"}
 
 ANNEX = Annex(
     name="sweep",
+    needs=("pictures",),
     commands={
         "sweep": Command(
             "vstatics.sweep.cli.command", "Calculate variants of a case, to a table.", 30

@@ -6,6 +6,7 @@ _FULL_LOAD = {"coast": "a vehicle is drawn at full load"}
 
 ANNEX = Annex(
     name="vehicle",
+    needs=("pictures",),
     commands={
         "cycle": Command(
             "vstatics.vehicle.cli.cycle",
@@ -32,7 +33,11 @@ ANNEX = Annex(
         "resized": "vstatics.vehicle.damage.resize",
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
-    methods={"performance": "vstatics.vehicle.operation.traction"},
+    methods={
+        "driven_duty": "vstatics.vehicle.cli.duty",
+        "duty_options": "vstatics.vehicle.cli.duty",
+        "performance": "vstatics.vehicle.operation.traction",
+    },
     groups={
         "damage": {
             "record": (

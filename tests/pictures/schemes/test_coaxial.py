@@ -20,10 +20,10 @@ from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
 from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.springs import between
-from vstatics.page.report.page_pictures import HALF
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.files import settings_of, written
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.paged.drawn import HALF
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
