@@ -21,7 +21,9 @@ ANNEX = Annex(
     },
     methods={
         "box_grids": "vstatics.synthesis.boxes.tables",
+        "listing_in": "vstatics.synthesis.cli.found_boxes",
         "plot_boxes": "vstatics.synthesis.cli.found_boxes",
+        "report_boxes": "vstatics.synthesis.cli.found_boxes",
     },
     groups={
         "synth": {
