@@ -22,18 +22,21 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     *("core.start", "core.annexes", "core.errors", "core.extras", "core.arguments", "core.texts"),
     *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
-    *("core.tables", "core.readers", "vehicle.damage", "torsion", "simulation"),
+    *("core.tables", "core.readers", "torsion", "simulation"),
     *("core.examples", "core.checking", "sweep", "core.writers", "core.flow", "core.summary"),
-    *("core.comparison", "core.explain", "synthesis", "pictures", "page.report", "page.serve"),
+    *(
+        "core.comparison",
+        "core.explain",
+        "synthesis",
+        "vehicle",
+        "pictures",
+        "page.report",
+        "page.serve",
+    ),
     *("core.cli", "__init__", "__main__"),
 )
 """The order of the rooms; docs/architecture.md shows it."""
 STANDING_ELSEWHERE = {
-    "vehicle.case": "core.model",
-    "torsion.clutch.clutch_dump": "core.model",
-    "vehicle.operation": "core.summary",
-    "vehicle.duty": "core.summary",
-    "vehicle.duty_file": "core.summary",
     **{f"{annex}.pictures": "pictures" for annex in ("torsion", "simulation", "sweep")},
     **{f"{annex}.pictures": "pictures" for annex in ("synthesis", "vehicle")},
     **{f"{annex}.report": "page.report" for annex in ("torsion", "simulation", "synthesis")},

@@ -12,6 +12,7 @@ ANNEX = Annex(
     names={
         "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
     },
+    keys={"dump": "vstatics.torsion.clutch.dump_key"},
     methods={
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",

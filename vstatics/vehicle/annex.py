@@ -30,5 +30,21 @@ ANNEX = Annex(
         "resized": "vstatics.vehicle.damage.resize",
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
-    methods={"performance": "vstatics.vehicle.operation.traction"},
+    keys={
+        "vehicle": "vstatics.vehicle.case.vehicle_key",
+        "fatigue": "vstatics.vehicle.case.fatigue_key",
+    },
+    methods={
+        "damage_grid": "vstatics.vehicle.damage.tables",
+        "damages": "vstatics.vehicle.damage.devices",
+        "duty_options": "vstatics.vehicle.cli.duty",
+        "expect_fatigue": "vstatics.vehicle.cli.strengths",
+        "torque_life": "vstatics.vehicle.damage.rayleigh",
+        "vehicle_section": "vstatics.vehicle.operation.traction",
+    },
+    types={
+        "Damages": "vstatics.vehicle.damage.devices",
+        "DutyResults": "vstatics.vehicle.operation.load_spectrum",
+        "Performance": "vstatics.vehicle.operation.traction",
+    },
 )

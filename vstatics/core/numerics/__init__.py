@@ -12,6 +12,6 @@ for arrays: numbers note on a `tape` what is done with them, `traced` ones of on
 ones of any sign, with choices in place of decisions; `replay` does it again on arrays in
 `memory`; `plans` makes plans and tells which variant takes which. `exact` has fractions,
 `motions` what equations leave free, `lookup_table` values over one or two variables, `fronts`
-the best points by several objectives, `compiled` loops by Numba. Nothing here knows of
-transmissions.
+the best points by several objectives, `compiled` loops by Numba, `constants` those of
+physics. Nothing here knows of transmissions.
 """

@@ -14,7 +14,7 @@ from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import provided, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import each, named, separated, value
 from vstatics.core.statics.results import Results
@@ -22,11 +22,9 @@ from vstatics.core.texts import Language, speaking
 from vstatics.page.report.asked import SECTIONS, AskedPage, section
 from vstatics.simulation.cli.scenario_run import naming_of, run_of
 from vstatics.synthesis.cli.found_boxes import listing_in, report_boxes
-from vstatics.vehicle.cli import duty as duty_cycles
-from vstatics.vehicle.cli.duty import DutyOptions
 
 if TYPE_CHECKING:
-    from vstatics.vehicle.duty_file import DutyFile, DutyTable
+    from vstatics.core.summary.sections import CycleOptions, GivenCycle
 
 
 @click.command()
@@ -64,7 +62,7 @@ if TYPE_CHECKING:
     callback=value(named("NAME=TEXT", str)),
     help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
 )
-@duty_cycles.options
+@provided("duty_options")
 @formats.digits
 @arguments.language("the words of the page, but not of names and messages")
 @arguments.settings
@@ -76,10 +74,10 @@ def report(
     gears: list[str],
     prints_all: bool,
     stamp: dict[str, str],
-    duty: DutyOptions,
     digits: int | None,
     lang: Language,
     settings: CaseOptions,
+    duty: CycleOptions | None = None,
 ) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
 
@@ -118,7 +116,8 @@ def report(
     refuse(
         (sections and prints_all, "--sections: what it names is printed, without --all"),
     )
-    parts = sections or gears or prints_all or duty.duty
+    cycles = duty.files if duty else []
+    parts = sections or gears or prints_all or cycles
     own = "--sections, --gears, --all, --duty"
     if watch:
         refuse(
@@ -148,10 +147,12 @@ def report(
     asked = AskedPage(sections, gears, prints_all, stamp)
     to = to._replace(style=TextStyle(lang))
     quiet = settings.telling.quiet
-    files.spare(duty.files, to.output)
-    show = partial(_shown, digits=digits, quiet=quiet, asked=asked, cycle=duty.read())
+    files.spare(cycles, to.output)
+    show = partial(
+        _shown, digits=digits, quiet=quiet, asked=asked, cycle=duty.read() if duty else None
+    )
     options = settings._replace(scenarios=True, of_runs=True)
-    return carry_out(Job("report", options, to, show), cases, others=duty.files)
+    return carry_out(Job("report", options, to, show), cases, others=cycles)
 
 
 def _report_two(
@@ -185,14 +186,16 @@ def _shown(
     quiet: bool,
     asked: AskedPage,
     *,
-    cycle: DutyFile | DutyTable | None,
+    cycle: GivenCycle | None,
 ) -> texts.CaseOutput:
     """The page of a case."""
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
     driven = None if cycle is None else cycle.of(results)
-    found = duty_cycles.doubts(driven, outcome.file)
+    from vstatics.core.summary.sections import doubts
+
+    found = doubts(driven, outcome.file)
 
     def html(_: str | None) -> str:
         from vstatics.page.report.html_page import page

@@ -20,6 +20,7 @@ from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.suffixes import format_of, known
 from vstatics.simulation.cli.options import SimulateOptions
+from vstatics.simulation.cli.scenario_run import expect_fatigue
 from vstatics.sweep import build
 from vstatics.sweep.cli.run import SweepRun, carry_out, tell_noticed, tell_reason
 from vstatics.sweep.cli.subject import read_scenario_subject, spare
@@ -28,7 +29,6 @@ from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.statistics import columns_statistics, samples_answer, statistics_grids
 from vstatics.sweep.tasks import calculate
 from vstatics.sweep.variants.subject import Document, VariedScenario
-from vstatics.vehicle.cli.strengths import expect_fatigue
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
 """Formats of the variants themselves, which are read again for the statistics."""

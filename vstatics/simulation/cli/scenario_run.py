@@ -8,14 +8,17 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vstatics.core.annexes import KEYS, module_of_method, not_installed
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase
+from vstatics.core.cli.shared.options import needs
 from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import CaseError, Problem, ReadError
-from vstatics.core.extras import missing
+from vstatics.core.extras import higher
 from vstatics.core.jobs.files import STDIN_NAME
 
 if TYPE_CHECKING:
+    from vstatics.core.readers.reading import Reading
     from vstatics.core.statics.results import Results
     from vstatics.page.report.material import Naming
     from vstatics.simulation.record.motion import Motion
@@ -40,10 +43,19 @@ def named_by_run(results: Results, outcome: CalculatedCase) -> Results:
     return results._replace(case=results.case.replace(name=outcome.scenario.name))
 
 
-def needs(extra: str, purpose: str) -> None:
-    """Refuse what needs a package that is not there."""
-    if message := missing(extra, purpose):
-        raise ReadError([Problem("E014", message)])
+def expect_fatigue(reading: Reading) -> None:
+    """Refuse to report damage where no life can be calculated.
+
+    Raises
+    ------
+    UsageError
+        If the annex that calculates it is not installed.
+    ReadError
+        If the case has no fatigue strength.
+    """
+    if not module_of_method("expect_fatigue"):
+        raise click.UsageError(not_installed("--damage", KEYS["fatigue"]))
+    higher("expect_fatigue")(reading)
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:

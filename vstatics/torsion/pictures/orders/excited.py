@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol, runtime_checkable
 
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.style import Excitation
+from vstatics.torsion.clutch.clutch_dump import dump_in
 
 if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
@@ -95,12 +96,26 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
     return sorted({certain(abs(one)) for one in found if one})
 
 
+@runtime_checkable
+class HasEngine(Protocol):
+    """The vehicle of a case, as far as its engine is concerned."""
+
+    @property
+    def engine(self) -> Sequence[tuple[float, float]]:
+        """Speed [rad/s] and torque [N*m] at full load."""
+
+    @property
+    def overrun(self) -> Sequence[tuple[float, float]]:
+        """Speed [rad/s] and torque [N*m] of the engine as a brake."""
+
+
 def _of_engine(case: Transmission) -> Iterator[float]:
     """Speeds of the engine [rad/s]."""
-    if case.vehicle is not None:
+    if isinstance(case.vehicle, HasEngine):
         yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
-    if case.dump is not None and case.dump.J1[0] == case.input:
-        yield case.dump.omega1
+    dump = dump_in(case)
+    if dump is not None and dump.J1[0] == case.input:
+        yield dump.omega1
 
 
 def scenario_speeds(scenario: Scenario) -> tuple[float, ...]:
