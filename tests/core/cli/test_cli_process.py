@@ -26,7 +26,7 @@ from tests.commands import (
 from vstatics import __version__
 from vstatics.core.cli import main
 from vstatics.core.extras import build
-from vstatics.torsion.cli.group import COMMANDS as TORSION
+from vstatics.torsion.cli.group import TorsionCommands
 
 pytestmark = pytest.mark.slow  # each starts the program anew
 RUSSIAN = NEUTRAL.replace("links: 3", "name: коробка\nlinks: 3").replace("low:", "низшая:")
@@ -169,7 +169,7 @@ HELP_HAS = r"\n  Examples?(, in CI)?:\n    vstatics "
 
 
 COMMANDS = main.list_commands(click.Context(main))
-ALL = (*COMMANDS, *(f"torsion {one}" for one in TORSION))
+ALL = (*COMMANDS, *(f"torsion {one}" for one in TorsionCommands.modules))
 
 
 @pytest.mark.parametrize(
