@@ -17,8 +17,6 @@ ANNEX = Annex(
         "sweep": "vstatics.sweep",
     },
     methods={
-        "part_numbers": "vstatics.sweep.variants.part_numbers",
         "plot_sweep": "vstatics.sweep.pictures.plotting",
-        "with_part_numbers": "vstatics.sweep.variants.part_numbers",
     },
 )

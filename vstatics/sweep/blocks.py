@@ -12,6 +12,7 @@ from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from vstatics.core.elements.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
@@ -37,7 +38,6 @@ from vstatics.sweep.chunk import (
 from vstatics.sweep.frequencies import OMEGA, Frequencies, frequencies
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.meanings import PART_NUMBERS, SPREAD, STEP
-from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number
 

@@ -7,6 +7,7 @@ from contextlib import suppress
 
 import numpy as np
 
+from vstatics.core.elements.part_numbers import are_assembled
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.piece_file import Noticed
 from vstatics.simulation.record.asked import TABLES
@@ -14,7 +15,6 @@ from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED, Chunk, joined,
 from vstatics.sweep.motion_tables import MotionTables, along_time
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.asked import asked_rows
-from vstatics.sweep.variants.part_numbers import are_assembled
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import VariedScenario
 

@@ -11,8 +11,8 @@ from tests.commands import SHIPPED
 from vstatics import CaseError, Transmission
 from vstatics.core import readers
 from vstatics.core.comparison.case_changes import case_changes
+from vstatics.core.elements.part_numbers import own_part_number, part_numbers, with_part_numbers
 from vstatics.core.model.parts import Gear
-from vstatics.sweep.variants.part_numbers import own_part_number, part_numbers, with_part_numbers
 
 CASES = [path for path in SHIPPED if path.suffix == ".yaml"]
 

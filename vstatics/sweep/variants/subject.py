@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import Place, ReadError, nearest, quoted
 from vstatics.core.jobs.input_files import read_file
+from vstatics.core.model.paths import typed_by_name
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.named.nodes import Mapping, Node, decode
-from vstatics.sweep.variants.path_numbers import CasePath, by_name, case_path, known_paths, no_path
+from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
 from vstatics.sweep.variants.scenario_numbers import (
     NumberPath,
     Trees,
@@ -317,7 +318,7 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
     """
     path = case_path(text, case)
     if path is None:
-        text = by_name(text)
+        text = typed_by_name(text)
         path = case_path(text, case)
     if path is not None and path.quantity not in OF_MECHANISM:
         return path
