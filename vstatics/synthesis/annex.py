@@ -19,6 +19,8 @@ ANNEX = Annex(
         ),
     },
     methods={
+        "box_option": "vstatics.synthesis.cli.found_boxes",
+        "calculated_boxes": "vstatics.synthesis.cli.found_boxes",
         "box_grids": "vstatics.synthesis.boxes.tables",
     },
     schemas={
