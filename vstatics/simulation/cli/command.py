@@ -16,7 +16,6 @@ from vstatics.core.cli.shared.one_case import file_name, one_text, tell
 from vstatics.core.cli.shared.options import needs, refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.tables.suffixes import known
-from vstatics.simulation.cli.documents import read_with_case
 from vstatics.simulation.cli.options import SimulateOptions, options
 from vstatics.simulation.cli.scenario_run import run_problems
 from vstatics.simulation.cli.watched import watched
@@ -76,6 +75,8 @@ def simulate(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
+    from vstatics.simulation.cli.documents import read_with_case  # needless for help
+
     read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
     if asked.damage:

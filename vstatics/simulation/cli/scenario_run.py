@@ -11,12 +11,12 @@ from vstatics.core.cli.shared.cases import CalculatedCase
 from vstatics.core.cli.shared.options import needs
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.files import STDIN_NAME
-from vstatics.simulation.scenario.file import ScenarioFile
 
 if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
     from vstatics.page.report.material import Naming
     from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
 
 INSTANTS = 400
 """Of a run that is drawn, at least."""
@@ -45,6 +45,8 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     ReadError
         If it can't begin, with the places of what keeps it from that; of columns that are not.
     """
+    from vstatics.simulation.scenario.file import ScenarioFile  # needless for help
+
     read = outcome.scenario
     if not isinstance(read, ScenarioFile):
         return None
