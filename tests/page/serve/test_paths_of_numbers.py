@@ -49,21 +49,19 @@ def own(found: Target | CasePath, case: Transmission) -> float | None:
 def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_it(
     data: st.DataObject, case: Transmission
 ) -> None:
-    texts = {"run.yaml": scenario_of(case, data), "box.yaml": write_yaml(case).encode()}
-    run, box = (Document(text, file) for file, text in texts.items())
-    varied = VariedScenario(run, box)
-    for file, text in texts.items():
-        for keys, spot in spots_of(file, text).items() if file == "box.yaml" else ():
-            assert tuple(part.name for part in split(written(keys))) == keys
-            assert keys in (by_name(keys), *in_document(by_name(keys)))
-            path = varied.target(written(keys))
-            assert (path.keys, path.of_case) == (keys, True)
-            assert varied.written_number(path, None) == spot.value
-    for number in documents_of(texts, case).numbers.values():
+    scenario, box = scenario_of(case, data), write_yaml(case).encode()
+    varied = VariedScenario(Document(scenario, "run.yaml"), Document(box, "box.yaml"))
+    for keys, spot in spots_of("box.yaml", box).items():
+        assert tuple(part.name for part in split(written(keys))) == keys
+        assert keys in (by_name(keys), *in_document(by_name(keys)))
+        path = varied.target(written(keys))
+        assert (path.keys, path.of_case) == (keys, True)
+        assert varied.written_number(path, None) == spot.value
+    for number in documents_of({"run.yaml": scenario, "box.yaml": box}, case).numbers.values():
         if number.file == "run.yaml":
-            found = varied.target(number.field.path)
-            assert (found.keys, found.of_case) == (number.keys, False)
-            assert varied.written_number(found, None) == number.field.value
+            path = varied.target(number.field.path)
+            assert (path.keys, path.of_case) == (number.keys, False)
+            assert varied.written_number(path, None) == number.field.value
 
 
 @settings(phases=[Phase.generate], max_examples=40)

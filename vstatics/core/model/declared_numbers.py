@@ -104,11 +104,11 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
 
 def value_at(part: Any, key: str) -> Any:
     """Return the value of a part at a key: a number of an item from 1, None if it is left out."""
-    if isinstance(part, Mapping):
-        return part.get(key)
-    if isinstance(part, Sequence) and not hasattr(part, "_fields"):
+    if hasattr(part, "_fields"):
+        return getattr(part, key, None)
+    if isinstance(part, Sequence):
         return part[int(key) - 1]
-    return getattr(part, key, None)
+    return part.get(key) if isinstance(part, Mapping) else getattr(part, key, None)
 
 
 _Below = tuple[Shape | None, Sequence[str]]
