@@ -28,7 +28,7 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Number of variants that are not worth a plan; more after plans were made in vain."""
+"""Number of variants up to which no plan is made; raised after plans made in vain."""
 WORTH = 12
 """Cost of a plan, in variants that are calculated alone."""
 STEPS_LIKE_ONE_VARIANT = 250
@@ -47,7 +47,7 @@ Later plans have wider bounds, so that drifting numbers do not need a new plan e
 SERVED_PART = 0.5
 """Share of variants that a plan of fixed sign must serve if a plan of any sign exists."""
 SAMPLE_VARIANTS = 64
-"""Number of variants from which that share is estimated."""
+"""Number of variants from which the served share is estimated."""
 SAMPLED = 8
 """Number of calls between two estimates of the share of a plan of fixed sign."""
 

@@ -23,14 +23,14 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques
 
 MOST_EXACT_UNKNOWNS = 64
-"""Most unknowns of a system that is solved in fractions, which grow with each unknown."""
+"""Number of unknowns up to which systems are solved in fractions, which grow with each unknown."""
 
 
 class LostDigits(NamedTuple):
     """Links and devices of a gear whose speeds and torques keep few digits."""
 
     digits: int
-    """Number of certain digits of all speeds and torques listed."""
+    """Number of digits that are certain in all listed speeds and torques."""
     links: list[str]
     """Names of the links with uncertain speeds."""
     devices: list[str]
@@ -103,7 +103,7 @@ def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
 
 
 def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """Return relative errors; 1 where either the number or the exact value is NaN."""
+    """Return the relative errors of numbers; 1 if either the number or the exact value is NaN."""
     return [
         _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
     ]

@@ -123,7 +123,7 @@ def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
 
 
 def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
-    """Return the numbers of freewheels that could hold instead of holding freewheels.
+    """Return the numbers of freewheels that could replace a holding freewheel.
 
     Statics does not determine the torques that such freewheels share.
 
