@@ -19,7 +19,7 @@ from vstatics.core.numerics.tolerances import ROUNDED_COEFFICIENT
 from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
-MOST_TERMS = 400
+MOST_FORMULA_TERMS = 400
 """Most terms of a useful formula; longer formulas take long to derive."""
 
 Body = int
@@ -58,7 +58,7 @@ def shares(
         pivot = min((row for row in rows if body in row), key=lambda row: (len(row), _size(row)))
         others = (_without(row, body, pivot) for row in rows if row is not pivot)
         rows = [row for row in others if row]
-        if any(_size(row) > MOST_TERMS for row in rows):
+        if any(_size(row) > MOST_FORMULA_TERMS for row in rows):
             raise NoFormula("the formula would be too long")
     last = next((row for row in rows if output in row), None)
     if last is None:

@@ -16,7 +16,7 @@ from vstatics.core.tables.latex import escaped
 _LETTER = re.compile(r"(eta|u|k|v|w|M|T)(?:_(?P<word>\w+)|\[(?P<name>.*)\]|(?P<number>\d+|x))")
 _RATIO = re.compile(r"\b(?:eta|u|k)(?:_\w+|\d+)")
 _PLAIN = re.compile(r"[A-Za-z0-9 .]+")
-LONGEST = 60
+LONGEST_WITH_BARS = 60
 """Length above which a formula has no fraction bars, so that lines can be broken."""
 
 
@@ -108,7 +108,7 @@ def _powers(text: str) -> str:
 def formula(ratio_formula: RatioFormula) -> str:
     """Return the right-hand side of a formula in LaTeX, with fraction bars if short."""
     names = [*(each.name for each in ratio_formula.symbols), *ratio_formula.speeds]
-    if len(ratio_formula.text) > LONGEST:
+    if len(ratio_formula.text) > LONGEST_WITH_BARS:
         return _named(ratio_formula.text, names)
     letters = [f"u{n}" for n, _ in enumerate(ratio_formula.symbols, 1)]
     letters += [f"w{n}" for n, _ in enumerate(ratio_formula.speeds, 1)]

@@ -33,7 +33,7 @@ WORTH = 12
 """Cost of a plan, in variants that are calculated alone."""
 STEPS_LIKE_ONE_VARIANT = 250
 """Steps of a plan that cost as much as a variant calculated alone."""
-LEAST_SHARE = 1 / 64
+LEAST_SERVED = 1 / 64
 """Least share of variants that a plan is expected to serve in the next run."""
 MOST_PLANS = 256
 """Most plans of a calculation; variants without a plan are calculated alone."""
@@ -127,7 +127,7 @@ class Plans:
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
         """Return whether a plan is worth running on the remaining variants."""
-        if not max(plan.share, LEAST_SHARE) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
+        if not max(plan.share, LEAST_SERVED) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
             return False
         if plan.signed or plan.share > SERVED_PART or not self.plans[-1].signed:
             return True
