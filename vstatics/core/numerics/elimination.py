@@ -231,16 +231,13 @@ class _Elimination:
             for column, coefficient in terms.items():
                 self._subtract(summed, (-coefficient, 0.0), known[column])
             totals.append(summed)
-        return [_value_of_sum(row) for row in totals]
+        return [
+            (math.nan, 0.0) if max(row, default=RIGHT) >= 0 else row.get(RIGHT, NOTHING)
+            for row in totals
+        ]
 
 
 NOTHING: Entry = (0.0, 0.0)
-
-
-def _value_of_sum(row: Row) -> Entry:
-    if max(row, default=RIGHT) >= 0:
-        return math.nan, 0.0
-    return row.get(RIGHT, NOTHING)
 
 
 def _has_digits(entry: Entry) -> bool:
