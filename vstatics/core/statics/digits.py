@@ -53,7 +53,8 @@ def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
 def lost_digits(state: GearState) -> LostDigits | None:
     """Return the speeds and torques of a gear that rounding makes uncertain.
 
-    The gear must belong to one case, not to arrays of variants. Large systems are not examined.
+    The gear must belong to one case, not to arrays of variants. The result is None if all speeds
+    and torques are certain, and for large systems, which are not examined.
     """
     case, ideal = state.case, state.ideal
     if len(case.devices) + case.links > MOST_EXACT_UNKNOWNS:
