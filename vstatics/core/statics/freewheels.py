@@ -100,9 +100,9 @@ def _find_state(
         return _state_without_values(variant, gear, overrunning)
     sizes = range(len(case.freewheels) + 1)
     for held in chain.from_iterable(combinations(case.freewheels, size) for size in sizes):
-        gear_held = with_engaged(gear, held)
-        speeds = solve_speeds(case, gear_held, variant.rows) if held else overrunning
-        state = _possible(variant, gear_held, speeds)
+        gear_with_held = with_engaged(gear, held)
+        speeds = solve_speeds(case, gear_with_held, variant.rows) if held else overrunning
+        state = _possible(variant, gear_with_held, speeds)
         if state is not None:
             return state
     return _state(variant, gear, overrunning)
