@@ -231,22 +231,19 @@ class _Elimination:
             for column, coefficient in terms.items():
                 self._subtract(summed, (-coefficient, 0.0), known[column])
             totals.append(summed)
-        return [_value_of_sum(row) for row in totals]
+        return [
+            (math.nan, 0.0) if max(row, default=RIGHT) >= 0 else row.get(RIGHT, NOTHING)
+            for row in totals
+        ]
 
 
 NOTHING: Entry = (0.0, 0.0)
 
 
-def _value_of_sum(row: Row) -> Entry:
-    if max(row, default=RIGHT) >= 0:
-        return math.nan, 0.0
-    return row.get(RIGHT, NOTHING)
-
-
 def _has_digits(entry: Entry) -> bool:
     """Return whether rounding leaves digits of a number, according to the size.
 
-    Zero size always does.
+    A number that does not exist (NaN) counts as certain.
     """
     value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
@@ -491,9 +488,9 @@ def _sum_of_sizes(a: Either, b: Either) -> Either:
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:
-    """Return whether a pivot is large enough; ordinary ratios leave the choice to the structure.
+    """Return whether a pivot is large enough.
 
-    Then all such plans are alike.
+    Pivots of ordinary ratios are, so that the structure alone decides and all plans are alike.
     """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 

@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Number of an external torque among the indices of devices."""
+"""Index that stands for external torques among the indices of devices."""
 
 
 class IdealGear(NamedTuple):

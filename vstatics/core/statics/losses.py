@@ -21,7 +21,7 @@ from vstatics.core.statics.torques import Torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques of a gear with losses under a set of signs, and the resulting losses."""
+    """Torques with losses under a set of signs, and the resulting losses and efficiency."""
 
     signs: Signs
     torques: Torques
@@ -122,7 +122,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency that ranks sets of signs; lossless flow separates the ports.
+    """Return the efficiency that ranks sets of signs; ports are inputs or outputs by lossless flow.
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise it is the output power divided by the input power. Each port counts on the side of its
@@ -144,7 +144,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Return the reported efficiency: with several ports, power that leaves per power that enters.
+    """Return the reported efficiency: output power divided by input power of all ports.
 
     Each port counts on the side of its flow with losses, unlike in `_efficiency`, which chooses the
     signs.
@@ -163,9 +163,9 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Return whether a gear has an efficiency without losses: 1, or less with converters.
+    """Return whether power passes a gear without losses.
 
-    A converter that stalls has an efficiency of 0, so no power passes.
+    The lossless efficiency is 1, or less with converters; it is 0 if a converter stalls.
     """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -230,7 +230,7 @@ def expected_ratio(between: tuple[float, float]) -> str:
 def impossible(
     quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return which numbers cannot be a ratio, or an efficiency, of a mechanism.
+    """Return marks of numbers that cannot be a ratio, or an efficiency, of a mechanism.
 
     Parameters
     ----------

@@ -120,7 +120,7 @@ class GearState(NamedTuple):
 
     @property
     def signs(self) -> Signs:
-        """Power-flow signs: +1 if the first link drives, -1 if driven, 0 if idle, or NaN."""
+        """Signs of power, +1 if the first link drives, -1 if driven, 0 idle, NaN indeterminate."""
         return self.search.lossy.signs
 
     @property
