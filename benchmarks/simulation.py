@@ -27,7 +27,7 @@ from vstatics.simulation import (
     constant,
     simulate,
 )
-from vstatics.sweep.variants.subject import load_varied
+from vstatics.simulation.variants.subject import load_varied
 
 SCENARIO = Path(__file__).parents[1] / "cases/scenarios/tarasik-box.yaml"
 ROUNDS = 7

@@ -17,7 +17,7 @@ from typing import NoReturn
 import numpy as np
 
 from tests.commands import CASES, vstatics
-from tests.installed import HERE, missing
+from tests.installed import HERE
 from vstatics import VstaticsError, load, solve
 from vstatics.core.writers import listing, result_json
 
@@ -118,8 +118,8 @@ def _no_constant(name: str) -> NoReturn:
 def _folder() -> Path:
     """A folder of this process, with the files that commands read beside the mutated one."""
     folder = Path(tempfile.mkdtemp(prefix="vstatics-fuzz-"))
-    if "sweep" in HERE:
-        from tests.sweep.scenarios import CASE
+    if "simulation" in HERE:
+        from tests.simulation.variants.scenarios import CASE
 
         (folder / "set.yaml").write_bytes(CASE)
     (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
@@ -161,7 +161,7 @@ def commands() -> Mapping[str, Fuzzed]:
     one = solve(load(CASES / "mzkt7922.yaml"))
     written: list[str] = [json.dumps(result_json.document(one)), listing.write(one)]
     made: dict[str, Fuzzed] = {}
-    if not missing(["sweep", "simulation"]):
+    if "simulation" in HERE:
         made |= _of_simulation()
     if "torsion" in HERE:
         made |= _of_torsion()
@@ -175,7 +175,7 @@ def commands() -> Mapping[str, Fuzzed]:
 
 
 def _of_simulation() -> dict[str, Fuzzed]:
-    from tests.sweep.scenarios import SCENARIO
+    from tests.simulation.variants.scenarios import SCENARIO
 
     limit = ("--limit", str(LIMIT_SECONDS))
     return {

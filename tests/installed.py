@@ -49,6 +49,7 @@ FILES: dict[str, tuple[str, ...]] = {
     "simulation/report/test_motion.py": ("page",),
     "synthesis/cli/box/test_process.py": ("sweep",),
     "torsion/report/test_vibration.py": ("page",),
+    "torsion/vibration/test_varied_frequencies.py": ("sweep",),
 }
 """Annexes that files of tests need beside their own, and beside those that it needs."""
 ANNEXES = tuple(dict.fromkeys([*COMMANDS.values(), *NAMES.values()]))

@@ -22,9 +22,17 @@ PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
     *("core.start", "core.annexes", "core.errors", "core.extras", "core.arguments", "core.texts"),
     *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
-    *("core.tables", "core.readers", "vehicle.damage", "torsion", "simulation"),
-    *("core.examples", "core.checking", "sweep", "core.writers", "core.flow", "core.summary"),
-    *("core.comparison", "core.explain", "synthesis", "pictures", "page.report", "page.serve"),
+    *("core.tables", "core.readers", "core.examples", "core.checking"),
+    *("vehicle.damage", "sweep", "torsion", "simulation", "core.writers", "core.flow"),
+    *(
+        "core.summary",
+        "core.comparison",
+        "core.explain",
+        "synthesis",
+        "pictures",
+        "page.report",
+        "page.serve",
+    ),
     *("core.cli", "__init__", "__main__"),
 )
 """The order of the rooms; docs/architecture.md shows it."""

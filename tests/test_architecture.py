@@ -124,7 +124,6 @@ OF_OTHER_FILES = {
     "vstatics.core.jobs.files",  # outputs, and hashes of what is read
     "vstatics.core.jobs.page_files",  # outputs
     "vstatics.core.jobs.state_files",
-    "vstatics.sweep.variants.subject",  # cases and scenarios
     "vstatics.sweep.variants.table_file",  # tables of variants
 }
 

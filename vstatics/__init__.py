@@ -47,7 +47,6 @@ if TYPE_CHECKING:
     from vstatics.core.elements import CentralWheel, MeshEfficiency, transmission
     from vstatics.core.elements.drawing import Drawing
     from vstatics.core.elements.element import Element, PlanetMass
-    from vstatics.core.examples import example
     from vstatics.core.explain.exercise import GearExercise, exercise
     from vstatics.core.explain.explanation import Explanation, explain_gear
     from vstatics.core.flow.power import flows
@@ -56,14 +55,15 @@ if TYPE_CHECKING:
     from vstatics.core.writers.saving import save
     from vstatics.page.report.saving import write_report
     from vstatics.pictures.plotting import Picture, plot
+    from vstatics.simulation.examples import Example
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.run import simulate
     from vstatics.simulation.scenario.file import load_scenario
     from vstatics.simulation.scenario.parts import Scenario
+    from vstatics.simulation.variants.subject import VariedScenario, load_varied
     from vstatics.sweep import sweep
     from vstatics.sweep.chunk import Chunk
     from vstatics.sweep.swept import Sweep
-    from vstatics.sweep.variants.subject import VariedScenario, load_varied
     from vstatics.torsion.clutch.clutch_dump import ClutchDump
     from vstatics.vehicle.case.fatigue import Fatigue
     from vstatics.vehicle.case.vehicle import Vehicle
@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from vstatics.vehicle.operation.driving import cycle
     from vstatics.vehicle.operation.trace import Trace
 
+    example: Example
     __all__ = [
         "CaseError",
         "CentralWheel",

@@ -11,10 +11,11 @@ from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.reading import Reading
 from vstatics.simulation.scenario.file import read_scenario
 from vstatics.simulation.scenario.formula import Formula, read_formula
+from vstatics.simulation.variants.subject import VariedScenario
 from vstatics.sweep import build
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.columns import read_columns
-from vstatics.sweep.variants.subject import Document, VariedScenario
+from vstatics.sweep.variants.subject import Document
 
 SCENARIO = """\
 case: tarasik-box.yaml

@@ -12,17 +12,24 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from types import MappingProxyType, ModuleType
+from typing import NamedTuple
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
-_OWNERS = {
-    **dict.fromkeys(("scenario", "simulate"), "simulation"),
-    **dict.fromkeys(("sweep file", "plot_sweep", "part_numbers", "with_part_numbers"), "sweep"),
-    "omega": "torsion",
-}
-"""Things that are asked for by name -> the annex that they belong to, installed or not."""
 _NOTHING: Mapping[str, str] = MappingProxyType({})
+DOCUMENTS = MappingProxyType(
+    {
+        "boxes": ("synthesis", b'"searched"'),
+        "scenario": ("simulation", b"duration"),
+        "sweep file": ("sweep", b"case"),
+    }
+)
+"""Kind of documents other than cases -> its annex, and what they all contain, and hardly a case.
+
+The names of the annexes are known here, too, so that a message can name one that is missing.
+"""
+PURPOSES = MappingProxyType({"omega": "torsion"})
+"""Other things that are asked for by name -> the annex that they belong to."""
 
 
 class Command(NamedTuple):
@@ -61,6 +68,26 @@ class PictureKind(NamedTuple):
     """Whether it can have the scales of another case, too."""
 
 
+class DocumentKind(NamedTuple):
+    """A kind of documents other than cases."""
+
+    note: str
+    """Message where a case is expected."""
+    functions: Mapping[str, str] = _NOTHING
+    """Function by which a command takes such a document -> the module that defines it."""
+
+
+class Schema(NamedTuple):
+    """A JSON Schema, by the type of what it describes."""
+
+    module: str
+    type: str
+    """Name of the type in the module; without a title of the function that returns the schema."""
+    title: str = ""
+    documents: bool = True
+    """Whether the type is that of each document of a file, or of the file as a whole."""
+
+
 class Annex(NamedTuple):
     """What an annex provides."""
 
@@ -80,6 +107,10 @@ class Annex(NamedTuple):
     """Kind of picture -> what `vstatics plot` needs of it."""
     picture_options: Mapping[str, str] = _NOTHING
     """Option of pictures that few kinds have -> why {kinds} alone have it."""
+    documents: Mapping[str, DocumentKind] = MappingProxyType({})
+    """Kind of documents other than cases -> what commands can do with it."""
+    schemas: Mapping[str, Schema] = MappingProxyType({})
+    """Name of a file of `schemas/` -> the type that it describes."""
 
 
 @cache
@@ -92,30 +123,16 @@ def _records() -> list[Annex]:
     found = []
     for name in _NAMES:
         try:
-            found.append(import_module(f"vstatics.{name}.annex").ANNEX)
+            found.append(module(f"vstatics.{name}.annex").ANNEX)
         except ModuleNotFoundError as error:
             if error.name not in (f"vstatics.{name}", f"vstatics.{name}.annex"):
                 raise
     return found
 
 
-def not_installed(what: str) -> str:
-    """Return the message that the annex of something is not installed.
-
-    >>> not_installed("omega")
-    'omega belongs to vstatics.torsion, which is not installed here'
-    """
-    annex = f"vstatics.{_OWNERS[what]}" if what in _OWNERS else "an annex of vstatics"
-    return f"{what} belongs to {annex}, which is not installed here"
-
-
-def loaded(module: str, name: str) -> Any:
-    """Return a part of a module that a record names.
-
-    >>> loaded("math", "sqrt")(9)
-    3.0
-    """
-    return getattr(import_module(module), name)
+def module(name: str) -> ModuleType:
+    """Import a record, or a module that a record names."""
+    return import_module(name)
 
 
 def module_of_name(name: str) -> str:
@@ -161,3 +178,17 @@ def picture_kinds() -> Mapping[str, PictureKind]:
 def picture_options() -> Mapping[str, str]:
     """Return the options of pictures that few kinds have, and what is said of other kinds."""
     return {name: why for annex in annexes() for name, why in annex.picture_options.items()}
+
+
+def document_kind(kind: str) -> DocumentKind | None:
+    """Return what is declared of a kind of documents; None if its annex is not installed."""
+    return next((annex.documents[kind] for annex in annexes() if kind in annex.documents), None)
+
+
+def not_installed(what: str, annex: str) -> str:
+    """Return the message about a part of an annex that is not installed.
+
+    >>> not_installed("omega", PURPOSES["omega"])
+    'omega belongs to vstatics.torsion, which is not installed here'
+    """
+    return f"{what} belongs to vstatics.{annex}, which is not installed here"

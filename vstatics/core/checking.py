@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
@@ -23,14 +22,11 @@ from vstatics.core.errors import (
     why_not_allowed,
 )
 from vstatics.core.model.checks import hints
-from vstatics.core.readers.kinds import is_of_kind
+from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.file import ScenarioFile
 
 
 @refusing()
@@ -76,11 +72,8 @@ def check(
 def problems_of(data: bytes, file: str) -> list[Problem]:
     """The same of what a file holds."""
     try:
-        if is_of_kind("scenario", data, file):
-            from vstatics.simulation.scenario.file import case_bytes, read_scenario
-
-            document = read_scenario(data, file)
-            return _of_scenario(document.with_case(readers.read(*case_bytes(document))))
+        if document_problems := document_function("document_problems", data, file):
+            return [*document_problems(data, file)]
         reading = readers.read(data, file)
         results = _solved(reading)
     except ReadError as error:
@@ -96,14 +89,6 @@ def _solved(reading: Reading) -> Results:
         return solve(reading.case)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
-
-
-def _of_scenario(read: ScenarioFile) -> list[Problem]:
-    """What is doubtful about a scenario and its case."""
-    from vstatics.simulation.scenario.checks import scenario_doubts
-
-    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.untold)
-    return [*read.reading.warnings, *map(read.locate, found)]
 
 
 def located_messages(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:

@@ -14,30 +14,12 @@ from __future__ import annotations
 
 import os
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, overload
+from typing import Any, NamedTuple, overload
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, nearest, quoted
 from vstatics.core.model.transmission import Transmission
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.parts import Scenario
-
-ScenarioName: TypeAlias = Literal[
-    "scenarios/8hp70-downshift",
-    "scenarios/8hp70-shifts",
-    "scenarios/8hp70-upshift",
-    "scenarios/8l90-shifts",
-    "scenarios/gf4a-upshifts",
-    "scenarios/moskvich-samples",
-    "scenarios/moskvich-start",
-    "scenarios/tarasik-box",
-    "scenarios/tarasik-set-lock",
-    "scenarios/tarasik-set-upshift",
-    "scenarios/tarasik-truck",
-]
-"""Those of the scenarios, for checkers of types: only by its name one can tell what it is."""
 
 
 class ExampleFile(NamedTuple):
@@ -58,15 +40,11 @@ def example() -> list[str]: ...
 
 
 @overload
-def example(name: ScenarioName) -> Scenario: ...
-
-
-@overload
 def example(name: str) -> Transmission | Any: ...
 
 
 @refusing()
-def example(name: str | None = None) -> list[str] | Transmission | Scenario | Any:
+def example(name: str | None = None) -> list[str] | Transmission | Any:
     """A case or a scenario that comes with the program, or the names of all of them.
 
     Parameters
@@ -83,6 +61,8 @@ def example(name: str | None = None) -> list[str] | Transmission | Scenario | An
     ------
     CaseError
         If there is none of this name; it tells the nearest.
+    ReadError
+        If it is a scenario, and simulation is not installed.
 
     Examples
     --------
@@ -92,13 +72,11 @@ def example(name: str | None = None) -> list[str] | Transmission | Scenario | An
     if name is None:
         return [*example_files()]
     found = example_file(name)
-    from vstatics.core.readers.kinds import is_of_kind
+    from vstatics.core.readers.kinds import document_function
 
     data = found.data()
-    if is_of_kind("scenario", data, found.path):
-        from vstatics.simulation.scenario.file import load_scenario
-
-        return load_scenario(found.path)
+    if load := document_function("load_document", data, found.path):
+        return load(found.path)
     return readers.read(data, found.path).case
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, Protocol
 
-from vstatics.core.annexes import loaded, module_of_method, not_installed
+from vstatics.core.annexes import PURPOSES, module, module_of_method, not_installed
 from vstatics.core.errors import CaseError
 
 if TYPE_CHECKING:
@@ -57,9 +57,9 @@ def later(
     """
 
     def attribute(name: str) -> Any:
-        if module := modules.get(name) or find(name):
+        if found := modules.get(name) or find(name):
             try:
-                return loaded(module, name)
+                return getattr(module(found), name)
             except ImportError as error:
                 raise needed(error, name, package) from None
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
@@ -92,7 +92,7 @@ def higher(function: str, purpose: str = "") -> Any:
     function : str
         Its name. Where it is, is known to the package and to the records of annexes.
     purpose : str
-        What needs the function, if not itself, for the message that its annex is not installed.
+        What needs the function, one of `PURPOSES`, for the message that its annex is not installed.
 
     Raises
     ------
@@ -105,10 +105,10 @@ def higher(function: str, purpose: str = "") -> Any:
     >>> higher("to_dataframe").__module__
     'vstatics.core.tables.dataframe'
     """
-    module = HIGHER.get(function) or module_of_method(function)
-    if not module:
-        raise CaseError("E014", not_installed(purpose or function))
-    return loaded(module, function)
+    name = HIGHER.get(function) or module_of_method(function)
+    if not name and purpose:
+        raise CaseError("E014", not_installed(purpose, PURPOSES[purpose]))
+    return getattr(module(name), function)
 
 
 @cache

@@ -8,9 +8,10 @@
    must close. `run` is all of it, `bounds` says how long it may take; `stepping` goes on as it is
    told.
 
-`published` is the method of Tarasik, for comparison. `pictures` draws a run over time, `report` has
-the section of a page, `cli` the command `vstatics simulate`. The annex needs scipy, an extra. How
-it all is derived: docs/method.md.
+`published` is the method of Tarasik, for comparison. `variants` are many runs with other numbers,
+of sweeps and samples. `pictures` draws a run over time, `report` has the section of a page, `cli`
+the command `vstatics simulate`. The annex needs scipy, an extra. How it all is derived:
+docs/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
 >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate

@@ -1,6 +1,6 @@
 """What simulation over time provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind
+from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, Schema
 
 ANNEX = Annex(
     name="simulation",
@@ -11,10 +11,24 @@ ANNEX = Annex(
         ),
     },
     names={
+        "VariedScenario": "vstatics.simulation.variants.subject",
+        "load_varied": "vstatics.simulation.variants.subject",
         "Motion": "vstatics.simulation.record.motion",
         "Scenario": "vstatics.simulation.scenario.parts",
         "load_scenario": "vstatics.simulation.scenario.file",
         "simulate": "vstatics.simulation.run",
+    },
+    documents={
+        "scenario": DocumentKind(
+            "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
+            {
+                "check_document": "vstatics.simulation.cli.documents",
+                "document_problems": "vstatics.simulation.scenario.file",
+                "load_document": "vstatics.simulation.scenario.file",
+                "read_swept_document": "vstatics.simulation.cli.documents",
+                "read_with_case": "vstatics.simulation.cli.documents",
+            },
+        ),
     },
     methods={
         "motion_dataframe": "vstatics.simulation.record.columns",
@@ -54,4 +68,17 @@ ANNEX = Annex(
         ),
     },
     picture_options={"out": "only shift has columns of a run"},
+    schemas={
+        "simulation": Schema(
+            "vstatics.simulation.record.answer",
+            "MotionAnswer",
+            "A simulation, of vstatics simulate",
+        ),
+        "samples": Schema(
+            "vstatics.simulation.variants.statistics",
+            "SamplesAnswer",
+            "Statistics of vstatics simulate --samples",
+        ),
+        "scenario": Schema("vstatics.simulation.scenario.keys", "json_schema"),
+    },
 )

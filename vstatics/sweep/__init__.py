@@ -23,14 +23,14 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from vstatics.core.model.transmission import IdleConvention
+    from vstatics.sweep.results.documents import Subject
     from vstatics.sweep.swept import Sweep
-    from vstatics.sweep.variants.subject import Subject
 
 __all__ = ["sweep"]
 
 
 @refusing(
-    Subject="vstatics.sweep.variants.subject", IdleConvention="vstatics.core.model.transmission"
+    Subject="vstatics.sweep.results.documents", IdleConvention="vstatics.core.model.transmission"
 )
 @naming
 def sweep(  # noqa: PLR0913 (as on the command line)

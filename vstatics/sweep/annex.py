@@ -1,6 +1,6 @@
 """What sweeps of variants provide to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind
+from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind
 
 _NO_GEAR = {"gear": "expected --by gear, or the column of a gear"}
 
@@ -15,9 +15,12 @@ ANNEX = Annex(
     names={
         "Chunk": "vstatics.sweep.chunk",
         "Sweep": "vstatics.sweep.swept",
-        "VariedScenario": "vstatics.sweep.variants.subject",
-        "load_varied": "vstatics.sweep.variants.subject",
         "sweep": "vstatics.sweep",
+    },
+    documents={
+        "sweep file": DocumentKind(
+            "this is a sweep file, expected a case; `vstatics sweep --file` takes it"
+        ),
     },
     methods={
         "part_numbers": "vstatics.sweep.variants.part_numbers",

@@ -21,6 +21,7 @@ from vstatics.core.statics.matrix import expected_ratio
 from vstatics.core.statics.points.parts import alike_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
+from vstatics.sweep import runs
 from vstatics.sweep.chunk import (
     CONFLICT,
     DRAGGED,
@@ -226,9 +227,7 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
         With a row for each variant that passed the plan's condition.
     """
     if not isinstance(plan.subject, Transmission):
-        from vstatics.sweep.runs import calculate as of_runs  # others need no simulation
-
-        return of_runs(plan, plan.subject, start, stop)
+        return runs.calculate(plan, plan.subject, start, stop)
     own = solve(plan.case) if plan.asks_for_results else None
     return joined([_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)])
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar, cast
 import numpy as np
 
 from vstatics.core.elements.drawing import drawing_of
-from vstatics.core.errors import CaseError, Place, Problem, ReadError, of_file
+from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.numerics.arrays import Floats, as_floats
@@ -19,20 +19,20 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.blocks import possible_numbers
 from vstatics.sweep.formats import Format
-from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.options import SweepOptions, Text, located
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.columns import read_columns
+from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Terms
 from vstatics.sweep.results.meanings import OMEGA
 from vstatics.sweep.results.selection import read_objective, read_where
+from vstatics.sweep.runs import piece_of_runs
 from vstatics.sweep.variants.numbered import VariantGrid, Variants, VariantTable, Zip
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.samples import Method, Sample
-from vstatics.sweep.variants.scenario_numbers import NumberPath
-from vstatics.sweep.variants.subject import Subject, VariedScenario, target_of
+from vstatics.sweep.variants.subject import target_of, varied_beside_teeth
 from vstatics.sweep.variants.table_file import load_table
-from vstatics.sweep.variants.targets import Target, Varied, refusal
+from vstatics.sweep.variants.targets import Target, Varied
 from vstatics.sweep.variants.variation import Variation, read_variation
 
 if TYPE_CHECKING:
@@ -41,9 +41,6 @@ if TYPE_CHECKING:
 Read = TypeVar("Read")
 
 OUT = "ratio,efficiency"
-OUT_OF_RUNS = "heat,work"
-OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
-"""Tables that are told of samples where they have anything."""
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
@@ -100,7 +97,7 @@ def plan(
         _check_ratios(subject, variants.targets, places)
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
-        made = _with_expressions(subject, options, variants)
+        made = with_expressions(subject, options, variants)
         if isinstance(subject, Transmission):
             _check_slopes(made)
     except BaseException:
@@ -179,8 +176,8 @@ def _check_ratios(
     ------
     ReadError
     """
-    if isinstance(subject, VariedScenario):
-        _check_ratios_of_runs(subject, targets, places)
+    if not isinstance(subject, Transmission):
+        subject.check_targets(targets, places)
         return
     case = subject
     parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
@@ -190,27 +187,7 @@ def _check_ratios(
     follow = {n for one in case.own_devices if one.name in names for n in one.mechanisms}
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
-            raise _beside_teeth(target.name, place)
-
-
-def _check_ratios_of_runs(
-    subject: VariedScenario, targets: Sequence[Varied], places: Sequence[Place | None]
-) -> None:
-    """The same for a scenario, whose runs have planets: there a ratio can't vary without teeth."""
-    paths = [one for one in targets if isinstance(one, NumberPath)]
-    toothed = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
-    for path, place in zip_longest(paths, places):
-        if path.keys[-1] == "ratio" and subject.follows_teeth(path):
-            name = f"{path.keys[1]}.ratio"
-            if path.keys[1] in toothed:
-                raise _beside_teeth(name, place)
-            message = f"{name} follows from teeth, and runs have their planets, too: expected"
-            raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
-
-
-def _beside_teeth(name: str, place: Place | None) -> ReadError:
-    message = f"{name} is varied beside teeth that it follows from, expected one of the two"
-    return ReadError([Problem("E706", message, place=place)])
+            raise varied_beside_teeth(target.name, place)
 
 
 def _check_slopes(made: SweepPlan) -> None:
@@ -245,7 +222,16 @@ def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
     return VariantTable(targets, np.column_stack(arrays))
 
 
-def _with_expressions(subject: Subject, options: SweepOptions, variants: Variants) -> SweepPlan:
+def with_expressions(subject: Subject, options: SweepOptions, variants: Variants) -> SweepPlan:
+    """Make a plan of variants and the expressions of options.
+
+    Raises
+    ------
+    ReadError
+        With all that is wrong with the texts of the options.
+    CaseError
+        If there can be no such sweep.
+    """
     targets = variants.targets
     problems: list[Problem] = []
 
@@ -258,7 +244,7 @@ def _with_expressions(subject: Subject, options: SweepOptions, variants: Variant
             "E719", "a row for each gear: expected a case, a run goes through its gears"
         )
     terms = Terms(targets, by_gear=by_gear)
-    out = OUT if isinstance(subject, Transmission) else OUT_OF_RUNS
+    out = OUT if isinstance(subject, Transmission) else subject.default_columns
     columns = read([options.out or Text(out)], read_columns)
     terms = terms._replace(named=columns[0].named if columns else {})
     where = read(filter(None, [options.where]), read_where)
@@ -273,76 +259,8 @@ def _with_expressions(subject: Subject, options: SweepOptions, variants: Variant
     )
     if isinstance(subject, Transmission):
         return made
-    return _of_runs(made, subject)
-
-
-def sampled_numbers(subject: VariedScenario) -> list[Variation]:
-    """The numbers that a scenario has in `samples`, with their distributions.
-
-    Raises
-    ------
-    ReadError
-        If it has not one of them.
-    """
-    problems: list[Problem] = []
-    variations: list[Variation] = []
-    for number, (path, distribution) in enumerate(subject.own.samples.items(), 1):
-        place = subject.own.spots.place(("samples", number))
-        try:
-            target = subject.sampled(path)
-            subject.check_new([target], [1.0])
-            variations.append(Variation(target, distribution, place))
-        except ReadError as error:
-            problems += [
-                Problem(one.id, f"samples: {one.message}", ("samples", path), place)
-                for one in error.problems
-            ]
-    if problems:
-        raise ReadError(problems)
-    return variations
-
-
-def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
-    """A plan of variants drawn from the distributions that a scenario has in `samples`.
-
-    Parameters
-    ----------
-    subject : VariedScenario
-    options : SweepOptions
-        With `sample`, the number of variants, and what else a plan takes.
-
-    Raises
-    ------
-    ReadError
-        If the scenario has none, or one of a number that it has not.
-    CaseError
-        If there can be no such plan.
-    """
-    variations = sampled_numbers(subject)
-    if not variations:
-        message = "the scenario has no `samples`: distributions by the paths of numbers"
-        raise ReadError([of_file("E703", subject.scenario.file, message)])
-    method = cast("Method", options.method or "random")
-    drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
-    out = options.out or Text(_of_samples(subject))
-    return _with_expressions(subject, replace(options, out=out), drawn)
-
-
-def _of_samples(subject: VariedScenario) -> str:
-    """Torques of devices are told without their sign, so that they have a mean."""
-    kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
-    told = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
-    return ",".join("abs(peaks)" if name == "peaks" else name for name in told)
-
-
-def _of_runs(plan: SweepPlan, subject: VariedScenario) -> SweepPlan:
-    """A plan whose pieces are small, as runs take long; what is new in a document may be there."""
-    from vstatics.sweep.runs import piece_of_runs  # others need no simulation
-
-    require("simulation", "a sweep of a scenario")
-    paths = [path for path in plan.variants.targets if isinstance(path, NumberPath)]
-    subject.check_new(paths, plan.variants.block(0, 1)[0].tolist())
-    return replace(plan, piece=piece_of_runs(plan.variants.count))
+    subject.check_runs(variants.targets, variants.block(0, 1)[0].tolist())
+    return replace(made, piece=piece_of_runs(variants.count))  # small, as runs take long
 
 
 def _all(

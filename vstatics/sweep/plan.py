@@ -12,12 +12,12 @@ import numpy as np
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.sweep.results.columns import OutputColumns, output_headings
+from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Expression
 from vstatics.sweep.results.meanings import OF_RATIOS, OK, OMEGA, PART_NUMBERS, Tables
 from vstatics.sweep.results.selection import Objective, WhereCondition
 from vstatics.sweep.variants.numbered import Variants
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Target
 
 PIECE = 65536
@@ -184,7 +184,7 @@ class SweepPlan:
         """
         digest = hashlib.sha256()
         one = self.subject
-        case = one if isinstance(one, Transmission) else one.own.scenario.case
+        case = one if isinstance(one, Transmission) else one.base_case
         for part in _canonical((self, more, case.laws)):
             digest.update(part)
         return digest.hexdigest()

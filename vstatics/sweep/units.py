@@ -7,12 +7,11 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.evaluation import LAST
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.tables.quantities import BY_NAME, UNITS
-from vstatics.sweep.motion_tables import TABLES
 from vstatics.sweep.plan import SweepPlan
+from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Node
 from vstatics.sweep.results.meanings import OMEGA, Selection
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Target, Varied
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
@@ -31,11 +30,10 @@ def units_of(plan: SweepPlan) -> dict[str, str]:
     {'load.torque': 'N*m', 'speeds_rpm[2,1]': 'rpm'}
     """
     subject = plan.subject
-    of_run = isinstance(subject, VariedScenario)
-    case = subject.own.scenario.case if isinstance(subject, VariedScenario) else subject
+    case = subject if isinstance(subject, Transmission) else subject.base_case
     found = {one.name: _of_varied(one, case) for one in plan.variants.targets}
     each = (part.expression.node for part in plan.columns.parts for _ in part.cells)
-    units = (_of_node(node, case, of_run=of_run) for node in each)
+    units = (_of_node(node, subject) for node in each)
     found |= zip(plan.headings, units, strict=True)
     return {name: unit for name, unit in found.items() if unit}
 
@@ -57,16 +55,16 @@ def _of_varied(one: Varied, case: Transmission) -> str:
     return UNIT_OF[STRAIGHT[quantity] if is_straight else quantity]
 
 
-def _of_node(node: Node, case: Transmission, *, of_run: bool) -> str:
+def _of_node(node: Node, subject: Subject) -> str:
     """The unit of a table, or of what is left of it; nothing where that takes more thought."""
     if isinstance(node, Selection):
-        if of_run:  # rows of what moves straight are in units of their own
-            return "" if case.masses else TABLES[node.table].unit
+        if not isinstance(subject, Transmission):
+            return subject.unit_of(node.table)
         if node.table == OMEGA:
             return UNIT_OF["si_speed"]
         quantity = BY_NAME.get(node.table)
         return UNITS[quantity.unit].text if quantity and quantity.unit else ""
     if isinstance(node, Applied) and node.name in KEEPING:
-        units = {_of_node(one, case, of_run=of_run) for one in node.operands}
+        units = {_of_node(one, subject) for one in node.operands}
         return units.pop() if len(units) == 1 else ""
     return ""

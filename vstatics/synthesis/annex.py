@@ -1,6 +1,6 @@
 """What the search for gearboxes provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind
+from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, Schema
 
 ANNEX = Annex(
     name="synthesis",
@@ -10,6 +10,13 @@ ANNEX = Annex(
             "vstatics.synthesis.cli.group",
             "Find gearboxes: schemes, gears, ratios, teeth, whole ones.",
             110,
+        ),
+    },
+    documents={
+        "boxes": DocumentKind(
+            "these are found boxes, expected a case; "
+            "plot --kind boxes, report and summary take one such file",
+            {"is_document": "vstatics.synthesis.boxes.reading"},
         ),
     },
     methods={
@@ -71,6 +78,36 @@ ANNEX = Annex(
             shows="boxes",
             refused={"gear": "found boxes are shown with all their gears"},
             plots="plot_boxes",
+        ),
+    },
+    schemas={
+        "fit": Schema(
+            "vstatics.synthesis.ratios.fitting",
+            "Fit",
+            "Ratios for wanted gears, of vstatics synth fit",
+        ),
+        "teeth": Schema(
+            "vstatics.synthesis.teeth.solutions",
+            "TeethAnswer",
+            "Teeth for wanted ratios, of vstatics synth teeth",
+        ),
+        "structures": Schema(
+            "vstatics.synthesis.cli.answers",
+            "StructuresAnswer",
+            "Schemes of planetary sets, of vstatics synth structures",
+            documents=False,
+        ),
+        "combinations": Schema(
+            "vstatics.synthesis.cli.answers",
+            "CombinationsAnswer",
+            "Combinations of shift elements, of vstatics synth combinations",
+            documents=False,
+        ),
+        "box": Schema(
+            "vstatics.synthesis.cli.answers",
+            "BoxAnswer",
+            "Gearboxes for wanted ratios, of vstatics synth box",
+            documents=False,
         ),
     },
 )

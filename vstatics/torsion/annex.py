@@ -1,6 +1,6 @@
 """What torsional vibration provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind
+from vstatics.core.annexes import Annex, Command, PictureKind, Schema
 
 ANNEX = Annex(
     name="torsion",
@@ -114,5 +114,41 @@ ANNEX = Annex(
         "orders": "only {kinds} have orders",
         "speed": "only {kinds} are over a speed",
         "at": "only a response is that of a link",
+    },
+    schemas={
+        "modes": Schema(
+            "vstatics.torsion.answers", "ModesAnswer", "Natural modes, of vstatics torsion modes"
+        ),
+        "reduction": Schema(
+            "vstatics.torsion.answers",
+            "ReductionAnswer",
+            "Reduced inertias and compliances, of vstatics torsion reduce",
+        ),
+        "simplification": Schema(
+            "vstatics.torsion.answers",
+            "SimplificationAnswer",
+            "A simpler scheme, of vstatics torsion simplify",
+        ),
+        "response": Schema(
+            "vstatics.torsion.answers",
+            "ResponseAnswer",
+            "Forced vibration, of vstatics torsion response",
+        ),
+        "random": Schema(
+            "vstatics.torsion.answers",
+            "RandomAnswer",
+            "Random vibration, of vstatics torsion random",
+        ),
+        "identification": Schema(
+            "vstatics.torsion.answers",
+            "IdentificationAnswer",
+            "Compliances by a measured frequency, of vstatics torsion identify",
+        ),
+        "damping": Schema(
+            "vstatics.torsion.answers",
+            "DampingAnswer",
+            "Dampings by decrements, of vstatics torsion damping",
+        ),
+        "dump": Schema("vstatics.torsion.cli.dump", "json_schema"),
     },
 )

@@ -1,6 +1,6 @@
 """What the vehicle, its cycles and life provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind
+from vstatics.core.annexes import Annex, Command, PictureKind, Schema
 
 _FULL_LOAD = {"coast": "a vehicle is drawn at full load"}
 
@@ -75,6 +75,30 @@ ANNEX = Annex(
             140,
             "Steps between gears",
             alike=True,
+        ),
+    },
+    schemas={
+        "cycle": Schema(
+            "vstatics.vehicle.operation.drive_cycle",
+            "CycleAnswer",
+            "A driving cycle, of vstatics cycle",
+        ),
+        "damage": Schema(
+            "vstatics.vehicle.damage.devices",
+            "DamageAnswer",
+            "Damage by a record of torques, of vstatics damage",
+        ),
+        "rayleigh": Schema(
+            "vstatics.vehicle.damage.rayleigh",
+            "RayleighLife",
+            "Life under random stresses, of vstatics damage rayleigh",
+            documents=False,
+        ),
+        "resize": Schema(
+            "vstatics.vehicle.damage.resize",
+            "ResizedShaft",
+            "A shaft of equal life, of vstatics damage resize",
+            documents=False,
         ),
     },
 )

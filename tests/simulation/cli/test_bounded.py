@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 
 from tests.commands import environment, vstatics
-from vstatics.core.cli import check
 from vstatics.core.cli.shared import progress
 from vstatics.simulation import bounds
+from vstatics.simulation.cli import documents
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.file import load_scenario
-from vstatics.sweep.variants.subject import VariedScenario
+from vstatics.simulation.variants.subject import VariedScenario
 
 CASE = """\
 links: [m, n]
@@ -123,7 +123,7 @@ def test_a_short_sweep_is_silent() -> None:
 
 
 def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(check, "TRIED", 0.2)
+    monkeypatch.setattr(documents, "TRIED", 0.2)
     said = vstatics("check", "long.yaml")
     assert said.status == 0
     assert "note: duration: a run takes long" in said.err

@@ -11,7 +11,7 @@ import pytest
 
 from tests.commands import vstatics
 from tests.core.cli.test_schemas import validator
-from tests.sweep.scenarios import CASE, SCENARIO
+from tests.simulation.variants.scenarios import CASE, SCENARIO
 
 LOCKS = 0.410054006
 """tarasik.md, section 4."""

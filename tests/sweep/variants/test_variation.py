@@ -14,15 +14,14 @@ from vstatics.core.errors import Place, ReadError
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
-from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.targets import target
-from vstatics.sweep.variants.variation import Span, read_variation
+from vstatics.sweep.variants.variation import DrawnNumbers, Span, read_variation
 
 
 def read(text: str) -> Floats:
     """The values of a text for D1.ratio."""
     values = read_variation(f"D1.ratio={text}", CASE).values
-    assert not isinstance(values, Span | Distribution)
+    assert not isinstance(values, Span | DrawnNumbers)
     return values[np.arange(len(values))]
 
 

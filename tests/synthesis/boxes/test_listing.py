@@ -14,7 +14,7 @@ from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import ReadError
 from vstatics.synthesis.boxes.figures.case import box_case
 from vstatics.synthesis.boxes.listing import drawn_boxes
-from vstatics.synthesis.boxes.reading import is_listing, listing_of, read_document
+from vstatics.synthesis.boxes.reading import is_document, listing_of, read_document
 
 
 def read(document: Any) -> Any:
@@ -98,7 +98,7 @@ def test_what_is_no_document_of_boxes_is_told(text: bytes, said: str) -> None:
     with pytest.raises(ReadError) as caught:
         read_document(text, "boxes.json")
     assert said in str(caught.value)
-    assert not is_listing(text) or b"boxes" in text
+    assert not is_document(text) or b"boxes" in text
 
 
 def test_many_mistakes_are_told_up_to_some() -> None:

@@ -80,7 +80,7 @@ def _words(hint: Any) -> str:
     elif getattr(kind, "_is_protocol", False):
         words = f"a {kind.__name__.lower()}"
     else:
-        name = kind.__name__
+        name = getattr(kind, "public_name", kind.__name__)
         words = name if name == "Results" else f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
     return words
 

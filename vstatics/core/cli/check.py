@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
+import contextlib
 import os
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Annotated, NamedTuple, TypeAlias
 
 import click
 
-from vstatics.core import extras, readers
+from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.cases import CaseOptions, calculate_one, unexpected
-from vstatics.core.cli.shared.documents import is_a, scenario_with_case
+from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.options import completing, refuse
@@ -21,14 +20,13 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import (
-    CaseError,
     Problem,
     ReadError,
     Severity,
-    not_allowed,
     plural,
     spoken,
 )
+from vstatics.core.readers.kinds import document_function
 from vstatics.core.statics.diagnosis import freedom, given_conditions
 from vstatics.core.statics.freewheels import with_engaged
 from vstatics.core.statics.results import Results
@@ -36,9 +34,6 @@ from vstatics.core.statics.status import CONFLICT, TIED_UP
 from vstatics.core.tables.answer import Words, as_json, line, plain_data
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.core.tables.text import lines
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.parts import Scenario
 
 
 class ProblemRecord(NamedTuple):
@@ -220,25 +215,28 @@ def _explained(asked: str, form: str) -> str:
     return "\n".join(map(text, told))
 
 
-def _calculated(
-    cases: Sequence[str], options: CaseOptions
-) -> Iterator[tuple[str, list[Problem], bool, Grid | None]]:
-    """Of each file its name, its problems, whether it failed, and what it has."""
+CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
+"""Name of a file, its problems, whether it failed, and its contents."""
+
+
+def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
+    """Check each file."""
     for file in cases:
-        if file != files.STDIN and _is_scenario(file):
-            yield check_scenario(file, options)
+        if check_document := _of_document(file):
+            yield check_document(file, options)
             continue
         outcome = calculate_one(file, options)
         shown = None if outcome.results is None else conditions(outcome.file, outcome.results)
         yield outcome.file, outcome.problems, outcome.failed, shown
 
 
-def _is_scenario(file: str) -> bool:
-    try:
-        data, name = files.read_input(file)
-    except ReadError:
-        return False
-    return is_a("scenario", data, name)
+def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
+    """Return how an annex checks a document; None of a case, and of what cannot be read."""
+    found: Callable[[str, CaseOptions], CheckedFile] | None = None
+    if file != files.STDIN:
+        with contextlib.suppress(ReadError):
+            found = document_function("check_document", *files.read_input(file))
+    return found
 
 
 def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[Problem]:
@@ -321,59 +319,3 @@ def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling
         failure = (fatal[0].id, fatal[0].message) if fatal else ("", "")
         outcomes.append(CaseOutcome(file, *failure, "\n".join(map(str, fatal))))
     return junit("vstatics check", outcomes)
-
-
-TRIED, LONG = 1.0, 60.0
-"""So long a scenario is tried, and what takes longer by that is told. [s]"""
-
-
-def check_scenario(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
-    """The name of a scenario, its problems and those of its case, whether it fails, what it has."""
-    from vstatics.simulation.scenario.checks import scenario_doubts  # cases need no simulation
-
-    try:
-        read = scenario_with_case(*files.read_input(file), options.input_format)
-        read = read.allowing(options.telling.allow)
-        found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
-        found = not_allowed(found, read.scenario.case.untold)
-        problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
-    except ReadError as error:
-        return file, error.problems, True, None
-    except Exception as error:  # noqa: BLE001 - the other files are to go on
-        return file, [unexpected(file, error)], True, None
-    failed = any(one.severity == "error" for one in problems)
-    shown = None if failed else _scenario_summary(file, read.scenario)
-    return file, problems, failed or options.telling.fails(problems), shown
-
-
-def _tried(scenario: Scenario) -> list[Problem]:
-    """Why it can't begin, or that it takes long; nothing where scipy is not installed."""
-    if extras.missing("simulation", "a simulation"):
-        return []
-    from vstatics.core.cli.shared.estimates import duration_text
-    from vstatics.simulation.bounds import Pace
-    from vstatics.simulation.run import simulate
-
-    pace = Pace(scenario.duration, TRIED)
-    try:
-        simulate(scenario._replace(targets={}), watch=pace)
-    except CaseError as error:
-        return error.problems
-    if pace.needed <= LONG:
-        return []
-    needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
-    message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
-    return [Problem("N001", message, ("duration",))]
-
-
-def _scenario_summary(file: str, scenario: Scenario) -> Grid:
-    """What a scenario has, in a line."""
-    counts = {
-        "control": len(scenario.controls or ()),
-        "torque": len(scenario.torques),
-        "converter": len(scenario.converters),
-        "shift": len(scenario.shifts or ()),
-    }
-    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
-    told = ", ".join(parts) or "nothing happens"
-    return Grid(f"{file}: {scenario.duration:g} s, {told}", (), ())

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from typing import Literal
+from typing import Any, Literal
 
-from vstatics.core.errors import ReadError
+from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
+from vstatics.core.errors import ReadError, of_file
 from vstatics.core.readers.named.nodes import Mapping, Node, decode
 
 Kind = Literal["scenario", "sweep file", "case"]
@@ -54,3 +55,22 @@ def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
         return kind_of(yaml_tree(decode(data, file))) == kind
     except ReadError:
         return False
+
+
+def document_function(name: str, data: bytes, file: str) -> Any:
+    """Return the function by which an annex takes a document; None if it takes no such text.
+
+    Raises
+    ------
+    ReadError
+        If the annex of the document is not installed.
+    """
+    for kind in ("scenario", "sweep file"):
+        annex, mark = DOCUMENTS[kind]
+        if mark in data and is_of_kind(kind, data, file):
+            known = document_kind(kind)
+            if known is None:
+                raise ReadError([of_file("E004", file, not_installed(kind, annex))])
+            if name in known.functions:
+                return getattr(module(known.functions[name]), name)
+    return None

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import signal
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, texts
-from vstatics.core.cli.shared.documents import scenario_with_case
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import file_name, one_text, tell
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import needs, refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.tables.suffixes import known
+from vstatics.simulation.cli.documents import read_with_case
 from vstatics.simulation.cli.options import SimulateOptions, options
-from vstatics.simulation.cli.scenario_run import needs, run_problems
+from vstatics.simulation.cli.scenario_run import run_problems
 from vstatics.simulation.cli.watched import watched
 from vstatics.vehicle.cli.strengths import expect_fatigue
 
@@ -75,15 +76,18 @@ def simulate(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
-    read = scenario_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
+    read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
     if asked.damage:
         expect_fatigue(read.reading)
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
-    from vstatics.sweep.results.asked import read_asked
 
-    columns = [] if out is None else read_asked(out, read.scenario)
+    columns: Sequence[tuple[str, str]] = ()
+    if out is not None:
+        from vstatics.simulation.variants.asked import read_asked  # it takes the annex `sweep`
+
+        columns = read_asked(out, read.scenario)
     try:
         with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
             motion = simulated(

@@ -14,7 +14,6 @@ from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.cli.shared.values import above_0, value
-from vstatics.simulation.cli.scenario_run import LIMIT_OPTION
 
 Method = Literal["events", "tarasik"]
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
@@ -110,7 +109,7 @@ options = gathered(
         default="events",
         help="`tarasik`: the published equations (12) to (15), for comparison.",
     ),
-    LIMIT_OPTION,
+    arguments.limit,
     click.option(
         "--damage", is_flag=True, help="Also what torques do to devices that have `fatigue`."
     ),

@@ -19,15 +19,20 @@ from vstatics.core.jobs.files import is_stream
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.suffixes import format_of, known
+from vstatics.simulation.cli.documents import read_swept_document
 from vstatics.simulation.cli.options import SimulateOptions
+from vstatics.simulation.variants.samples import sample_plan
+from vstatics.simulation.variants.statistics import (
+    columns_statistics,
+    samples_answer,
+    statistics_grids,
+)
 from vstatics.sweep import build
 from vstatics.sweep.cli.run import SweepRun, carry_out, tell_noticed, tell_reason
-from vstatics.sweep.cli.subject import read_scenario_subject, spare
+from vstatics.sweep.cli.subject import spare
 from vstatics.sweep.formats import Format
 from vstatics.sweep.options import SweepOptions
-from vstatics.sweep.results.statistics import columns_statistics, samples_answer, statistics_grids
 from vstatics.sweep.tasks import calculate
-from vstatics.sweep.variants.subject import Document, VariedScenario
 from vstatics.vehicle.cli.strengths import expect_fatigue
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
@@ -46,9 +51,9 @@ def run_samples(asked: SimulateOptions) -> int:
     sampling, wanted, telling = asked.sampling, asked.wanted, asked.telling
     sampling.sharing.check(wanted.output)
     form = _format(wanted)
-    scenario = Document(*files.read_input(asked.scenario))
-    subject, problems = read_scenario_subject(scenario, telling, asked.case, asked.input_format)
-    varied = replace(cast("VariedScenario", subject), rtol=asked.rtol, limit=asked.limit)
+    scenario = files.read_input(asked.scenario)
+    subject, problems = read_swept_document(*scenario, telling, asked.case, asked.input_format)
+    varied = replace(subject, rtol=asked.rtol, limit=asked.limit)
     spare(varied, wanted.output)
     out = sampling.out
     if asked.damage:
@@ -57,7 +62,7 @@ def run_samples(asked: SimulateOptions) -> int:
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
     try:
         build.check_packages(SweepOptions(), form or "csv", sampling.sharing.scheduler)
-        plan = build.sample_plan(varied, options)
+        plan = sample_plan(varied, options)
         run = SweepRun(
             plan,
             form or "csv",
@@ -74,7 +79,7 @@ def run_samples(asked: SimulateOptions) -> int:
     answer = samples_answer(plan.names, columns_statistics(found))
     to = Destination("text", None, wanted.style) if form else wanted.destination([])
     shown = CaseAnswer(lambda: statistics_grids(answer), answer)
-    show(scenario.file, to, varied.own.name or varied.own.scenario.case.name, shown)
+    show(varied.file, to, varied.own.name or varied.own.scenario.case.name, shown)
     return FAILED if telling.fails([*problems, *told]) else DONE
 
 

@@ -3,40 +3,23 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
-
-import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase
-from vstatics.core.cli.shared.values import above_0, value
+from vstatics.core.cli.shared.options import needs
 from vstatics.core.errors import CaseError, Problem, ReadError
-from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDIN_NAME
+from vstatics.simulation.scenario.file import ScenarioFile
 
 if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
     from vstatics.page.report.material import Naming
     from vstatics.simulation.record.motion import Motion
-    from vstatics.simulation.scenario.file import ScenarioFile
 
-LIMIT_OPTION = click.option(
-    "--limit",
-    type=float,
-    callback=value(above_0),
-    metavar="SECONDS",
-    help="So long a run may take by the clock; then it stops, with what it has.",
-)
-"""Of the commands that run scenarios."""
 INSTANTS = 400
 """Of a run that is drawn, at least."""
-
-
-def needs(extra: str, purpose: str) -> None:
-    """Refuse what needs a package that is not there."""
-    if message := missing(extra, purpose):
-        raise ReadError([Problem("E014", message)])
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
@@ -56,14 +39,17 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
         If it can't begin, with the places of what keeps it from that; of columns that are not.
     """
     read = outcome.scenario
-    if read is None:
+    if not isinstance(read, ScenarioFile):
         return None
     needs("simulation", "a run")
     from vstatics.simulation.run import simulate as simulated
-    from vstatics.sweep.results.asked import read_asked
 
     scenario = read.scenario
-    columns = read_asked(out, scenario) if out else []
+    columns: Sequence[tuple[str, str]] = ()
+    if out:
+        from vstatics.simulation.variants.asked import read_asked  # it takes the annex `sweep`
+
+        columns = read_asked(out, scenario)
     try:
         motion = simulated(scenario, step=scenario.duration / INSTANTS, columns=columns)
     except CaseError as error:

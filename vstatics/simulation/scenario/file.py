@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import Path, Problem, ReadError
+from vstatics.core.errors import Path, Problem, ReadError, not_allowed
 from vstatics.core.jobs.input_files import read_file
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
@@ -33,7 +33,7 @@ from vstatics.core.readers.named.nodes import (
 )
 from vstatics.core.readers.named.walk import Walk
 from vstatics.core.readers.reading import Reading, certain
-from vstatics.simulation.scenario.checks import scenario_problems
+from vstatics.simulation.scenario.checks import scenario_doubts, scenario_problems
 from vstatics.simulation.scenario.control_checks import table_problems
 from vstatics.simulation.scenario.distribution import Distribution, distribution_problems
 from vstatics.simulation.scenario.formula import Vocabulary
@@ -267,6 +267,25 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
     if not case:
         document.refuse_foreign(data, name)
     return data, name
+
+
+def load_document(file: str) -> Scenario:
+    """Read a scenario that comes with the program, and its case."""
+    return load_scenario_file(file).scenario
+
+
+def document_problems(data: bytes, file: str) -> list[Problem]:
+    """Return warnings and notes about a scenario and its case.
+
+    Raises
+    ------
+    ReadError
+        With every error and its place.
+    """
+    document = read_scenario(data, file)
+    read = document.with_case(readers.read(*case_bytes(document)))
+    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.untold)
+    return [*read.reading.warnings, *map(read.locate, found)]
 
 
 @refusing()

@@ -19,6 +19,7 @@ from vstatics.core.model.shape import (
     KeyShape,
     Leaf,
     ListOf,
+    Measure,
     Numbers,
     OneOrMany,
     Parsed,
@@ -497,3 +498,14 @@ def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 SCENARIO = scenario_shape(Vocabulary())
+MEASURES: tuple[Measure, ...] = (
+    *("time", "si_torque", "si_speed", "mass", "length", "area", "velocity", "pump_factor"),
+)
+"""Measures of its numbers."""
+
+
+def json_schema() -> dict[str, Any]:
+    """Return the schema of a scenario."""
+    from vstatics.core.readers.named.schema import document_schema
+
+    return document_schema(SCENARIO, MEASURES)

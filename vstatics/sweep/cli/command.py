@@ -18,7 +18,6 @@ from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.tables.suffixes import format_of, known, mismatch
-from vstatics.simulation.cli.scenario_run import LIMIT_OPTION
 from vstatics.sweep import build
 from vstatics.sweep.cli.estimate import estimate, most_rows
 from vstatics.sweep.cli.run import SweepRun, carry_out
@@ -73,7 +72,7 @@ effort = gathered(
     Effort,
     click.option("--fail-empty", is_flag=True, help="No row makes the exit status 3."),
     click.option("--dry-run", is_flag=True, help="Only say how many, how large, how long."),
-    LIMIT_OPTION,
+    arguments.limit,
 )
 
 

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import io
-import math
 import time
-from contextlib import suppress
 from dataclasses import replace
 
 from vstatics.core.cli.shared.estimates import CommandEstimate, free_room, size_text
-from vstatics.core.errors import CaseError, ReadError, of_file
+from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.model.transmission import Transmission
 from vstatics.sweep import blocks
 from vstatics.sweep.chunk import Chunk
-from vstatics.sweep.cli.subject import limited
 from vstatics.sweep.formats import Format
 from vstatics.sweep.formats.tables import write_parquet
 from vstatics.sweep.plan import SweepPlan
@@ -89,9 +86,9 @@ def most_rows(plan: SweepPlan) -> int:
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     """How many variants, how large, about how long, by a block of the sweep."""
     variants, headings = plan.variants.count, plan.output_headings
-    needed = _long_run(plan)
-    if needed:
-        plan = replace(plan, subject=limited(plan.subject, TRIED))
+    needed, subject = 0.0, plan.subject
+    if not isinstance(subject, Transmission) and (needed := subject.seconds(TRIED)):
+        plan = replace(plan, subject=subject.limited(TRIED))
     start, stop = blocks.middle(plan)
     first = 100 if isinstance(plan.subject, Transmission) else 1
     blocks.calculate(plan, start, min(start + first, stop))  # the first time costs more
@@ -119,20 +116,6 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
     }
     jobs_used = min(jobs, max(plan.pieces, 1))
     return CommandEstimate(said, {}, seconds / jobs_used, jobs).text("text")
-
-
-def _long_run(plan: SweepPlan) -> float:
-    """What a run takes that is not done soon; 0 of others, and of cases [s]."""
-    subject = plan.subject
-    if isinstance(subject, Transmission):
-        return 0.0
-    from vstatics.simulation.bounds import Pace
-    from vstatics.simulation.run import simulate
-
-    pace = Pace(subject.own.scenario.duration, TRIED)
-    with suppress(CaseError):  # other variants may begin
-        simulate(subject.own.scenario, rtol=subject.rtol, watch=pace)
-    return min(pace.needed, subject.limit or math.inf)
 
 
 def _listed(names: list[str]) -> str:

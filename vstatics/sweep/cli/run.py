@@ -17,7 +17,7 @@ from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import Noticed
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.model.transmission import Transmission
-from vstatics.sweep import blocks, chunk
+from vstatics.sweep import blocks, chunk, runs
 from vstatics.sweep.cli.estimate import check_room
 from vstatics.sweep.formats import Format
 from vstatics.sweep.output import Output, SweepReport, description, stream
@@ -169,7 +169,7 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]
     plan, telling = run.plan, run.telling._replace(notes=True)  # as `simulate` tells them
     if isinstance(plan.subject, Transmission):
         return ()
-    file, count = plan.subject.scenario.file, plan.variants.count
+    file, count = plan.subject.file, plan.variants.count
     told = [
         of_file(
             one.id,
@@ -201,6 +201,4 @@ def tell_reason(plan: SweepPlan) -> None:
     if isinstance(plan.subject, Transmission):
         files.show(blocks.reason(plan))
     else:
-        from vstatics.sweep.runs import reason  # others need no simulation
-
-        files.show(reason(plan, plan.subject))
+        files.show(runs.reason(plan, plan.subject))

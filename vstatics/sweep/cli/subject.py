@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import re
 from contextlib import suppress
-from dataclasses import replace
 
 import click
 
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.documents import case_of, is_a
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import Problem, ReadError
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.documents import case_document
+from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.named.node_paths import child
 from vstatics.core.readers.named.nodes import Mapping, Node, Scalar
 from vstatics.core.readers.reading import Reading
 from vstatics.sweep.options import PlacedFile, SweepOptions
-from vstatics.sweep.variants.subject import Document, Subject, VariedScenario
+from vstatics.sweep.results.documents import Subject
+from vstatics.sweep.variants.subject import Document
 from vstatics.sweep.variants.table_file import headings
 
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
@@ -48,8 +49,11 @@ def read_subject(
             raise
         message = f"{file} {error.problems[0].message}"
         raise ReadError([Problem("E018", message, place=file.place)]) from None
-    if input_format is None and is_a("scenario", data, name):
-        return read_scenario_subject(Document(data, name), telling)
+    if input_format is None and (
+        read_document := document_function("read_swept_document", data, name)
+    ):
+        subject, doubts = read_document(data, name, telling)
+        return subject, doubts
     try:
         reading = arguments.read_data(data, name, input_format, telling)
     except ReadError:
@@ -81,25 +85,6 @@ def _with_load(
     return None
 
 
-def read_scenario_subject(
-    scenario: Document,
-    telling: Telling,
-    case: str | None = None,
-    case_format: readers.Format | None = None,
-) -> ReadSubject:
-    """Read the case of a scenario, that which it names or another, and both together."""
-    from vstatics.simulation.scenario.file import read_scenario
-
-    of_case = Document(*case_of(read_scenario(*scenario), case))
-    subject = VariedScenario(scenario, of_case, case_format=case_format)
-    try:
-        reading = subject.own.reading
-    except ReadError as error:
-        raise ReadError(telling.printed(error.problems)) from None
-    arguments.show_problems(reading.warnings, telling, subject.case.file)
-    return subject, list(reading.warnings)
-
-
 def spare(subject: Subject, output: str | None) -> None:
     """Refuse an output that would write over the case of a scenario.
 
@@ -107,8 +92,8 @@ def spare(subject: Subject, output: str | None) -> None:
     ------
     UsageError
     """
-    if isinstance(subject, VariedScenario):
-        files.spare([subject.case.file], output)
+    if not isinstance(subject, Transmission):
+        files.spare([subject.case_file], output)
 
 
 def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
@@ -118,7 +103,7 @@ def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> 
     ------
     UsageError
     """
-    if isinstance(subject, VariedScenario) and (coast is not None or idle is not None):
+    if not isinstance(subject, Transmission) and (coast is not None or idle is not None):
         option = "--coast" if coast else "--idle" if coast is None else "--drive"
         raise click.UsageError(f"{option} is for a case; a scenario says itself what happens.")
 
@@ -133,6 +118,6 @@ def limited(subject: Subject, limit: float | None) -> Subject:
     """
     if limit is None:
         return subject
-    if not isinstance(subject, VariedScenario):
+    if isinstance(subject, Transmission):
         raise click.UsageError("--limit is for a scenario: a case has no runs.")
-    return replace(subject, limit=limit)
+    return subject.limited(limit)

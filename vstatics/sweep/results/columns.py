@@ -18,10 +18,10 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.tables.names import NAME
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import GEAR
+from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import (
     CONSTANTS,
     Expression,
-    NameFinder,
     ResolvedPart,
     Terms,
     names_of,
@@ -34,11 +34,11 @@ from vstatics.sweep.results.meanings import (
     OMEGA,
     PART_NUMBERS,
     SPREAD,
+    NameFinder,
     Selection,
     Tables,
     VariedNumber,
 )
-from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 
 OPTION = "--out"

@@ -19,7 +19,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -29,18 +29,13 @@ from vstatics.core.readers.expressions.evaluation import LAST, REDUCTIONS, evalu
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
-from vstatics.sweep.results.meanings import Name, Selection, Tables, value_of
-from vstatics.sweep.variants.subject import Subject
+from vstatics.sweep.results.documents import Subject
+from vstatics.sweep.results.meanings import Name, NameFinder, Selection, Tables, value_of
 from vstatics.sweep.variants.targets import Varied
-
-if TYPE_CHECKING:
-    from vstatics.sweep.results.motion_names import MotionNames
-    from vstatics.sweep.results.names import SweepNames
 
 Node: TypeAlias = Name | Constant | Applied
 CONSTANTS = {"pi": math.pi}
 """Numbers with a name."""
-NameFinder: TypeAlias = "SweepNames | MotionNames"
 
 
 @dataclass(frozen=True)
@@ -199,9 +194,7 @@ def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Term
         from vstatics.sweep.results.names import SweepNames
 
         return SweepNames(source, subject, terms.targets, by_gear=terms.by_gear)
-    from vstatics.sweep.results.motion_names import MotionNames
-
-    return MotionNames(source, subject, terms.targets)
+    return subject.names(source, terms.targets)
 
 
 class ResolvedPart(NamedTuple):

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.expressions.grammar import Applied, Language
+from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
 OMEGA = "omega"
@@ -45,6 +49,38 @@ class VariedNumber(NamedTuple):
 
 
 Name: TypeAlias = Selection | VariedNumber
+
+
+class NameFinder(Protocol):
+    """Finds what the names in an expression mean."""
+
+    source: Excerpt
+
+    @property
+    def language(self) -> Language:
+        """What the expression can have."""
+
+    @property
+    def gears(self) -> Sequence[str]:
+        """Names along the axis of gears; none if it is another one."""
+
+    def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
+        """Return the meaning of a number of the subject."""
+
+    def table(self, read: TableName) -> Selection | VariedNumber | Constant:
+        """Return the meaning of a table, or of a part of it."""
+
+    def rows(self, table: str) -> Sequence[str]:
+        """Return the names of a table's rows; none if it has no rows."""
+
+    def written_rows(self, table: str) -> Sequence[str]:
+        """Return the names of all rows that a table can have in a variant."""
+
+    def row(self, table: str) -> str:
+        """Return what a row of a table is."""
+
+    def key(self, index: int, rows: Sequence[str]) -> str:
+        """Return a row or a gear as it is written between brackets."""
 
 
 class Tables(Protocol):

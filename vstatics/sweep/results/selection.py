@@ -16,9 +16,9 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.fronts import scaled
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied
+from vstatics.sweep.results.documents import Subject
 from vstatics.sweep.results.expressions import Expression, Terms, read_expression
 from vstatics.sweep.results.meanings import Tables
-from vstatics.sweep.variants.subject import Subject
 from vstatics.sweep.variants.targets import Varied
 
 

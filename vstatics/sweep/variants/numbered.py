@@ -13,9 +13,8 @@ from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.spool import Spool
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.steps import Steps
-from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.targets import Varied
-from vstatics.sweep.variants.variation import MOST, Span, Variation
+from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Variation
 
 
 class Variants(Protocol):
@@ -225,7 +224,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
         if target.numbers & seen:
             message = f"{target.name} is varied twice, expected each number once"
             problems.append(Problem("E706", message, place=place))
-        if not isinstance(values, Span | Distribution) and not len(values):
+        if not isinstance(values, Span | DrawnNumbers) and not len(values):
             message = f"{target.name} has no values, expected at least one"
             problems.append(Problem("E707", message, place=place))
         seen |= target.numbers
@@ -245,7 +244,7 @@ def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floa
             span = f"{values.low:g}:{values.high:g}"
             message = f"{target.name}={span} has no count, expected one such as {span}:201"
             problems.append(Problem("E708", f"{message}, or a sample", place=place))
-        elif isinstance(values, Distribution):
+        elif isinstance(values, DrawnNumbers):
             message = f"{target.name} has a distribution, expected values, or a sample"
             problems.append(Problem("E709", message, place=place))
         else:

@@ -12,9 +12,8 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, nearest
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.numbered import checked_targets, empty_block
-from vstatics.sweep.variants.variation import MOST, Span, Values, Variation
+from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Values, Variation
 
 Method = Literal["sobol", "lhs", "random"]
 METHODS: tuple[Method, ...] = get_args(Method)
@@ -114,7 +113,7 @@ def _complaints(sample: Sample) -> Iterator[str]:
 
 def _picked(values: Values, unit: Floats) -> Floats:
     """Numbers from 0 up to 1 -> numbers of a range or a distribution, or values of a list."""
-    if isinstance(values, Distribution):
+    if isinstance(values, DrawnNumbers):
         return values.quantiles(unit)
     if isinstance(values, Span):
         low, high = values

@@ -1,45 +1,18 @@
-"""What a sweep is of: a case, or a scenario whose numbers are varied, those of its case too.
+"""What a sweep is of: a case, or a document whose numbers vary, such as a scenario.
 
-A variant is the documents with other numbers in them, read again: so whatever they can say can
-vary, and what a number may not be is told by their reader.
+Which kinds of documents can vary is declared in the records of annexes.
 """
 
 from __future__ import annotations
 
-import os
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
-from vstatics.core.arguments import refusing
-from vstatics.core.errors import Place, ReadError, nearest, quoted
-from vstatics.core.jobs.input_files import read_file
+from vstatics.core.errors import Place, Problem, ReadError, nearest
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.named.nodes import Mapping, Node, decode
 from vstatics.sweep.variants.path_numbers import CasePath, by_name, case_path, known_paths, no_path
-from vstatics.sweep.variants.scenario_numbers import (
-    NumberPath,
-    Trees,
-    in_si,
-    number_path,
-    sample_unit,
-    with_numbers,
-    written_number,
-)
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusal, target
-
-if TYPE_CHECKING:
-    from vstatics.core.readers import Format
-    from vstatics.core.readers.documents import CaseDocument
-    from vstatics.core.readers.reading import Reading
-    from vstatics.simulation.record.motion import Motion
-    from vstatics.simulation.record.rows import Kind
-    from vstatics.simulation.scenario.file import ScenarioFile
-
-
-_PLAIN = (1.0, 0.5, 0.0, 100.0)
-"""One of these is a number that may stand where any may."""
 
 
 class Document(NamedTuple):
@@ -49,258 +22,60 @@ class Document(NamedTuple):
     file: str
 
 
-@dataclass(frozen=True)
-class VariedScenario:
-    """A scenario and the case it is about.
+class VariedDocument(ABC):
+    """A document that names a case; its numbers, and those of the case, vary."""
 
-    Parameters
-    ----------
-    scenario : Document
-        In YAML or JSON.
-    case : Document
-        In any format; its numbers vary where that is no deck.
-    rtol : float
-        Accuracy of the runs, as of `simulate`. [-]
-    limit : float, optional
-        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
-    case_format : {"deck", "yaml", "json"}, optional
-        Told by the suffix, else by the content, when not given.
-    """
+    @property
+    @abstractmethod
+    def base_case(self) -> Transmission:
+        """The case as it is written."""
 
-    scenario: Document
-    case: Document
-    rtol: float = 1e-8
-    limit: float | None = None
-    case_format: Format | None = None
+    @abstractmethod
+    def target(self, text: str, place: Place | None = None) -> Varied:
+        """Return the number that a text names.
 
-    def __getstate__(self) -> dict[str, Any]:
-        """What other processes get: they make their own trees."""
-        return {one.name: getattr(self, one.name) for one in fields(self)}
+        Raises
+        ------
+        ReadError
+            If there is no such number.
+        """
 
-    @cached_property
-    def trees(self) -> Trees:
-        """Both documents, read once.
+    @abstractmethod
+    def in_unit(self, varied: Varied, unit: str, place: Place | None) -> Varied:
+        """Return a number whose values are in a unit.
+
+        Raises
+        ------
+        ReadError
+            If the document has another unit.
+        """
+
+    @abstractmethod
+    def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
+        """Make sure that numbers can vary together.
 
         Raises
         ------
         ReadError
         """
-        from vstatics.simulation.scenario.file import read_scenario
 
-        case = self._document
-        return Trees(read_scenario(*self.scenario).root, case.root if case else None)
-
-    @cached_property
-    def _document(self) -> CaseDocument | None:
-        from vstatics.core.readers.documents import case_document
-
-        return case_document(*self.case, self.case_format)
-
-    @cached_property
-    def own(self) -> ScenarioFile:
-        """The scenario as it is written.
+    @abstractmethod
+    def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
+        """Make sure that variants can be calculated.
 
         Raises
         ------
         ReadError
-            With every problem of both documents.
-        """
-        return self._read(self.trees.scenario, self._own_case)
-
-    @cached_property
-    def _own_case(self) -> Reading:
-        from vstatics.core import readers
-
-        return readers.read(*self.case, self.case_format)
-
-    def variant(self, paths: Sequence[NumberPath], values: Sequence[float]) -> ScenarioFile:
-        """The scenario with other numbers.
-
-        Raises
-        ------
-        ReadError
-            If it can't be read with them.
-        """
-        trees = with_numbers(self.trees, paths, values)
-        reading = self._own_case
-        if self._document and trees.case and trees.case is not self.trees.case:
-            reading = self._document.reading(trees.case)
-        return self._read(trees.scenario, reading)
-
-    def run(
-        self,
-        paths: Sequence[NumberPath],
-        values: Sequence[float],
-        columns: Sequence[tuple[str, str]] = (),
-    ) -> Motion:
-        """What a variant does, with columns that are asked for; see `simulate`.
-
-        Raises
-        ------
-        ReadError
-            If it can't be read.
+            If the document cannot have one of the numbers.
         CaseError
-            If it can't begin.
+            If a package is missing.
         """
-        from vstatics.simulation.bounds import wall_limit
-        from vstatics.simulation.run import simulate
-
-        watch = None if self.limit is None else wall_limit(self.limit)
-        scenario = self.variant(paths, values).scenario
-        return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
-
-    def rows(self, kind: Kind) -> tuple[str, ...]:
-        """The names of what tables of a kind have a row for."""
-        from vstatics.simulation.record.rows import rows_of_kind
-
-        return rows_of_kind(kind, self.own.scenario)
-
-    def target(self, text: str, place: Place | None = None) -> NumberPath:
-        """The number that a text speaks of; see `scenario_numbers.number_path`.
-
-        Raises
-        ------
-        ReadError
-        """
-        return number_path(text, self.trees, place)
-
-    def in_unit(self, path: NumberPath, unit: str, place: Place | None) -> NumberPath:
-        """A number whose values are in a unit.
-
-        Raises
-        ------
-        ReadError
-            If they are bare, or in two units, where the document has a unit.
-        """
-        if unit and path.unit and unit != path.unit:
-            raise refusal(f"read values in {unit}, expected them in {path.unit}", place)
-        known = written_number(path, self.trees)
-        path = path._replace(unit=unit or path.unit)
-        if known and known.unit and not path.unit:
-            message = f"{quoted(path.name)} is in {known.unit} in the document, so its values "
-            raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
-        return path
-
-    def sampled(self, text: str) -> NumberPath:
-        """The number that a distribution of `samples` is for, its values in a unit of SI.
-
-        They are bare where neither the number nor the distribution has a unit.
-
-        Raises
-        ------
-        ReadError
-        """
-        path = self.target(text)
-        known = written_number(path, self.trees)
-        unit = sample_unit(self.trees.scenario, text) or (known.unit if known else "")
-        return path._replace(unit=in_si(unit)) if unit else path
-
-    def written_number(self, path: NumberPath, place: Place | None) -> float:
-        """A number as the document has it, in the unit there.
-
-        Raises
-        ------
-        ReadError
-            If the document has it not.
-        """
-        known = written_number(path, self.trees)
-        if known is None:
-            raise refusal(f"{quoted(path.name)} is not written in the document", place)
-        return known.value
-
-    def follows_teeth(self, path: NumberPath) -> bool:
-        """Whether it is a ratio or an efficiency of an element that the document has not."""
-        of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
-        is_such = of_element and path.keys[2] in OF_MECHANISM
-        return is_such and written_number(path, self.trees) is None
-
-    def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
-        """Make sure that numbers which the documents have not may stand there.
-
-        Parameters
-        ----------
-        paths : sequence of NumberPath
-        values : sequence of float
-            Of a variant.
-
-        Raises
-        ------
-        ReadError
-            As the documents' reader says it.
-        """
-        for path, value in zip(paths, values, strict=True):
-            if written_number(path, self.trees) is None:
-                self._check_new(path, value)
-
-    def _check_new(self, path: NumberPath, value: float) -> None:
-        """A number that may stand somewhere may be one of several there."""
-        first: ReadError | None = None
-        for one in (value, *_PLAIN):
-            try:
-                self.variant([path], [one])
-            except ReadError as error:
-                first = first or error
-            else:
-                return
-        if first:
-            raise first
-
-    def _read(self, root: Node, reading: Reading) -> ScenarioFile:
-        from vstatics.simulation.scenario.file import ScenarioDocument
-
-        assert isinstance(root, Mapping)  # noqa: S101 - as it was read
-        return ScenarioDocument(root, decode(*self.scenario)).with_case(reading)
 
 
-@refusing()
-def load_varied(
-    file: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
-) -> VariedScenario:
-    """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
-
-    Parameters
-    ----------
-    file : path-like
-    case : path-like, optional
-        A case in place of that which the scenario names.
-
-    Returns
-    -------
-    VariedScenario
-        With its documents, in which numbers are replaced.
-
-    Raises
-    ------
-    ReadError
-        With every problem and its place.
-    OSError
-        If a file cannot be opened.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from pathlib import Path
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     _ = Path(folder, "box.yaml").write_text("{links: [wheel], inertias: {wheel: 2.0}}")
-    ...     _ = Path(folder, "run.yaml").write_text(
-    ...         "{case: box.yaml, duration: 2, start: {speeds: {wheel: 10}}}"
-    ...     )
-    ...     load_varied(f"{folder}/run.yaml").own.scenario.duration
-    2.0
-    """
-    from vstatics.simulation.scenario.file import case_bytes, read_scenario
-
-    scenario = Document(read_file(file), os.fspath(file))
-    instead = None if case is None else os.fspath(case)
-    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), instead)))
-    varied.own  # noqa: B018 (faults are told now)
-    return varied
+VariedSubject: TypeAlias = Transmission | VariedDocument
 
 
-Subject: TypeAlias = Transmission | VariedScenario
-
-
-def target_of(text: str, subject: Subject, place: Place | None = None) -> Varied:
+def target_of(text: str, subject: VariedSubject, place: Place | None = None) -> Varied:
     """The number that a text speaks of; parameters and errors as of `targets.target`."""
     if isinstance(subject, Transmission):
         return number_of_case(text, subject, place)
@@ -333,3 +108,9 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
             one if "did you mean" in one.message else one._replace(message=one.message + hint)
             for one in error.problems
         ) from None
+
+
+def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
+    """Return the error that a ratio varies together with the teeth that it follows from."""
+    message = f"{name} is varied beside teeth that it follows from, expected one of the two"
+    return ReadError([Problem("E706", message, place=place)])

@@ -29,7 +29,7 @@ from vstatics.core.tables.csv import unguarded
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.variants.numbered import VariantTable
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.subject import Subject, target_of
+from vstatics.sweep.variants.subject import VariedSubject, target_of
 from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
 
@@ -62,7 +62,7 @@ class _Columns(NamedTuple):
     """Which column holds each target."""
 
 
-def read_table(opened: IO[bytes], file: str, subject: Subject) -> VariantTable:
+def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantTable:
     """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
 
     Columns stand in any order. One of the name `variant`, or a first one without a name, is
@@ -153,7 +153,7 @@ def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
         start, number = end + 1, number + 1
 
 
-def _header(head: bytes, file: str, number: int, subject: Subject) -> _Columns:
+def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Columns:
     """The columns that the line of headings names."""
     line = _text(head, file, number)
     start = Place(file, number, 1, line)
@@ -173,7 +173,7 @@ def _separator(line: str, place: Place) -> str:
 
 
 def targets_of(
-    cells: Sequence[tuple[str, Place]], subject: Subject
+    cells: Sequence[tuple[str, Place]], subject: VariedSubject
 ) -> tuple[list[Varied], list[int]]:
     """What the headings of a table name, and which columns these are.
 
@@ -222,7 +222,7 @@ def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
     return [problem._replace(message=problem.message + hint) for problem in problems]
 
 
-def _varied(name: str, subject: Subject, place: Place) -> Varied:
+def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     """The number that a heading names.
 
     Raises

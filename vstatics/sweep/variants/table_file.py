@@ -16,7 +16,7 @@ from vstatics.core.readers import sweep_tables
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.sweep.options import PlacedFile
 from vstatics.sweep.variants.numbered import VariantTable
-from vstatics.sweep.variants.subject import Subject
+from vstatics.sweep.variants.subject import VariedSubject
 from vstatics.sweep.variants.table import finite, read_table, targets_of
 from vstatics.sweep.variants.targets import shown
 
@@ -25,7 +25,7 @@ _OTHERS = (b"PK", b"PAR1", b'{"')
 _LONGEST = 2**16
 
 
-def load_table(path: str, subject: Subject) -> VariantTable:
+def load_table(path: str, subject: VariedSubject) -> VariantTable:
     """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ or JSON lines.
 
     What its columns may be: see `table.read_table`.

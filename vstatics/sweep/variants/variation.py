@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 
@@ -15,11 +15,9 @@ from vstatics.core.numerics.steps import Steps, stepped
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.named.scalars import number as finite_number
 from vstatics.core.readers.named.units import common_unit
-from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.sweep.variants.path_numbers import CasePath
-from vstatics.sweep.variants.scenario_numbers import NumberPath
-from vstatics.sweep.variants.subject import Subject, target_of
-from vstatics.sweep.variants.targets import NAMES, Varied, behind, refusal, shown
+from vstatics.sweep.variants.subject import VariedSubject, target_of
+from vstatics.sweep.variants.targets import NAMES, Target, Varied, behind, refusal, shown
 
 OPTION = "--vary"
 MOST = 2**63 - 1
@@ -42,7 +40,15 @@ class Span(NamedTuple):
     high: float
 
 
-Values: TypeAlias = Floats | Steps | Span | Distribution
+@runtime_checkable
+class DrawnNumbers(Protocol):
+    """A distribution, from which numbers can only be drawn."""
+
+    def quantiles(self, parts: Floats) -> Floats:
+        """Return the numbers below which parts of all numbers are."""
+
+
+Values: TypeAlias = Floats | Steps | Span | DrawnNumbers
 """A list, or what gives `len(values)` and `values[indices]` like one; what can only be drawn."""
 
 
@@ -55,7 +61,7 @@ class Variation(NamedTuple):
     """Where it was read, for messages."""
 
 
-def read_variation(text: str, subject: Subject, place: Place | None = None) -> Variation:
+def read_variation(text: str, subject: VariedSubject, place: Place | None = None) -> Variation:
     """Read what is varied, and over which values.
 
     Parameters
@@ -101,20 +107,18 @@ def read_variation(text: str, subject: Subject, place: Place | None = None) -> V
         message = f"read {shown(values)}, expected {FORMS}{hint}"
         raise refusal(message, begin, len(values) - len(values.lstrip()))
     try:
-        values, unit = (
-            common_unit(values) if isinstance(varied, NumberPath | CasePath) else (values, "")
-        )
+        values, unit = (values, "") if isinstance(varied, Target) else common_unit(values)
         read = _range(values, begin) if ":" in values else _list(values, begin)
         if isinstance(varied, CasePath):
             varied = varied.in_unit(unit)
     except ValueError as error:
         raise refusal(str(error), begin) from None
-    if isinstance(varied, NumberPath) and not isinstance(subject, Transmission):
+    if not isinstance(subject, Transmission):
         varied = subject.in_unit(varied, unit, begin)
     return Variation(varied, read, place)
 
 
-def _assigned(text: str, subject: Subject) -> int:
+def _assigned(text: str, subject: VariedSubject) -> int:
     """Where the `=` behind a name stands; -1 if there is none."""
     if isinstance(subject, Transmission):
         assigned = _ASSIGNED.match(text)

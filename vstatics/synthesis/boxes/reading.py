@@ -21,12 +21,12 @@ MOST_WRONG = 20
 """So many problems of a document are told."""
 
 
-def is_listing(data: bytes) -> bool:
+def is_document(data: bytes) -> bool:
     """Whether a text is a document of found boxes, and not a case.
 
-    >>> is_listing(b'{"searched": 10, "found": 0, "families": 0, "boxes": []}')
+    >>> is_document(b'{"searched": 10, "found": 0, "families": 0, "boxes": []}')
     True
-    >>> is_listing(b'{"links": 3, "gears": {"boxes": []}}')
+    >>> is_document(b'{"links": 3, "gears": {"boxes": []}}')
     False
     """
     if b'"boxes"' not in data or b'"searched"' not in data:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, get_args
+from typing import Any, NamedTuple, get_args
 
 import click
 from click.core import ParameterSource
@@ -12,24 +12,23 @@ from click.core import ParameterSource
 from vstatics.core import readers
 from vstatics.core.checking import located_messages
 from vstatics.core.cli.shared import documents, files
+from vstatics.core.cli.shared.documents import DocumentOfCase
 from vstatics.core.cli.shared.options import Command, completing, gathered
 from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
-from vstatics.core.cli.shared.values import allowable, value, wrong_value
+from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
 from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
 from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.checks import hints
 from vstatics.core.model.open_converters import with_needed_ratios
 from vstatics.core.model.transmission import IdleConvention, Transmission
+from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.suffixes import suffix_of
 from vstatics.core.texts import Language
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.file import ScenarioFile
 
 argument, optional_argument = (
     click.argument(
@@ -82,6 +81,14 @@ allow = click.option(
     shell_complete=completing(lambda: DOUBTS),
     help="Warnings or notes that are not told, as W201 or W201,N318; may be given several times.",
 )
+limit = click.option(
+    "--limit",
+    type=float,
+    callback=value(above_0),
+    metavar="SECONDS",
+    help="So long a run may take by the clock; then it stops, with what it has.",
+)
+"""Of the commands that run scenarios."""
 some_gears = click.option(
     "--gear",
     "gears",
@@ -164,7 +171,7 @@ class CalculatedCase(NamedTuple):
     data: bytes = b""
     """What was read."""
     telling: Telling = Telling()
-    scenario: ScenarioFile | None = None
+    scenario: DocumentOfCase | None = None
     """That which names the case, where the command takes one."""
     is_run: bool = False
     """Whether its run is shown."""
@@ -310,8 +317,9 @@ def calculate_one(
     scenario, locate = None, None
     try:
         data, name = _content(file, texts, regular=regular)
-        if settings.scenarios and documents.is_a("scenario", data, name):
-            read = documents.scenario_with_case(data, name, settings.input_format, texts=texts)
+        with_case = settings.scenarios and document_function("read_with_case", data, name)
+        if with_case:
+            read: DocumentOfCase = with_case(data, name, settings.input_format, texts=texts)
             scenario = read.allowing(settings.telling.allow)
             reading = scenario.reading
         else:
@@ -327,8 +335,7 @@ def calculate_one(
             found = (one._replace(id="N004") for one in found)
         problems = not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
     except ReadError as error:
-        taken = ["scenario"] * settings.scenarios
-        no_case = documents.no_case(data, name, taken)
+        no_case = documents.no_case(data, name, "read_with_case" * settings.scenarios)
         results, problems = None, no_case or error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]

@@ -1,146 +1,75 @@
-"""Documents that are no case: how each kind is recognised, and a scenario with its case."""
+"""Documents other than cases, which annexes declare: how each kind is recognised."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
-from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Protocol, Self
 
-from vstatics.core import readers
-from vstatics.core.cli.shared import files
-from vstatics.core.errors import Problem, ReadError, of_file
-from vstatics.core.readers.kinds import is_of_kind
-
-if TYPE_CHECKING:
-    from vstatics.simulation.scenario.file import ScenarioDocument, ScenarioFile
+from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
+from vstatics.core.errors import Problem, of_file
+from vstatics.core.readers.kinds import Kind, is_of_kind
+from vstatics.core.readers.reading import Reading
 
 NO_TEXTS: Mapping[str, bytes] = {}
+OF_KEYS: Mapping[str, Kind] = {"scenario": "scenario", "sweep file": "sweep file"}
+"""Kinds that are recognised by their keys."""
 
 
-class DocumentKind(NamedTuple):
-    """Of documents that are no case, which a deck, YAML or JSON may be."""
+class DocumentOfCase(Protocol):
+    """A document that was read with the case that it names, such as a scenario."""
 
-    mark: bytes
-    """All of them have it and hardly a case, so that cases need no imports to be told apart."""
-    is_one: Callable[[bytes, str], bool]
-    """By the text and the name of its file."""
-    told: str = ""
-    """Where a case is expected."""
+    @property
+    def name(self) -> str:
+        """As the document gives it; else empty."""
 
+    @property
+    def description(self) -> str:
+        """Description of what happens to the case."""
 
-def _is_listing(data: bytes, _name: str) -> bool:
-    from vstatics.synthesis.boxes.reading import is_listing
+    @property
+    def reading(self) -> Reading:
+        """The case."""
 
-    return is_listing(data)
+    @property
+    def input_speeds(self) -> tuple[float, ...]:
+        """Speeds of the input that the document gives [rpm]."""
 
+    def allowing(self, ids: Sequence[str]) -> Self:
+        """Return the document with more messages that are not printed."""
 
-def _is_sweep(data: bytes, _name: str) -> bool:
-    from vstatics.core.readers.sweep_tables import is_sweep
-
-    return is_sweep(data)
-
-
-KINDS = {
-    "boxes": DocumentKind(
-        b'"searched"',
-        _is_listing,
-        "these are found boxes, expected a case; "
-        "plot --kind boxes, report and summary take one such file",
-    ),
-    "scenario": DocumentKind(
-        b"duration",
-        partial(is_of_kind, "scenario"),
-        "this is a scenario, expected a case; simulate, plot, report and sweep take scenarios",
-    ),
-    "sweep file": DocumentKind(
-        b"case",
-        partial(is_of_kind, "sweep file"),
-        "this is a sweep file, expected a case; `vstatics sweep --file` takes it",
-    ),
-    "sweep": DocumentKind(b"", _is_sweep),
-}
+    def locate(self, problem: Problem) -> Problem:
+        """Give a problem of the document, or of its case, its place."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """Whether a text is a document of this kind, a key of `KINDS`.
+    """Whether a text is a document of this kind, or a written sweep.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
-    known = KINDS[kind]
-    return known.mark in data and known.is_one(data, name)
+    if kind == "sweep":
+        from vstatics.core.readers.sweep_tables import is_sweep
+
+        return is_sweep(data)
+    if DOCUMENTS[kind][1] not in data:
+        return False
+    if kind in OF_KEYS:
+        return is_of_kind(OF_KEYS[kind], data, name)
+    known = document_kind(kind)
+    return known is not None and bool(module(known.functions["is_document"]).is_document(data))
 
 
-def no_case(data: bytes, name: str, taken: Collection[str] = ()) -> list[Problem]:
-    """What is to be said of a text that is no case, but of a kind that is not taken either."""
-    others = (kind for kind, known in KINDS.items() if known.told and kind not in taken)
-    return [of_file("E004", name, KINDS[kind].told) for kind in others if is_a(kind, data, name)]
+def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
+    """Return what is said of a text that is no case, but a document that nobody takes.
 
-
-def scenario_with_case(
-    data: bytes,
-    name: str,
-    input_format: readers.Format | None = None,
-    case: str | None = None,
-    output: str | None = None,
-    texts: Mapping[str, bytes] = NO_TEXTS,
-) -> ScenarioFile:
-    """A scenario of a text, with the case that it names, or that is given.
-
-    Texts stand in place of what is in the files of their names.
-
-    Raises
-    ------
-    ReadError
-    UsageError
-        If the case would be overwritten by the output.
+    Documents of an annex with the function `taken` are taken.
     """
-    from vstatics.simulation.scenario.file import read_scenario
-
-    document = read_scenario(data, name)
-    text, named = case_of(document, case, output, texts)
-    try:
-        reading = readers.read(text, named, input_format)
-    except ReadError as error:
-        raise ReadError(no_case(text, named) or error.problems) from None
-    read = document.with_case(reading)
-    if read.samples:
-        from vstatics.sweep.build import sampled_numbers
-        from vstatics.sweep.variants.subject import Document, VariedScenario
-
-        own, of_case = Document(data, name), Document(text, named)
-        sampled_numbers(VariedScenario(own, of_case, case_format=input_format))
-    return read
-
-
-def case_of(
-    document: ScenarioDocument,
-    case: str | None = None,
-    output: str | None = None,
-    texts: Mapping[str, bytes] = NO_TEXTS,
-) -> tuple[bytes, str]:
-    """What the file of the case of a scenario holds, and its name.
-
-    Raises
-    ------
-    ReadError
-        If it can't be read; at the place where the scenario names it, if that does.
-    UsageError
-        If it would be overwritten by the output.
-    """
-    file = case or document.case_file
-    if not file:
-        raise document.no_case("`case` is missing: the file of the case")
-    files.spare([file], output)
-    if file in texts:
-        return texts[file], file
-    try:
-        data, name = files.read_input(file, regular=not case)
-    except ReadError as error:
-        if case:
-            raise
-        why = f"{file} {error.problems[0].message}"
-        raise document.no_case(why) from None
-    if not case:
-        document.refuse_foreign(data, name)
-    return data, name
+    found = []
+    for kind, (annex, _) in DOCUMENTS.items():
+        if is_a(kind, data, name):
+            known = document_kind(kind)
+            if known is None:
+                found.append(of_file("E004", name, not_installed(kind, annex)))
+            elif taken not in known.functions:
+                found.append(of_file("E004", name, known.note))
+    return found

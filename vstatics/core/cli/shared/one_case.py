@@ -14,7 +14,7 @@ from vstatics.core.cli.shared import cases, files, formats, texts
 from vstatics.core.cli.shared.cases import check_streams, read_data, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
-from vstatics.core.cli.shared.options import gathered
+from vstatics.core.cli.shared.options import gathered, needs
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.jobs.files import STDIN_NAME
@@ -22,7 +22,6 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Answer
 from vstatics.core.tables.grid import Grid
-from vstatics.simulation.cli.scenario_run import needs
 
 
 @contextmanager

@@ -9,12 +9,21 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from vstatics.core.errors import Problem, ReadError
+from vstatics.core.extras import missing
+
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 Option = Callable[[Any], Any]
 """As click declares it: it is put on a command."""
+
+
+def needs(extra: str, purpose: str) -> None:
+    """Refuse what needs a package that is not there."""
+    if message := missing(extra, purpose):
+        raise ReadError([Problem("E014", message)])
 
 
 def gathered(

@@ -6,9 +6,8 @@ import click
 
 from vstatics.core.cli.shared import formats
 from vstatics.core.cli.shared.formats import OutputOptions
-from vstatics.core.cli.shared.options import gathered, refuse
+from vstatics.core.cli.shared.options import gathered, needs, refuse
 from vstatics.core.cli.shared.values import above_0, from_0, value, wrong_value
-from vstatics.simulation.cli.scenario_run import needs
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.cli.damage.numbers import number, stress, write
 

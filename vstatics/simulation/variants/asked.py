@@ -19,9 +19,9 @@ from vstatics.core.readers.expressions.operands import TableName
 from vstatics.simulation.record.asked import ALWAYS, TABLES
 from vstatics.simulation.record.rows import rows_of_kind
 from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.variants.motion_names import LANGUAGE, RunNames
 from vstatics.sweep.results.columns import OPTION, items
 from vstatics.sweep.results.meanings import Selection
-from vstatics.sweep.results.motion_names import LANGUAGE, RunNames
 
 _LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", example="jerks")
 

@@ -13,10 +13,12 @@ import pytest
 
 import vstatics
 from tests.commands import CASES
-from tests.sweep.scenarios import CASE, SCENARIO, subject
+from tests.simulation.variants.scenarios import CASE, SCENARIO, subject
 from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.run import simulate
+from vstatics.simulation.variants.samples import sample_plan
+from vstatics.simulation.variants.subject import VariedScenario, load_varied
 from vstatics.sweep import build
 from vstatics.sweep.blocks import calculate
 from vstatics.sweep.chunk import STATUS, Chunk, joined
@@ -25,7 +27,7 @@ from vstatics.sweep.runs import piece_of_runs
 from vstatics.sweep.tasks import SweepTask
 from vstatics.sweep.tasks import calculate as of_piece
 from vstatics.sweep.variants.scenario_numbers import NumberPath
-from vstatics.sweep.variants.subject import Document, VariedScenario, load_varied
+from vstatics.sweep.variants.subject import Document
 
 OUT = "locks[brake], heat[brake], speeds[carrier], max(abs(slips)), controls.brake.1.2*2"
 SLIP = 500 * math.pi / 30 / 1.5
@@ -193,7 +195,7 @@ def test_two_processes_give_what_one_gives() -> None:
 def drawn(scenario: bytes, count: int, **more: Any) -> tuple[Floats, Floats]:
     """The numbers that are drawn, and the heat of the brake."""
     options = SweepOptions.of(sample=count, **{"out": "heat[brake]", **more})
-    plan = build.sample_plan(subject(scenario), options)
+    plan = sample_plan(subject(scenario), options)
     return plan.variants.block(0, count), calculate(plan, 0, min(count, 4)).columns
 
 
@@ -224,7 +226,7 @@ def test_samples_of_a_number_with_a_unit_are_in_si() -> None:
         (b"shift_elements.lock-up.capacity: {normal: [3 kN*m, 0]}", ""),
     ):
         varied = subject(SCENARIO.partition(b"samples")[0] + b"samples: {" + given + b"}\n", case)
-        plan = build.sample_plan(varied, SweepOptions.of(sample=1))
+        plan = sample_plan(varied, SweepOptions.of(sample=1))
         (path,) = plan.variants.targets
         assert isinstance(path, NumberPath)
         assert path.unit == "N*m"

@@ -11,9 +11,9 @@ from vstatics.core.readers.expressions.grammar import Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.core.tables.names import written
 from vstatics.simulation.record.rows import Kind
-from vstatics.sweep.motion_tables import TABLES, along_time
+from vstatics.simulation.variants.motion_tables import TABLES, along_time
+from vstatics.simulation.variants.numbers import ScenarioNumbers
 from vstatics.sweep.results.meanings import PART_NUMBERS, Selection, VariedNumber
-from vstatics.sweep.variants.subject import VariedScenario
 from vstatics.sweep.variants.targets import Varied, target
 
 LANGUAGE = Language(
@@ -125,7 +125,9 @@ class RunNames:
 class MotionNames(RunNames):
     """Finds what names in a text mean, for a scenario and what is varied of it."""
 
-    def __init__(self, source: Excerpt, subject: VariedScenario, targets: Sequence[Varied]) -> None:
+    def __init__(
+        self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
+    ) -> None:
         super().__init__(source, subject.rows)
         self.subject = subject
         self.targets = targets
@@ -141,7 +143,7 @@ class MotionNames(RunNames):
             if varied.numbers == found.numbers:
                 return VariedNumber(column)
         if self.subject.follows_teeth(found):
-            case = self.subject.own.scenario.case
+            case = self.subject.base_case
             of_mechanism = target(".".join(found.keys[1:]), case, place)
             table = PART_NUMBERS[of_mechanism.quantity]
             return Selection(table, 0, of_mechanism.owner, len(case.mechanisms))

@@ -5,7 +5,8 @@ The brake of the ring locks at .410054006 s; see `cases/scenarios/tarasik-set-lo
 
 from __future__ import annotations
 
-from vstatics.sweep.variants.subject import Document, VariedScenario
+from vstatics.simulation.variants.subject import VariedScenario
+from vstatics.sweep.variants.subject import Document
 
 CASE = b"""\
 links: [sun, ring, carrier]

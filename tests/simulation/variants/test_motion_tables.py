@@ -7,19 +7,19 @@ import math
 import numpy as np
 import pytest
 
-from tests.sweep.scenarios import SCENARIO, subject
+from tests.simulation.variants.scenarios import SCENARIO, subject
 from vstatics.core.errors import ReadError
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.parts import Scenario, Start
+from vstatics.simulation.variants.motion_tables import MotionTables
 from vstatics.sweep.build import plan
-from vstatics.sweep.motion_tables import MotionTables
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.results.columns import read_columns
 from vstatics.sweep.results.expressions import read_expression
-from vstatics.sweep.runs import asked_columns, calculate
+from vstatics.sweep.runs import calculate
 
 SUBJECT = subject()
 MOTION = Motion(
@@ -172,4 +172,5 @@ def test_numbers_of_formulas_vary() -> None:
 
 def test_only_what_is_asked_for_is_calculated() -> None:
     made = plan(SUBJECT, SweepOptions.of(vary=["torques.sun=40"], out="max(jerks[2]), work, heat"))
-    assert asked_columns(made, SUBJECT) == [("jerks", "ring")]
+    selections = (part for one in made.expressions for part in one.selections)
+    assert SUBJECT.asked(selections) == [("jerks", "ring")]

@@ -1,0 +1,257 @@
+"""The numbers of a scenario and of its case, which other numbers replace in variants.
+
+A variant is the documents with other numbers in them, read again: so whatever they can say can
+vary, and what a number may not be is told by their reader.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from vstatics.core.errors import Place, Problem, ReadError, quoted
+from vstatics.core.model.transmission import Transmission
+from vstatics.core.readers.named.nodes import Mapping, Node, decode
+from vstatics.sweep.variants.scenario_numbers import (
+    NumberPath,
+    Trees,
+    in_si,
+    number_path,
+    sample_unit,
+    with_numbers,
+    written_number,
+)
+from vstatics.sweep.variants.subject import Document
+from vstatics.sweep.variants.targets import OF_MECHANISM, Varied, refusal
+from vstatics.sweep.variants.variation import Variation
+
+if TYPE_CHECKING:
+    from vstatics.core.readers import Format
+    from vstatics.core.readers.documents import CaseDocument
+    from vstatics.core.readers.reading import Reading
+    from vstatics.simulation.record.rows import Kind
+    from vstatics.simulation.scenario.file import ScenarioFile
+
+
+_PLAIN = (1.0, 0.5, 0.0, 100.0)
+"""One of these is a number that may stand where any may."""
+
+
+def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
+    """Return the numbers of a scenario or its case among varied numbers: all of a sweep of it."""
+    return [path for path in varied if isinstance(path, NumberPath)]
+
+
+@dataclass(frozen=True)
+class ScenarioNumbers:
+    """A scenario and the case it is about, as documents with numbers.
+
+    Parameters
+    ----------
+    scenario : Document
+        In YAML or JSON.
+    case : Document
+        In any format; its numbers vary where that is no deck.
+    rtol : float
+        Accuracy of the runs, as of `simulate`. [-]
+    limit : float, optional
+        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
+    case_format : {"deck", "yaml", "json"}, optional
+        Told by the suffix, else by the content, when not given.
+    """
+
+    scenario: Document
+    case: Document
+    rtol: float = 1e-8
+    limit: float | None = None
+    case_format: Format | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What other processes get: they make their own trees."""
+        return {one.name: getattr(self, one.name) for one in fields(self)}
+
+    @cached_property
+    def trees(self) -> Trees:
+        """Both documents, read once.
+
+        Raises
+        ------
+        ReadError
+        """
+        from vstatics.simulation.scenario.file import read_scenario
+
+        case = self._document
+        return Trees(read_scenario(*self.scenario).root, case.root if case else None)
+
+    @cached_property
+    def _document(self) -> CaseDocument | None:
+        from vstatics.core.readers.documents import case_document
+
+        return case_document(*self.case, self.case_format)
+
+    @cached_property
+    def own(self) -> ScenarioFile:
+        """The scenario as it is written.
+
+        Raises
+        ------
+        ReadError
+            With every problem of both documents.
+        """
+        return self._read(self.trees.scenario, self._own_case)
+
+    @cached_property
+    def _own_case(self) -> Reading:
+        from vstatics.core import readers
+
+        return readers.read(*self.case, self.case_format)
+
+    def variant(self, paths: Sequence[NumberPath], values: Sequence[float]) -> ScenarioFile:
+        """The scenario with other numbers.
+
+        Raises
+        ------
+        ReadError
+            If it can't be read with them.
+        """
+        trees = with_numbers(self.trees, paths, values)
+        reading = self._own_case
+        if self._document and trees.case and trees.case is not self.trees.case:
+            reading = self._document.reading(trees.case)
+        return self._read(trees.scenario, reading)
+
+    def rows(self, kind: Kind) -> tuple[str, ...]:
+        """The names of what tables of a kind have a row for."""
+        from vstatics.simulation.record.rows import rows_of_kind
+
+        return rows_of_kind(kind, self.own.scenario)
+
+    def target(self, text: str, place: Place | None = None) -> NumberPath:
+        """The number that a text speaks of; see `scenario_numbers.number_path`.
+
+        Raises
+        ------
+        ReadError
+        """
+        return number_path(text, self.trees, place)
+
+    @property
+    def base_case(self) -> Transmission:
+        """The case as it is written."""
+        return self.own.scenario.case
+
+    def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
+        """A number whose values are in a unit.
+
+        Raises
+        ------
+        ReadError
+            If they are bare, or in two units, where the document has a unit.
+        """
+        [path] = number_paths([varied])
+        if unit and path.unit and unit != path.unit:
+            raise refusal(f"read values in {unit}, expected them in {path.unit}", place)
+        known = written_number(path, self.trees)
+        path = path._replace(unit=unit or path.unit)
+        if known and known.unit and not path.unit:
+            message = f"{quoted(path.name)} is in {known.unit} in the document, so its values "
+            raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
+        return path
+
+    def sampled(self, text: str) -> NumberPath:
+        """The number that a distribution of `samples` is for, its values in a unit of SI.
+
+        They are bare where neither the number nor the distribution has a unit.
+
+        Raises
+        ------
+        ReadError
+        """
+        path = self.target(text)
+        known = written_number(path, self.trees)
+        unit = sample_unit(self.trees.scenario, text) or (known.unit if known else "")
+        return path._replace(unit=in_si(unit)) if unit else path
+
+    def written_number(self, path: NumberPath, place: Place | None) -> float:
+        """A number as the document has it, in the unit there.
+
+        Raises
+        ------
+        ReadError
+            If the document has it not.
+        """
+        known = written_number(path, self.trees)
+        if known is None:
+            raise refusal(f"{quoted(path.name)} is not written in the document", place)
+        return known.value
+
+    def follows_teeth(self, path: NumberPath) -> bool:
+        """Whether it is a ratio or an efficiency of an element that the document has not."""
+        of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
+        is_such = of_element and path.keys[2] in OF_MECHANISM
+        return is_such and written_number(path, self.trees) is None
+
+    def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
+        """Make sure that numbers which the documents have not may stand there.
+
+        Parameters
+        ----------
+        paths : sequence of NumberPath
+        values : sequence of float
+            Of a variant.
+
+        Raises
+        ------
+        ReadError
+            As the documents' reader says it.
+        """
+        for path, value in zip(paths, values, strict=True):
+            if written_number(path, self.trees) is None:
+                self._check_new(path, value)
+
+    def _check_new(self, path: NumberPath, value: float) -> None:
+        """A number that may stand somewhere may be one of several there."""
+        first: ReadError | None = None
+        for one in (value, *_PLAIN):
+            try:
+                self.variant([path], [one])
+            except ReadError as error:
+                first = first or error
+            else:
+                return
+        if first:
+            raise first
+
+    def _read(self, root: Node, reading: Reading) -> ScenarioFile:
+        from vstatics.simulation.scenario.file import ScenarioDocument
+
+        assert isinstance(root, Mapping)  # noqa: S101 - as it was read
+        return ScenarioDocument(root, decode(*self.scenario)).with_case(reading)
+
+
+def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
+    """The numbers that a scenario has in `samples`, with their distributions.
+
+    Raises
+    ------
+    ReadError
+        If it has not one of them.
+    """
+    problems: list[Problem] = []
+    variations: list[Variation] = []
+    for number, (path, distribution) in enumerate(subject.own.samples.items(), 1):
+        place = subject.own.spots.place(("samples", number))
+        try:
+            target = subject.sampled(path)
+            subject.check_new([target], [1.0])
+            variations.append(Variation(target, distribution, place))
+        except ReadError as error:
+            problems += [
+                Problem(one.id, f"samples: {one.message}", ("samples", path), place)
+                for one in error.problems
+            ]
+    if problems:
+        raise ReadError(problems)
+    return variations

@@ -1,0 +1,200 @@
+"""A scenario as a sweep takes it: each variant is a run."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+
+import numpy as np
+
+from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError, Place, Problem, ReadError
+from vstatics.core.extras import require
+from vstatics.core.jobs.input_files import read_file
+from vstatics.core.numerics.arrays import Floats
+from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.simulation.bounds import Pace, wall_limit
+from vstatics.simulation.record.asked import TABLES as ASKED
+from vstatics.simulation.record.motion import Motion
+from vstatics.simulation.run import simulate
+from vstatics.simulation.scenario.file import case_bytes, read_scenario
+from vstatics.simulation.variants.asked import asked_rows
+from vstatics.simulation.variants.motion_names import MotionNames
+from vstatics.simulation.variants.motion_tables import TABLES, MotionTables, along_time
+from vstatics.simulation.variants.numbers import ScenarioNumbers, number_paths
+from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED
+from vstatics.sweep.results.documents import RunOutcome, SweptDocument
+from vstatics.sweep.results.meanings import Selection
+from vstatics.sweep.variants.part_numbers import are_assembled
+from vstatics.sweep.variants.scenario_numbers import NumberPath
+from vstatics.sweep.variants.subject import Document, varied_beside_teeth
+from vstatics.sweep.variants.targets import Varied, refusal
+
+
+@dataclass(frozen=True)
+class VariedScenario(ScenarioNumbers, SweptDocument):
+    """A scenario and the case it is about.
+
+    Parameters
+    ----------
+    scenario : Document
+        In YAML or JSON.
+    case : Document
+        In any format; its numbers vary where that is no deck.
+    rtol : float
+        Accuracy of the runs, as of `simulate`. [-]
+    limit : float, optional
+        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
+    case_format : {"deck", "yaml", "json"}, optional
+        Told by the suffix, else by the content, when not given.
+    """
+
+    default_columns = "heat,work"
+
+    @property
+    def file(self) -> str:
+        """The name of the scenario's file."""
+        return self.scenario.file
+
+    @property
+    def case_file(self) -> str:
+        """The name of the file of the case."""
+        return self.case.file
+
+    def limited(self, seconds: float) -> VariedScenario:
+        """The same with runs that may take so long."""
+        return replace(self, limit=seconds)
+
+    def run(
+        self,
+        paths: Sequence[NumberPath],
+        values: Sequence[float],
+        columns: Sequence[tuple[str, str]] = (),
+    ) -> Motion:
+        """What a variant does, with columns that are asked for; see `simulate`.
+
+        Raises
+        ------
+        ReadError
+            If it can't be read.
+        CaseError
+            If it can't begin.
+        """
+        watch = None if self.limit is None else wall_limit(self.limit)
+        scenario = self.variant(paths, values).scenario
+        return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
+
+    def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
+        """Refuse ratios that follow from teeth: runs have planets, which follow from teeth too."""
+        paths = number_paths(targets)
+        toothed = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
+        for path, place in zip_longest(paths, places):
+            if path.keys[-1] == "ratio" and self.follows_teeth(path):
+                name = f"{path.keys[1]}.ratio"
+                if path.keys[1] in toothed:
+                    raise varied_beside_teeth(name, place)
+                message = f"{name} follows from teeth, and runs have their planets, too: expected"
+                raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
+
+    def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
+        """Make sure of scipy, and that new numbers may stand in the documents."""
+        require("simulation", "a sweep of a scenario")
+        self.check_new(number_paths(targets), values)
+
+    def names(self, source: Excerpt, targets: Sequence[Varied]) -> MotionNames:
+        """Who knows the names in an expression."""
+        return MotionNames(source, self, targets)
+
+    def unit_of(self, table: str) -> str:
+        """The unit of a table; rows of links that move straight have units of their own."""
+        return "" if self.base_case.masses else TABLES[table].unit
+
+    def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
+        """The columns of a run that expressions ask for, and no run has of itself."""
+        asked = {
+            one
+            for part in selections
+            if part.table in ASKED and along_time(part.table)
+            for one in asked_rows(part, self.rows(ASKED[part.table].kind))
+        }
+        return sorted(asked)
+
+    def outcome(
+        self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
+    ) -> RunOutcome:
+        """Run a variant."""
+        paths, motion, status = number_paths(targets), None, INVALID
+        if np.isfinite(values).all():
+            with suppress(ReadError, CaseError):
+                motion = self.run(paths, values.tolist(), asked)
+        if motion is not None:
+            status = STOPPED if motion.stopped else 0
+        unknown = status > 0
+        if motion is not None and motion.case and not unknown:
+            varied = {str(path.keys[1]) for path in paths if path.keys[0] == "elements"}
+            status = 0 if are_assembled(motion.case, varied) else NOT_ASSEMBLED
+        mechanisms = len(self.base_case.mechanisms)
+        tables = MotionTables(None if unknown else motion, self.rows, mechanisms)
+        return RunOutcome(status, tables, unknown, motion.messages if motion else ())
+
+    def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
+        """Why a variant has no numbers, if it has none."""
+        try:
+            motion = self.run(number_paths(targets), values)
+        except (ReadError, CaseError) as error:
+            return error.problems
+        return [motion.stopped] if motion.stopped else []
+
+    def seconds(self, tried: float) -> float:
+        """What a run takes that is not done soon; 0 of others [s]."""
+        pace = Pace(self.own.scenario.duration, tried)
+        with suppress(CaseError):  # other variants may begin
+            simulate(self.own.scenario, rtol=self.rtol, watch=pace)
+        return min(pace.needed, self.limit or math.inf)
+
+
+@refusing()
+def load_varied(
+    file: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
+) -> VariedScenario:
+    """Read a scenario whose numbers are to vary, for `vstatics.sweep`.
+
+    Parameters
+    ----------
+    file : path-like
+    case : path-like, optional
+        A case in place of that which the scenario names.
+
+    Returns
+    -------
+    VariedScenario
+        With its documents, in which numbers are replaced.
+
+    Raises
+    ------
+    ReadError
+        With every problem and its place.
+    OSError
+        If a file cannot be opened.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "box.yaml").write_text("{links: [wheel], inertias: {wheel: 2.0}}")
+    ...     _ = Path(folder, "run.yaml").write_text(
+    ...         "{case: box.yaml, duration: 2, start: {speeds: {wheel: 10}}}"
+    ...     )
+    ...     load_varied(f"{folder}/run.yaml").own.scenario.duration
+    2.0
+    """
+    scenario = Document(read_file(file), os.fspath(file))
+    instead = None if case is None else os.fspath(case)
+    varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), instead)))
+    varied.own  # noqa: B018 (faults are told now)
+    return varied
