@@ -20,6 +20,8 @@ ANNEX = Annex(
         ),
     },
     methods={
+        "box_option": "vstatics.synthesis.cli.found_boxes",
+        "calculated_boxes": "vstatics.synthesis.cli.found_boxes",
         "box_grids": "vstatics.synthesis.boxes.tables",
         "plot_boxes": "vstatics.synthesis.cli.found_boxes",
     },

@@ -8,19 +8,20 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import provided, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import ReadError
+from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
-from vstatics.synthesis.cli.found_boxes import box_numbers, calculated_boxes, listing_in
 from vstatics.vehicle.cli import duty as duty_cycles
 from vstatics.vehicle.cli.duty import DutyOptions
 
@@ -70,14 +71,7 @@ def _torque(text: str) -> float:
     metavar="FACTOR",
     help="Capacities that shift elements need: the largest torque by so much, 1.2.",
 )
-@click.option(
-    "--box",
-    "boxes",
-    multiple=True,
-    callback=value(box_numbers),
-    metavar="N,...",
-    help="Which boxes of a document of found ones; else those that tell most.",
-)
+@provided("box_option")
 @arguments.settings
 @arguments.language("the words, but not of names and messages")
 def summary(
@@ -88,8 +82,8 @@ def summary(
     duty: DutyOptions,
     output_torque: float | None,
     reserve: float | None,
-    boxes: tuple[int, ...],
     settings: CaseOptions,
+    boxes: tuple[int, ...] = (),
 ) -> int:
     """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
 
@@ -124,10 +118,10 @@ def summary(
         output_torque=output_torque or 0.0,
         reserve=reserve,
     )
-    listed = listing_in(cases[0]) if len(cases) == 1 else None
-    if listed:
-        calculated = calculated_boxes(listed[0], cases[0], boxes, settings)
-        return _of_boxes(list(calculated), summarized, to)
+    if len(cases) == 1 and module_of_method("calculated_boxes"):
+        calculated = higher("calculated_boxes")(cases[0], boxes, settings)
+        if calculated is not None:
+            return _of_boxes(list(calculated), summarized, to)
     if boxes:
         raise click.UsageError("--box: expected one document of found boxes for the case")
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):

@@ -11,7 +11,7 @@ The room for cases that are drawn rather than prepared. `kinds` declares what th
 `element` holds a case's elements, `keys` their keys in YAML and JSON, `group` has exact
 ratios of planets on a carrier, `lower` makes three-link mechanisms of them, `drawing` a
 transmission; `checks` and `teeth` say what cannot be. `planet_inertia` tells how masses of planets
-move, for vibration.
+move, `bodies` which inertias stand for them, for vibration and motion.
 """
 
 from vstatics.core.elements.drawing import Drawing, transmission

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.elements.bodies import planet_bodies
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.planet_inertia import planet_inertias
 from vstatics.core.errors import CaseError, Path, Problem
@@ -42,7 +43,6 @@ from vstatics.simulation.system.matrices import (
     unit,
 )
 from vstatics.simulation.system.sight import with_settings
-from vstatics.torsion.system.bodies import planet_bodies
 
 
 def motion_system(

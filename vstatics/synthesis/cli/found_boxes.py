@@ -13,6 +13,7 @@ from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.documents import is_a
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.cli.shared.values import value
 from vstatics.core.errors import Problem, ReadError, not_allowed, of_file
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.solve import solve
@@ -101,6 +102,20 @@ MOST_COMPARED_BOXES = 6
 
 
 def calculated_boxes(
+    file: str, asked: Sequence[int], settings: CaseOptions
+) -> Iterator[CalculatedCase] | None:
+    """The cases of the found boxes that a file lists, with results; None if it is another file.
+
+    Raises
+    ------
+    ReadError
+        If it is such a document with something wrong.
+    """
+    listed = listing_in(file)
+    return _calculated(listed[0], file, asked, settings) if listed else None
+
+
+def _calculated(
     listing: BoxListing, file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase]:
     """The cases of boxes with their results: those that are asked for, else those that tell most.
@@ -163,3 +178,14 @@ def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
             raise ValueError(f"read {text!r}, expected numbers of boxes, such as 1,4")
         found.append(int(text))
     return tuple(found)
+
+
+box_option = click.option(
+    "--box",
+    "boxes",
+    multiple=True,
+    callback=value(box_numbers),
+    metavar="N,...",
+    help="Which boxes of a document of found ones; else those that tell most.",
+)
+"""The option of commands that take several found boxes."""

@@ -8,12 +8,12 @@ import numpy as np
 from scipy import linalg
 
 from vstatics.core.arguments import refusing
+from vstatics.core.elements.bodies import Body
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.torsion.reduction.reduced_values import Scales, joined_links, scales
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
-from vstatics.torsion.system.bodies import Body
 from vstatics.torsion.system.coordinates import form_values
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating

@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.elements.bodies import Body
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.motions import values_of
-from vstatics.torsion.system.bodies import Body
 from vstatics.torsion.system.coordinates import coordinates
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.vibration.natural import natural_modes

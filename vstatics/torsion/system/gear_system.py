@@ -15,13 +15,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.elements.bodies import Body, Shares, planet_bodies
 from vstatics.core.model.parts import NO_DAMPING, Damping, Mechanism, ShiftElement, damping
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.motions import Form, free_motions, values_of
 from vstatics.core.statics.matrix import rows, value
-from vstatics.torsion.system.bodies import Body, Shares, planet_bodies
 from vstatics.torsion.system.converters import WorkingConverter
 
 

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.errors import Problem, ReadError
-from vstatics.core.extras import missing
+from vstatics.core.extras import higher, missing
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -24,6 +25,15 @@ def needs(extra: str, purpose: str) -> None:
     """Refuse what needs a package that is not there."""
     if message := missing(extra, purpose):
         raise ReadError([Problem("E014", message)])
+
+
+def provided(name: str) -> Callable[[Command], Command]:
+    """Return the decorator of options of an annex; without the annex it adds nothing."""
+    return higher(name) if module_of_method(name) else _as_it_is
+
+
+def _as_it_is(command: Command) -> Command:
+    return command
 
 
 def gathered(

@@ -1,4 +1,4 @@
-"""What is heavy in a torsional system: bodies, and what stands for the planets of drawn sets.
+"""Heavy parts of a case that moves: bodies, and the inertias that stand for planets of sets.
 
 Source: Tarasik, Puzanova, Kurstak, 2018, as checked: with a planet's speed ``w_q = w_h + alpha
 (w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)`` its energy goes exactly to three links.
