@@ -87,6 +87,10 @@ site: .venv/dev.stamp ## build the site in site/, to be read from the disk or se
 schema: .venv/dev.stamp ## rewrite schemas/ from the declarations
 	$(BIN)/python -m vstatics.core.cli.schemas schemas
 
+KNOWN = vstatics/synthesis/boxes/figures/known.jsonl
+known: .venv/dev.stamp ## rewrite the table of gearboxes that synth box names, from cases/
+	$(BIN)/python -m vstatics.synthesis.boxes.figures.shipped $(KNOWN)
+
 bench: .venv/dev.stamp ## the figures of docs/performance.md but those of boxes (C compiler, 5 minutes)
 	$(BIN)/python benchmarks
 
@@ -124,4 +128,4 @@ clean: ## remove what make has made
 	touch $@
 
 .DEFAULT_GOAL := help
-.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden messages site schema bench boxes dist clean
+.PHONY: help run test test-slow test-beside test-alone test-without test-oldest nightly test-random coverage lint types golden messages site schema known bench boxes dist clean

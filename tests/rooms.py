@@ -38,6 +38,7 @@ ROOMS = (
 """The order of the rooms; docs/architecture.md shows it."""
 STANDING_ELSEWHERE = {
     "vehicle.case": "core.model",
+    "vehicle.tolerances": "core.model",
     "torsion.clutch.clutch_dump": "core.model",
     "vehicle.operation": "core.summary",
     "vehicle.duty": "core.summary",

@@ -34,11 +34,6 @@ from vstatics.core.model.parts import Damping, Load
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.readers import load, loads
-from vstatics.core.statics.matrix import distribution_matrix
-from vstatics.core.statics.result_arrays import Message
-from vstatics.core.statics.results import Results
-from vstatics.core.statics.solve import solve
-from vstatics.core.statics.state import GearState
 
 if TYPE_CHECKING:
     from vstatics.core.checking import check
@@ -51,6 +46,11 @@ if TYPE_CHECKING:
     from vstatics.core.explain.explanation import Explanation, explain_gear
     from vstatics.core.flow.power import flows
     from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+    from vstatics.core.statics.matrix import distribution_matrix
+    from vstatics.core.statics.result_arrays import Message
+    from vstatics.core.statics.results import Results
+    from vstatics.core.statics.solve import solve
+    from vstatics.core.statics.state import GearState
     from vstatics.core.summary import Summary, summarize
     from vstatics.core.writers.saving import save
     from vstatics.page.report.saving import write_report
@@ -144,9 +144,8 @@ if TYPE_CHECKING:
     ]
 
 _FIRST = (
-    *("CaseError", "Damping", "Gear", "GearState", "Load", "Mechanism", "Message", "Place"),
-    *("Problem", "ReadError", "Results", "ShiftElement", "Spring", "Transmission"),
-    *("VstaticsError", "__version__", "distribution_matrix", "load", "loads", "solve"),
+    *("CaseError", "Damping", "Gear", "Load", "Mechanism", "Place", "Problem", "ReadError"),
+    *("ShiftElement", "Spring", "Transmission", "VstaticsError", "__version__", "load", "loads"),
 )
 """Public names that are imported with the package."""
 _LATER = {
@@ -156,18 +155,23 @@ _LATER = {
     "Explanation": "vstatics.core.explain.explanation",
     "GearExercise": "vstatics.core.explain.exercise",
     "GearFlow": "vstatics.core.flow.power_flow",
+    "GearState": "vstatics.core.statics.state",
     "MeshEfficiency": "vstatics.core.elements",
+    "Message": "vstatics.core.statics.result_arrays",
     "PlanetMass": "vstatics.core.elements.element",
     "PowerFlow": "vstatics.core.flow.power_flow",
+    "Results": "vstatics.core.statics.results",
     "Summary": "vstatics.core.summary",
     "Verdict": "vstatics.core.comparison.verdicts",
     "check": "vstatics.core.checking",
     "compare": "vstatics.core.comparison.compare",
+    "distribution_matrix": "vstatics.core.statics.matrix",
     "example": "vstatics.core.examples",
     "exercise": "vstatics.core.explain.exercise",
     "explain_gear": "vstatics.core.explain.explanation",
     "flows": "vstatics.core.flow.power",
     "save": "vstatics.core.writers.saving",
+    "solve": "vstatics.core.statics.solve",
     "summarize": "vstatics.core.summary",
     "transmission": "vstatics.core.elements",
 }

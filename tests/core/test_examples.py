@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import get_args
 
 import pytest
 
 import vstatics
 from tests import commands
 from tests.commands import CASES, ROOT
-from tests.installed import needs
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
@@ -19,14 +17,6 @@ def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
     assert {Path(name) for name in vstatics.example()} == files
     assert vstatics.example("mzkt7922") == vstatics.load(CASES / "mzkt7922.yaml")
     assert vstatics.example("mzkt7922") != vstatics.load(CASES / "mzkt7922.dat")
-
-
-@needs("simulation")
-def test_a_checker_of_types_is_told_which_names_are_those_of_scenarios() -> None:
-    from vstatics.simulation.examples import ScenarioName
-
-    names = [one for one in vstatics.example() if one.startswith("scenarios/")]
-    assert list(get_args(ScenarioName)) == names
 
 
 def test_another_name_is_told_with_the_nearest() -> None:

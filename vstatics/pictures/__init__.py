@@ -30,13 +30,13 @@ from typing import TYPE_CHECKING, Any
 from vstatics.core.annexes import PictureKind, picture_kinds, picture_options
 from vstatics.core.errors import spoken
 from vstatics.core.extras import require
-from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
 from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from vstatics.core.statics.results import Results
     from vstatics.pictures.drawing.style import Style
     from vstatics.pictures.runs import PicturedRun
 

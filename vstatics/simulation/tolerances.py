@@ -158,3 +158,7 @@ PUBLISHED_RTOL = 1e-12
 """The finest tolerance of its integration."""
 NO_COEFFICIENT = 1e-9
 """Coefficients of a motion below this part of the largest are 0."""
+
+# iterations
+LAST_BIT = 2e-16
+"""Relative step of the last iteration of a speed."""

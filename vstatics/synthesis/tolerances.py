@@ -97,3 +97,11 @@ LEAST_STIFFNESS = 1e-9
 singular. [-]"""
 PLANE_ROUNDING = 1e-9
 """By so much more the points that planes leave may lie apart, as a share of half the cell. [-]"""
+
+# bounds and figures
+NO_FIGURE = 1e-9
+"""Speed or torque, as a part of that of the input, below which it is rounding. [-]"""
+CELL_ROUNDING = 1e-12
+"""Rounding of the share of a cell at which it is cut. [-]"""
+NARROWEST_RANGE = 1e-5
+"""Half the width of a range that has one value. [-]"""

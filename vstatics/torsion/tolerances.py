@@ -64,3 +64,13 @@ NOTHING = 1e-300
 # records
 UNDAMPED = 1e-6
 """A decrement below 0 by no more is that of rounding. [-]"""
+
+# operating points and integrals
+SAME_INPUT_TORQUE = 1e-9
+"""Relative difference up to which the torque of the load is the torque of the pump. [-]"""
+ROUGH_ACCURACY = 1e-3
+"""Relative accuracy of the first integral, which tells the parts that matter."""
+SPEED_RATIO_STEP = 1e-15
+"""Accuracy of the speed ratio of a converter at its working point. [-]"""
+SECANT_STEP = 1e-6
+"""Relative distance of the first two points of the secant method."""

@@ -31,7 +31,7 @@ def test_tips_interfere_in_a_ring_that_is_hardly_larger() -> None:
     for pair in ({"first": 40, "second": 47}, {"first": 47, "second": 40}):
         (problem,) = told(element("internal_pair", **pair), "interfere")
         assert problem.severity == "warning"
-        assert "the ring has 7 teeth more, expected 8 or more" in problem.message
+        assert "their numbers of teeth differ by 7, expected 8 or more" in problem.message
     assert told(element("planetary", sun=5, planet=40, ring=45), "interfere")
     assert told(
         element("stepped", sun=20, planet=40, planet2=30, ring2=30),

@@ -6,7 +6,7 @@ import pytest
 
 from tests.chance import seeded
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
-from vstatics.core.statics.carried import MORE
+from vstatics.core.numerics.tolerances import VISIBLE_EXCESS as MORE
 
 
 @pytest.mark.parametrize("load", [None, 400.0, -150.0])

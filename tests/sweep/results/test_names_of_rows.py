@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.core.elements.element_texts import loaded
-from tests.core.tables.test_names_of_rows import AOD, GEARS, ROWS
+from tests.core.elements.element_texts import AOD, loaded
+from tests.core.tables.test_names_of_rows import GEARS, ROWS
 from vstatics import Results, solve, sweep
 
 

@@ -13,7 +13,6 @@ from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, completing, refuse
 from vstatics.core.cli.shared.values import value
 from vstatics.core.comparison import layout
-from vstatics.core.comparison.numbers import ATOL, RTOL
 from vstatics.core.comparison.pairs import (
     content,
     file_stem,
@@ -25,6 +24,7 @@ from vstatics.core.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.core.comparison.verdicts import Verdict, unreadable, verdict
 from vstatics.core.errors import ReadError, plural
 from vstatics.core.jobs.input_files import TABLE_BYTES
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.answer import plain_data
 from vstatics.core.tables.quantities import QUANTITIES
 from vstatics.core.writers.junit import CaseOutcome, junit

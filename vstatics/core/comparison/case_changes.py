@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from vstatics.core.comparison.numbers import ATOL, RTOL
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.writers.named import mapping
 
 

@@ -6,7 +6,6 @@ import os
 from collections.abc import Iterable
 
 from vstatics.core.arguments import refusing
-from vstatics.core.comparison.numbers import ATOL, RTOL
 from vstatics.core.comparison.pairs import (
     Content,
     content,
@@ -16,6 +15,7 @@ from vstatics.core.comparison.pairs import (
 from vstatics.core.comparison.tolerances import Tolerances, left_out, tolerance
 from vstatics.core.comparison.verdicts import Verdict, verdict
 from vstatics.core.jobs.input_files import TABLE_BYTES, read_file
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.statics.results import Results
 
 Compared = str | os.PathLike[str] | Results

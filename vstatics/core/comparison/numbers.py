@@ -8,12 +8,10 @@ from typing import NamedTuple
 
 from vstatics.core.comparison.namesakes import renaming
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.numerics.tolerances import ATOL, ROUNDED_PART, RTOL
 from vstatics.core.statics.result_arrays import row_names
 from vstatics.core.tables.quantities import BY_NAME, QUANTITIES, Quantity
 from vstatics.core.tables.written_results import Figure, Figures, WrittenResult
-
-ATOL, RTOL = 1e-12, 1e-9
-"""What two numbers may differ by, and by which part, where nothing else is asked for."""
 
 
 class Difference(NamedTuple):
@@ -241,7 +239,7 @@ def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
     """Whether two numbers agree as `differences` says."""
     if math.isnan(one.value) or math.isnan(two.value):
         return math.isnan(one.value) and math.isnan(two.value)
-    slack = max(one.slack, two.slack) * (1 + 1e-9)  # .5 of a digit is itself rounded
+    slack = max(one.slack, two.slack) * (1 + ROUNDED_PART)  # .5 of a digit is itself rounded
     return abs(one.value - two.value) <= slack + atol + rtol * abs(two.value)
 
 

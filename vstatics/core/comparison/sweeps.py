@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from itertools import zip_longest
 
-from vstatics.core.comparison.numbers import ATOL, NOT_THERE, RTOL, THERE, Difference, is_same
+from vstatics.core.comparison.numbers import NOT_THERE, THERE, Difference, is_same
 from vstatics.core.errors import plural
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import Figure, WrittenSweep
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from vstatics.core.comparison.numbers import ATOL, RTOL
 from vstatics.core.errors import ReadError, quoted
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.names import quantity_named
 
 

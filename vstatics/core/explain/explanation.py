@@ -22,6 +22,7 @@ from vstatics.core.extras import higher
 from vstatics.core.model.springs import ends
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_FORMULA
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.matrix import distribution_matrix, loaded_devices
 from vstatics.core.statics.results import Results, expect_one_case
@@ -236,7 +237,7 @@ def _formula(
         return None, str(none)
     output = state.speeds[own.case.gear_output(state.gear) - 1]
     calculated = plain(state.ratio if ratio.left == "i" else output)
-    if not math.isclose(ratio.value, calculated, rel_tol=1e-6, abs_tol=1e-12):
+    if not math.isclose(ratio.value, calculated, rel_tol=SAME_FORMULA, abs_tol=ROUNDED_NUMBER):
         return None, "the mechanisms happen to have ratios at which the gear has none"
     return ratio, ""
 

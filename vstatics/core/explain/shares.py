@@ -15,11 +15,10 @@ from typing import Any
 from vstatics.core.explain.bodies import OwnLinks, Structure
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import HOUSING
+from vstatics.core.numerics.tolerances import ROUNDED_COEFFICIENT
 from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
-ROUNDED_COEFFICIENT = 1e-13
-"""Coefficients of springs are typed, or calculated with rounding."""
 MOST_TERMS = 400
 """A formula of more terms helps nobody, and takes long."""
 

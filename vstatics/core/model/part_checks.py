@@ -26,9 +26,7 @@ from vstatics.core.model.parts import (
     ShiftElement,
     SpeedOf,
 )
-
-SAME_POWER = 1e-9
-"""So much the power of a load may be off from its torque: what rounding leaves. [-]"""
+from vstatics.core.numerics.tolerances import SAME_POWER
 
 
 def called(case: TransmissionFields, link: int) -> str:

@@ -64,3 +64,25 @@ SURE_BOUNDS = 1e-9
 """Bounds settle a comparison only beyond this part of them, their own rounding."""
 SURE_MAGNITUDES = 1 + 1e-9
 """Bounds settle a comparison only beyond their own rounding."""
+
+# printed and compared numbers
+ROUNDED_COEFFICIENT = 1e-13
+"""Relative rounding error of the coefficients of a spring, which are typed or calculated."""
+SAME_POWER = 1e-9
+"""Relative difference up to which power and the product of speed and torque agree."""
+VISIBLE_EXCESS = 1e-4
+"""Relative excess over a capacity from which it shows in the printed digits."""
+NO_SENSITIVITY = 1e-10
+"""Relative sensitivity below which a number is the rounding of differences."""
+ROUNDED_NUMBER = 1e-12
+"""Number below which a printed value is rounding."""
+ROUNDED_PART = 1e-9
+"""Part of the largest number of a kind below which a printed value is rounding."""
+ROUNDED_DEVIATION = 1e-14
+"""Standard deviation, as a part of the numbers, that is the rounding of their last digits."""
+ATOL = 1e-12
+"""Default absolute tolerance of a comparison of results."""
+RTOL = 1e-9
+"""Default relative tolerance of a comparison of results."""
+SAME_FORMULA = 1e-6
+"""Relative difference up to which a formula gives the ratio of its gear."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.numerics.tolerances import SAME_RATIO, VISIBLE_EXCESS
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.result_arrays import Message
 
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
 SAME_TORQUE = 0.05
 """So much a converter's torque may be off, of the larger one: points are read from diagrams."""
-MORE = 1e-4
-"""So much above its capacity shows in the digits that are told."""
 
 
 def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
@@ -146,7 +144,7 @@ def overloads(results: Results) -> Iterator[tuple[int, str]]:
     unit, of = (common, "N*m") if common else (1.0, "times the input torque")
     for number, element in able:
         capacity = float(element.capacity or 0.0)
-        above = carrying[:, number] & (torques[:, number] > capacity * (1 + MORE))
+        above = carrying[:, number] & (torques[:, number] > capacity * (1 + VISIBLE_EXCESS))
         for gear in np.flatnonzero(above).tolist():
             has, can = (_told(one * unit) for one in (torques[gear, number], capacity))
             yield gear, f"{element.name} carries {has} of {can} {of}, more than its capacity"
@@ -174,7 +172,7 @@ def overloads_at_points(
     sizes = np.abs(np.nan_to_num(torques))
     for number, element in enumerate(case.shift_elements if common else ()):
         capacity = common * float(element.capacity or np.inf)
-        above = sizes[:, number] > capacity * (1 + MORE)
+        above = sizes[:, number] > capacity * (1 + VISIBLE_EXCESS)
         if above.any():
             row = int(sizes[:, number].argmax())
             has, can = _told(sizes[row, number]), _told(capacity)

@@ -12,7 +12,7 @@ from html import escape
 from rich.console import Group
 from rich.text import Text
 
-from vstatics.core.numerics.tolerances import SAME_RATIO
+from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_RATIO
 from vstatics.core.statics.result_arrays import OUTPUT
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.roles import IDLE, MEANINGS, ONE_PIECE, Role, roles
@@ -22,7 +22,6 @@ from vstatics.core.summary.tables import Marks, element_signs, state
 from vstatics.core.tables import terminal
 from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.core.tables.html import table
-from vstatics.core.tables.numbers import ROUNDED_NUMBER
 from vstatics.core.tables.ports import port_tables, ports_grid
 from vstatics.core.tables.quantities import Table
 from vstatics.core.tables.values import tables

@@ -11,6 +11,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import RIGHT, Coefficient
+from vstatics.core.numerics.tolerances import NO_SENSITIVITY
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.matrix import always_loaded, speed_rows
 from vstatics.core.statics.results import Results
@@ -80,8 +81,6 @@ EFFICIENCY_DIFFERENCE = 1e-3
 NEARLY_LOSSLESS = 1 - 1e-13
 """In place of 1, which is a special case: variants with it, each of a structure of its own, would
 be calculated one by one."""
-NO_DIFFERENCE = 1e-10
-"""What is less is rounding of the differences. [-]"""
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
 """The first derivative by numbers at 0, -1, -2, -3, -4 differences (Fornberg 1988, table 3)."""
 
@@ -111,7 +110,7 @@ def efficiency_sensitivities(results: Results) -> Floats:
     of_gears = np.array([slopes[own][:, index] for index, own in enumerate(by_gear)])
     with np.errstate(all="ignore"):
         relative: Floats = of_gears / results.efficiency[:, np.newaxis]
-    relative[np.abs(relative) < NO_DIFFERENCE] = 0.0
+    relative[np.abs(relative) < NO_SENSITIVITY] = 0.0
     return np.where(np.isfinite(relative), relative, np.nan)
 
 

@@ -11,7 +11,8 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from vstatics.core.tables.numbers import ROUNDED_PART, certain, rounded
+from vstatics.core.numerics.tolerances import ROUNDED_PART
+from vstatics.core.tables.numbers import certain, rounded
 from vstatics.core.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"

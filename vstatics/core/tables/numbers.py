@@ -8,17 +8,15 @@ from functools import lru_cache
 from itertools import chain
 from math import isfinite
 
+from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
+
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 _POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
 EXPONENT_DIGITS = 4
 """Digits of the E format, where they are enough."""
 SMALL, SIGNIFICANT = 0.1, 4
-"""Below the first a number that people read has so many significant digits, ..."""
-ROUNDED_NUMBER = 1e-12
-"""... unless it is nothing but rounding."""
-ROUNDED_PART = 1e-9
-"""Less than this part of a larger number of its kind is rounding, too."""
+"""Size below which a printed number has a fixed number of significant digits, and that number."""
 
 
 def certain(value: float) -> float:

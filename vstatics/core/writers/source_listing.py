@@ -14,6 +14,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, not_allowed
 from vstatics.core.model.parts import HOUSING
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
+from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.numbers import fixed_rows
@@ -125,8 +126,6 @@ NO_FOLLOWING = (
     "the published listing has no field for the speed of another link, and its number leaves "
     "the gear open; expected another format, such as `-f listing`"
 )
-SAME = 1e-9
-"""Relative difference of ratios and efficiencies that is rounding."""
 
 
 def published_results(results: Results) -> Results:
@@ -150,7 +149,7 @@ def published_results(results: Results) -> Results:
     """
     check_published_listing(results)
     published = solve(_published_case(results))
-    same = np.isclose(results.ratio, published.ratio, rtol=SAME, atol=0, equal_nan=True)
+    same = np.isclose(results.ratio, published.ratio, rtol=SAME_RATIO, atol=0, equal_nan=True)
     lost = [
         Problem("E870", NO_FOLLOWING, ("gears", number, "speeds"))
         for number, gear in enumerate(results.case.gears, 1)
@@ -165,7 +164,7 @@ def published_results(results: Results) -> Results:
 def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
     """Return a warning for each gear whose efficiency depends on the signs of idle mechanisms."""
     before, after = results.efficiency, published.efficiency
-    same = np.isclose(before, after, rtol=SAME, atol=0, equal_nan=True)
+    same = np.isclose(before, after, rtol=SAME_RATIO, atol=0, equal_nan=True)
     problems = []
     for index in np.flatnonzero(~same).tolist():
         message = (

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.flow.tables import power_grid, remarks
+from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 from vstatics.core.summary.tables import WITH_LOAD, Marks, element_signs, summary_grids
 from vstatics.core.tables.grid import Cell, Column, Grid
 from vstatics.core.tables.html import Markup, table, tables, tag
-from vstatics.core.tables.numbers import ROUNDED_NUMBER
 from vstatics.core.tables.result_tables import of_results, without_missing, without_zeros
 from vstatics.core.texts import tr
 from vstatics.page.report.asked import SECTIONS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import cast
 
@@ -123,7 +123,7 @@ def plot(
     return carry_out(Job("plot", takes, to, picture), cases)
 
 
-def _misplaced(kind: str, given: dict[str, object]) -> list[tuple[bool, str]]:
+def _misplaced(kind: str, given: Mapping[str, object]) -> list[tuple[bool, str]]:
     """Rules for options that a kind of picture does not have."""
     return [(True, f"--{_FLAGS.get(name, name)}: {why}") for name, why in misplaced(kind, given)]
 

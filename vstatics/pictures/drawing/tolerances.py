@@ -30,3 +30,5 @@ SAME_CURVE = 1e-9
 """Curves whose values differ by no more than this part of the largest are one."""
 SAME_FREQUENCY = 0.005
 """Frequencies of gears that differ by less than this part are drawn as one."""
+SAME_RADIUS = 1e-9
+"""Difference of the coefficients of a twist that belong to one axis."""

@@ -14,6 +14,7 @@ from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
 from vstatics.core.cli.shared.values import above_0, value
+from vstatics.simulation.tolerances import RTOL
 
 Method = Literal["events", "tarasik"]
 FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex", "xlsx")
@@ -97,7 +98,7 @@ options = gathered(
     click.option(
         "--rtol",
         type=float,
-        default=1e-8,
+        default=RTOL,
         show_default=True,
         callback=value(above_0),
         metavar="X",

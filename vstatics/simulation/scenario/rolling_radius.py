@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation.tolerances import LAST_BIT
 
 MOST_STEPS = 60
 """Of Newton's method; from the end of a piece it takes less than ten."""
@@ -102,7 +103,7 @@ class LoadedWheel(NamedTuple):
             slope, _ = self.turning_slopes(inside)
             before = speed
             speed = np.clip(speed + (wanted - self.turning(speed)) / slope, low, high)
-            if np.all(np.abs(speed - before) <= 2e-16 * speed):
+            if np.all(np.abs(speed - before) <= LAST_BIT * speed):
                 break
         found: Floats = np.copysign(speed, turning)
         return found

@@ -8,13 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.tolerances import ROUNDED_DEVIATION
 from vstatics.core.tables.answer import told
 
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
 
-_ROUNDED_DEVIATION = 1e-14
-"""A deviation below so much of the numbers is that of their last digits."""
 _LARGE = 2.0**500
 """Size above which numbers are divided by a power of 2, so exactly, before they are squared."""
 
@@ -64,6 +63,6 @@ def statistics(numbers: Floats) -> Statistics:
         deviation = float(np.std(known, ddof=1)) * scale if len(known) > 1 else float("nan")
         mean = float(known.mean()) * scale
         quantiles = tuple(part * scale for part in np.quantile(known, PARTS).tolist())
-    if deviation <= _ROUNDED_DEVIATION * most:
+    if deviation <= ROUNDED_DEVIATION * most:
         deviation = 0.0
     return Statistics(len(known), mean, deviation, least, quantiles, largest)

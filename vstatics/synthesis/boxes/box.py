@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import chain
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.core.errors import CaseError, Problem, plural, spoken
-from vstatics.synthesis.structures.scheme import SetScheme
+
+if TYPE_CHECKING:
+    from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
 """The second link of a brake."""
@@ -129,6 +131,7 @@ class FoundBox(NamedTuple):
 
     Examples
     --------
+    >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
     ...                ((0,), (1,)), 0.0)
     >>> box.brakes, box.clutches

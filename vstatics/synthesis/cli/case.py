@@ -14,7 +14,8 @@ from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.readers.named.arithmetic import calculated
 from vstatics.synthesis.cli.case_file import case_format, write_case
-from vstatics.synthesis.gears.case_of_scheme import MOST_OF_SCHEME, NEUTRAL, scheme_case, set_name
+from vstatics.synthesis.gears.case_of_scheme import MOST_OF_SCHEME, NEUTRAL, scheme_case
+from vstatics.synthesis.gears.names import set_name
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FIRST, STEP = -2.0, -0.1

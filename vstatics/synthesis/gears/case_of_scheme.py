@@ -9,6 +9,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import plural
 from vstatics.core.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.core.model.transmission import Transmission
+from vstatics.synthesis.gears.names import in_order, names_of_gears, set_name
 from vstatics.synthesis.gears.search import CombinationSearch
 from vstatics.synthesis.structures.arrays import LEAST_MOBILITY
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
@@ -87,15 +88,6 @@ def scheme_case(
     return case.replace(gears=found) if found else case
 
 
-def set_name(number: int) -> str:
-    """The name of a set in a case, by its number from 1.
-
-    >>> set_name(1)
-    'P1'
-    """
-    return f"P{number}"
-
-
 def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
     """Refuse what can't be a gearbox.
 
@@ -144,43 +136,3 @@ def _gears(case: Transmission, engaged: int) -> list[Gear]:
     ratios = [ratio for ratio, _ in chosen]
     names = names_of_gears(ratios)
     return [Gear(chosen[index][1], name=names[index]) for index in in_order(ratios)]
-
-
-def in_order(ratios: Sequence[float]) -> list[int]:
-    """The indices of ratios in the order of their gears.
-
-    >>> in_order([1, -2.5, 3.2])
-    [2, 0, 1]
-    """
-    return sorted(range(len(ratios)), key=lambda index: (ratios[index] < 0, -abs(ratios[index])))
-
-
-def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
-    """The name of the gear of each ratio: forward by descending ratio, then those backward.
-
-    >>> names_of_gears([1, -2.5, 3.2]), names_of_gears([-2, 1, -4])
-    (('2', 'R', '1'), ('R2', '1', 'R1'))
-    """
-    forward = sum(ratio > 0 for ratio in ratios)
-    names = gear_names(forward, len(ratios) - forward)
-    return tuple(name for _, name in sorted(zip(in_order(ratios), names, strict=True)))
-
-
-def names_of_mean(ratios: Sequence[float]) -> list[str]:
-    """The names of the gears of which a mean is made: those forward, or all if there are none.
-
-    >>> names_of_mean([1, -2.5, 3.2]), names_of_mean([-2, -4])
-    (['1', '2'], ['R1', 'R2'])
-    """
-    forward = sum(ratio > 0 for ratio in ratios)
-    return gear_names(forward, 0) if forward else gear_names(0, len(ratios))
-
-
-def gear_names(forward: int, backward: int) -> list[str]:
-    """Names of gears from the slowest, those forward and then those backward.
-
-    >>> gear_names(2, 1), gear_names(1, 2)
-    (['1', '2', 'R'], ['1', 'R1', 'R2'])
-    """
-    of_backward = [f"R{number}" for number in range(1, backward + 1)] if backward > 1 else ["R"]
-    return [*map(str, range(1, forward + 1)), *of_backward[:backward]]

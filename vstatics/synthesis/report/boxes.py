@@ -20,7 +20,7 @@ from vstatics.page.report.parts import figure
 from vstatics.page.report.sections import Part
 from vstatics.pictures.drawing.style import Style
 from vstatics.synthesis.boxes.listing import BoxListing, WantedOfBoxes, drawn_boxes
-from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears
+from vstatics.synthesis.gears.names import in_order, names_of_gears
 from vstatics.synthesis.report.box_parts import (
     all_grid,
     asked_range,

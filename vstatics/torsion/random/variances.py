@@ -21,7 +21,7 @@ from scipy.integrate import quad_vec
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.torsion.random.excited import ExcitedGear, FirstOrder, without_rounding
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
-from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, UNMOVED
+from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, ROUGH_ACCURACY, UNMOVED
 
 MOST_PIECES = 2000
 """Of an integral."""
@@ -248,7 +248,7 @@ def _integrated(
 
 def _integral(density: Callable[[float], Floats], low: float, high: float) -> Floats:
     """Of all parts to the same relative accuracy."""
-    rough = _quadrature(density, low, high, 1e-3)
+    rough = _quadrature(density, low, high, ROUGH_ACCURACY)
     least = UNMOVED**2 * rough.max(axis=1, keepdims=True)
     sizes: Floats = np.where(rough > least, rough, np.where(least > 0, least, 1.0))
     return _quadrature(lambda omega: density(omega) / sizes, low, high, ACCURACY) * sizes

@@ -25,7 +25,12 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.torsion.system.converters import WorkingConverter, working_converter
 from vstatics.torsion.system.gear_system import torsional_system
-from vstatics.torsion.tolerances import REAL_EIGENVALUE
+from vstatics.torsion.tolerances import (
+    REAL_EIGENVALUE,
+    SAME_INPUT_TORQUE,
+    SECANT_STEP,
+    SPEED_RATIO_STEP,
+)
 
 Ratios = Mapping[str, float]
 """Speed ratios of converters, by their names [-]."""
@@ -41,8 +46,6 @@ class WorkingGear(NamedTuple):
     """Converters whose pumps do not take the torque of the load."""
 
 
-SAME_INPUT_TORQUE = 1e-9
-"""Relative difference up to which the torque of the load is the torque of the pump. [-]"""
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
 """Torques of the input from which its torque is sought, as parts of the torque that the pump takes:
 less than drag takes may not come through. [-]"""
@@ -196,7 +199,7 @@ class _WorkingPoints:
                 def of(ratio: float) -> float:
                     return self._excess(converter, ratios, ratio)
 
-                return float(brentq(of, below, above, xtol=1e-15))
+                return float(brentq(of, below, above, xtol=SPEED_RATIO_STEP))
         why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
         raise self._unknown([converter], why)
 
@@ -246,7 +249,9 @@ class _WorkingPoints:
                     return start
                 from scipy.optimize import root_scalar  # most gears do without
 
-                solution = root_scalar(excess, method="secant", x0=start, x1=start * (1 + 1e-6))
+                solution = root_scalar(
+                    excess, method="secant", x0=start, x1=start * (1 + SECANT_STEP)
+                )
                 return float(solution.root) if solution.converged else None
         return None
 

@@ -10,13 +10,12 @@ import numpy as np
 
 from vstatics.core.errors import spoken
 from vstatics.core.model.parts import Gear, SpeedOf
+from vstatics.vehicle.tolerances import SAME_SPEED
 
 GRAVITY = 9.81
 """[m/s^2]"""
 AIR = 1.2
 """Density. [kg/m^3]"""
-SAME_SPEED = 1e-12
-"""A speed of the engine that is above its last one by no more than this part is that. [-]"""
 NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]

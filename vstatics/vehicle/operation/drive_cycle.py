@@ -27,6 +27,7 @@ from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, Gear
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.operation.traction import bare
+from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
 
 
 class CycleEnergy(NamedTuple):
@@ -164,10 +165,6 @@ def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterat
         return f"from {start:.6g} s on, gear {case.gears[int(steps.gears[row])].name}"
 
     yield from overloads_at_points(case, torques, "steps", where)
-
-
-SAME_ENGINE_TORQUE = 1e-9
-"""Torques of the engine that differ by no more are one. [N*m]"""
 
 
 @document("vstatics-cycle")

@@ -11,7 +11,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
-from vstatics.vehicle.case.vehicle import SAME_SPEED
+from vstatics.vehicle.tolerances import SAME_SPEED
 
 COLUMNS = (
     TableColumn("speed", "si_speed"),

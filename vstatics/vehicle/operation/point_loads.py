@@ -18,6 +18,7 @@ from vstatics.core.statics.matrix import column_of, held_links
 from vstatics.core.statics.result_arrays import all_row_names, first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
+from vstatics.vehicle.tolerances import NO_DRAG
 
 MOST_REASONS = 20
 """Of so many points without torques it is told why, as each is calculated again."""
@@ -25,8 +26,6 @@ REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
 )
 """Messages on what keeps a gear from having speeds, or torques, the first reason first."""
-SAME_TORQUE = 1e-9
-"""A sum of torques that leaves this part of the largest is none. [-]"""
 
 
 class DutyPoints(NamedTuple):
@@ -229,7 +228,7 @@ class PointLoads(NamedTuple):
             known = [np.nan_to_num(one) for one in found[link]] or [np.zeros(count)]
             left = -np.sum(known, axis=0)
             size = np.max(np.abs(known), axis=0)
-            drags[link] = np.where(np.abs(left) > SAME_TORQUE * size, left, 0.0)
+            drags[link] = np.where(np.abs(left) > NO_DRAG * size, left, 0.0)
             found[link] = [*known, drags[link]]
         return found, drags
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from importlib.resources import files
+
 import pytest
 
 from tests.synthesis.boxes import hand_boxes
@@ -11,6 +13,7 @@ from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.boxes.choice import find_boxes
 from vstatics.synthesis.boxes.figures.built import built_box
 from vstatics.synthesis.boxes.figures.known import known_name
+from vstatics.synthesis.boxes.figures.shipped import table
 from vstatics.synthesis.boxes.least_form import identity, least_box, least_forms
 
 BUILT = {
@@ -27,6 +30,11 @@ def test_a_built_gearbox_is_known_whatever_its_teeth_are(name: str) -> None:
     assert known_name(least_box(box)) == name
     other = box._replace(ratios=tuple(1.01 * ratio for ratio in box.ratios))
     assert known_name(least_box(other)) == name
+
+
+def test_the_table_is_that_of_the_shipped_cases() -> None:
+    file = files("vstatics.synthesis.boxes.figures") / "known.jsonl"
+    assert file.read_text(encoding="utf-8") == table(), "write it: make known"
 
 
 def test_with_another_element_or_gear_it_is_not() -> None:

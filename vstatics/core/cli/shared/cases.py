@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, get_args
+from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import click
 from click.core import ParameterSource
 
 from vstatics.core import readers
-from vstatics.core.checking import located_messages
 from vstatics.core.cli.shared import documents, files
 from vstatics.core.cli.shared.documents import DocumentOfCase
 from vstatics.core.cli.shared.options import Command, completing, gathered
@@ -21,14 +20,14 @@ from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allo
 from vstatics.core.extras import broken
 from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.checks import hints
-from vstatics.core.model.open_converters import with_needed_ratios
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
-from vstatics.core.statics.results import Results
-from vstatics.core.statics.solve import solve
 from vstatics.core.tables.suffixes import suffix_of
 from vstatics.core.texts import Language
+
+if TYPE_CHECKING:
+    from vstatics.core.statics.results import Results
 
 argument, optional_argument = (
     click.argument(
@@ -313,6 +312,8 @@ def calculate_one(
 
     Texts replace the content of the files of their names. `regular` refuses pipes and devices.
     """
+    from vstatics.core.checking import located_messages  # needless for help
+
     name, data = STDIN_NAME if file == files.STDIN else file, b""
     scenario, locate = None, None
     try:
@@ -358,6 +359,9 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
     ReadError
         If a law of it gives no torque that can be, with its place.
     """
+    from vstatics.core.model.open_converters import with_needed_ratios
+    from vstatics.core.statics.solve import solve  # needless for help
+
     try:
         case = with_needed_ratios(reading.case) if opens else reading.case
         return solve(case, coast=settings.coast, idle=settings.idle)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -14,9 +14,11 @@ from vstatics.core.cli.shared.exit_status import FAILED, stopped_by
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.errors import CaseError
 from vstatics.core.jobs.files import is_stream, unwritable
-from vstatics.core.jobs.finished_cases import Description
-from vstatics.core.jobs.finished_pieces import SUFFIX, FinishedPieces
 from vstatics.core.jobs.stopping import StoppedError
+
+if TYPE_CHECKING:
+    from vstatics.core.jobs.finished_cases import Description
+    from vstatics.core.jobs.finished_pieces import FinishedPieces
 
 JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [default: all cores]")
 
@@ -116,6 +118,8 @@ def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -
     """
     if not finished:
         return "nothing was finished"
+    from vstatics.core.jobs.finished_pieces import SUFFIX  # needless for help
+
     is_named = os.path.basename(output) not in (".", "..")  # noqa: PTH119
     name = f"{output}{SUFFIX}" if is_named else store.directory
     there = f"{finished} of {whole} are finished and kept in {name}"

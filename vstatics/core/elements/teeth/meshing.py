@@ -67,7 +67,7 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
         elif ring.internal and more < INSIDE:
             yield Doubt(
                 "W321",
-                f"tips of {wheel} and {ring} interfere: the ring has {more} teeth more, "
+                f"tips of {wheel} and {ring} interfere: their numbers of teeth differ by {more}, "
                 f"expected {INSIDE} or more",
                 ring.key,
             )

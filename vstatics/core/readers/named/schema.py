@@ -160,35 +160,17 @@ def _optional(words: Words) -> Words:
 
 
 def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
-    link = _reference("link")
     match shape:
         case ByKey():
             return _record(shape)
         case ByName():
             return _by_name(_shape(shape.item))
-        case Links():
-            number: Words = {"type": ["integer", "string", "array"], "minimum": 1}
-            names: Words = {"items": _NAME, "minItems": 1, "uniqueItems": True}
-            return {**number, "pattern": LINK_NUMBER, **names}
-        case Ends():
-            return {"type": "array", "items": link, "minItems": shape.least, "maxItems": 2}
+        case Links() | Ends() | ListOf() | Pair() | RowOf():
+            return _sequence(shape)
         case Either() if shape is DAMPING:
-            return _reference(_DAMPING)  # it stands in many places
+            return _reference(_DAMPING)  # many keys have it
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
-        case ListOf():
-            unique = {"uniqueItems": True} if shape.kind and shape.unique else {}
-            return {"type": "array", "items": _shape(shape.item), **unique}
-        case Pair():
-            return {"type": "array", "items": _NAME, "minItems": 2, "maxItems": 2}
-        case RowOf():
-            known = (*shape.items, *shape.optional)
-            return {
-                "type": "array",
-                "prefixItems": list(map(_shape, known)),
-                "minItems": len(shape.items),
-                "maxItems": len(known),
-            }
         case ByPoints():
             points = {"type": "array", "items": _shape(shape.row), "minItems": 1}
             return {"anyOf": [_shape(shape.row.items[-1]), points, _record(shape.mapping)]}
@@ -212,6 +194,26 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             return _by_name(_leaf(Leaf("share")))
         case Leaf():
             return _leaf(shape)
+
+
+def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
+    """Return the schema of a list of items."""
+    match shape:
+        case Links():
+            number: Words = {"type": ["integer", "string", "array"], "minimum": 1}
+            names: Words = {"items": _NAME, "minItems": 1, "uniqueItems": True}
+            return {**number, "pattern": LINK_NUMBER, **names}
+        case Ends():
+            items = {"items": _reference("link"), "minItems": shape.least, "maxItems": 2}
+        case ListOf():
+            unique = {"uniqueItems": True} if shape.kind and shape.unique else {}
+            items = {"items": _shape(shape.item), **unique}
+        case Pair():
+            items = {"items": _NAME, "minItems": 2, "maxItems": 2}
+        case RowOf():
+            known = [_shape(item) for item in (*shape.items, *shape.optional)]
+            items = {"prefixItems": known, "minItems": len(shape.items), "maxItems": len(known)}
+    return {"type": "array", **items}
 
 
 def _of_law(shape: Balances | ByLaw) -> Words:

@@ -10,7 +10,8 @@ from collections import Counter
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 
 from vstatics.core.comparison.layout import percent
-from vstatics.core.comparison.numbers import ATOL, RTOL, Difference, is_same
+from vstatics.core.comparison.numbers import Difference, is_same
+from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.grid import Cell, Column, Grid, text
 from vstatics.core.tables.written_results import Figure
 from vstatics.core.texts import heading, tr

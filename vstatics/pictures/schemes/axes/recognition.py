@@ -7,6 +7,7 @@ from collections.abc import Set as AbstractSet
 from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
+from vstatics.pictures.drawing.tolerances import SAME_RADIUS
 from vstatics.pictures.schemes.scheme import Device, Scheme
 
 MESHED = frozenset({"gear_pair", "internal_pair", "idler"})
@@ -15,8 +16,6 @@ FAR = frozenset({"chain", "belt"})
 """The same, without teeth that mesh."""
 CROSSED = frozenset({"bevel_pair", "worm"})
 """Axes that cross are drawn as parallel ones, with slanted teeth."""
-SAME_RADIUS = 1e-9
-"""Parts of a twist that differ by less belong to one axis."""
 
 FREE_IDLER = 0.6
 """Size of a wheel between two that is not told, over the first one."""

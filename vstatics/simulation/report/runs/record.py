@@ -22,11 +22,10 @@ from vstatics.simulation.pictures.panels import panels
 from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.motion import Event, Motion
 from vstatics.simulation.report.runs.instants import chosen_instants
+from vstatics.simulation.tolerances import NO_RANGE
 
 MOST_NUMBERS = 25_000
 """Of all columns together: with as many a page has some 140 kilobytes more."""
-NO_RANGE = 1e-9
-"""What changes less, by the largest of its table, does not change but for rounding."""
 WORDS = ("gear", "open", "sticks", "slips")
 """What the script calls a gear, and the states of shift elements."""
 _TABLES = {

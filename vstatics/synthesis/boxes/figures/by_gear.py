@@ -8,10 +8,8 @@ from typing import NamedTuple
 
 from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.gears.case_of_scheme import names_of_mean
-
-NOTHING_LESS = 1e-9
-"""What is smaller, in terms of the input's, is rounding. [-]"""
+from vstatics.synthesis.gears.names import names_of_mean
+from vstatics.synthesis.tolerances import NO_FIGURE
 
 
 class GearFigures(NamedTuple):
@@ -50,7 +48,7 @@ def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, fl
     {'a': 0.0, 'b': -2.0}
     """
     return {
-        name: 0.0 if abs(value) < NOTHING_LESS else value
+        name: 0.0 if abs(value) < NO_FIGURE else value
         for name, value in zip(names, values, strict=True)
     }
 

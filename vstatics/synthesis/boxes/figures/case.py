@@ -12,7 +12,8 @@ from vstatics.core.elements.kinds import RAVIGNEAUX
 from vstatics.core.model.parts import HOUSING, Gear, Mechanism, ShiftElement
 from vstatics.core.model.transmission import Transmission
 from vstatics.synthesis.boxes.box import HELD, FoundBox
-from vstatics.synthesis.gears.case_of_scheme import INERTIA, in_order, names_of_gears, set_name
+from vstatics.synthesis.gears.case_of_scheme import INERTIA
+from vstatics.synthesis.gears.names import in_order, names_of_gears, set_name
 from vstatics.synthesis.structures.scheme import link_name
 
 

@@ -1,20 +1,81 @@
-"""What a found box is called: the gearbox that is built."""
+"""Names of found gearboxes that are built: the names of their shipped cases.
+
+`known.jsonl` lists the shipped gearboxes; `shipped` writes it from the cases.
+"""
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
 from functools import cache
+from importlib.resources import files
 from typing import Any, NamedTuple
 
-from vstatics.core.examples import example, example_files
 from vstatics.synthesis.boxes.box import FoundBox
-from vstatics.synthesis.boxes.chosen_gears import Engaged, equal_sets
-from vstatics.synthesis.boxes.figures.built import built_box
-from vstatics.synthesis.boxes.least_form import identity, least_forms
+from vstatics.synthesis.boxes.chosen_gears import equal_sets
+from vstatics.synthesis.boxes.least_form import identity
+from vstatics.synthesis.structures.scheme import SetScheme
 
 FAR_DECIMALS = 6
 """Ratios of sets that agree in so many are the same: they may be fitted."""
+
+
+class KnownBox(NamedTuple):
+    """A shipped gearbox, in one of its forms of the least identity."""
+
+    name: str
+    """Name of its case."""
+    left_out: int
+    """Number of one-way clutches of the case, which the box does not have."""
+    box: FoundBox
+
+    @classmethod
+    def of_line(cls, line: str) -> KnownBox:
+        """Return the gearbox of a line as `line` writes it."""
+        own = json.loads(line)
+        sets, elements, gears = (
+            tuple(tuple(entry) for entry in own[key]) for key in ("sets", "elements", "gears")
+        )
+        box = FoundBox(
+            SetScheme(sets),
+            own["held"],
+            own["input"],
+            own["output"],
+            elements,
+            tuple(own["ratios"]),
+            gears,
+            0.0,
+        )
+        return cls(own["name"], own["left_out"], box)
+
+    def line(self) -> str:
+        """Return the gearbox as a line of JSON.
+
+        >>> box = FoundBox(SetScheme(((0, 1, 2),)), None, 0, 1, ((2, -1),), (-2.0,), ((0,),), 0.0)
+        >>> known = KnownBox("reduction", 0, box)
+        >>> KnownBox.of_line(known.line()) == known
+        True
+        """
+        box = self.box
+        own = {
+            "name": self.name,
+            "left_out": self.left_out,
+            "sets": box.scheme.sets,
+            "held": box.held,
+            "input": box.input,
+            "output": box.output,
+            "elements": box.elements,
+            "ratios": box.ratios,
+            "gears": box.gears,
+        }
+        return f"{json.dumps(own)}\n"
+
+    def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
+        """Return the order among gearboxes of one identity: the least has the nearest ratios."""
+        pairs = zip(ratios, self.box.ratios, strict=True)
+        far = math.fsum(abs(math.log(ratio / known)) for ratio, known in pairs)
+        return round(far, FAR_DECIMALS), self.left_out, self.name
 
 
 def known_name(box: FoundBox) -> str | None:
@@ -30,45 +91,28 @@ def known_name(box: FoundBox) -> str | None:
 
     Examples
     --------
+    >>> from vstatics.core.examples import example
+    >>> from vstatics.synthesis.boxes.figures.built import built_box
     >>> from vstatics.synthesis.boxes.least_form import least_box
     >>> known_name(least_box(built_box(example("gm-6t70"))))
     'gm-6t70'
     """
-    cases = _known().get(identity(box))
-    if not cases:
+    known = _known().get(identity(box))
+    if not known:
         return None
     choices = equal_sets(box)
-    same = [one for one in cases if all(not one.gears.isdisjoint(sets) for sets in choices)]
-    return min((one.rank(box.ratios) for one in same), default=(0.0, 0, None))[-1]
-
-
-class _KnownBox(NamedTuple):
-    """A shipped case as a box, in one of its forms."""
-
-    name: str
-    gears: frozenset[Engaged]
-    ratios: tuple[float, ...]
-    left_out: int
-    """One-way clutches that the box has not."""
-
-    def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
-        """The less the more it is a box of such ratios: how far its own are from them first."""
-        pairs = zip(ratios, self.ratios, strict=True)
-        far = math.fsum(abs(math.log(one / other)) for one, other in pairs)
-        return round(far, FAR_DECIMALS), self.left_out, self.name
+    same = [
+        case for case in known if all(not set(case.box.gears).isdisjoint(sets) for sets in choices)
+    ]
+    return min((case.rank(box.ratios) for case in same), default=(0.0, 0, None))[-1]
 
 
 @cache
-def _known() -> Mapping[tuple[Any, ...], list[_KnownBox]]:
-    """The shipped cases that are boxes, by their identity."""
-    found: dict[tuple[Any, ...], list[_KnownBox]] = {}
-    for name in example_files():
-        if "/" in name:  # a scenario
-            continue
-        case = example(name)
-        box = built_box(case)
-        for form in least_forms(box) if box else ():
-            left_out = len(case.shift_elements) - len(form.elements)
-            own = _KnownBox(name, frozenset(form.gears), form.ratios, left_out)
-            found.setdefault(identity(form), []).append(own)
+def _known() -> Mapping[tuple[Any, ...], list[KnownBox]]:
+    """Return the shipped gearboxes by their identity."""
+    found: dict[tuple[Any, ...], list[KnownBox]] = {}
+    table = files(__package__) / "known.jsonl"
+    for line in table.read_text(encoding="utf-8").splitlines():
+        known = KnownBox.of_line(line)
+        found.setdefault(identity(known.box), []).append(known)
     return found

@@ -42,7 +42,7 @@ from vstatics.synthesis.boxes.figures.known import known_name
 from vstatics.synthesis.boxes.figures.planar import box_is_planar
 from vstatics.synthesis.boxes.figures.shifting import beyond, one_way, reversing, skip_shifts
 from vstatics.synthesis.boxes.least_form import least_box
-from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears, set_name
+from vstatics.synthesis.gears.names import in_order, names_of_gears, set_name
 from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import NO_LOAD
 

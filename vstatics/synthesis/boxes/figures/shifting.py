@@ -9,7 +9,7 @@ from itertools import combinations
 from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.chosen_gears import set_ratios
 from vstatics.synthesis.boxes.figures.by_gear import GearFigures
-from vstatics.synthesis.gears.case_of_scheme import in_order
+from vstatics.synthesis.gears.names import in_order
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 

@@ -18,6 +18,7 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.tolerances import CELL_ROUNDING
 
 NARROW_CELL = 1.001
 """A cell is not halved further along a ratio whose bounds are so near. [-]"""
@@ -25,8 +26,6 @@ MOST_SWEEPS = 4
 """So often a cell is made less by all targets in turn."""
 LESS = 0.8
 """It goes on where less than this share of it is left along a ratio. [-]"""
-ROUNDING = 1e-12
-"""A share that is cut off is so much less. [-]"""
 
 
 class RatioCells(NamedTuple):
@@ -212,14 +211,14 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
             if corner & bit and slack[corner] >= 0:
                 other = slack[corner ^ bit]
                 first = min(first, other / (other - slack[corner]))
-        first = max(first - ROUNDING, 0.0)
+        first = max(first - CELL_ROUNDING, 0.0)
     elif there < 0:
         last = 0.0
         for corner in range(len(slack)):
             if corner & bit and slack[corner ^ bit] >= 0:
                 other = slack[corner ^ bit]
                 last = max(last, other / (other - slack[corner]))
-        last = min(last + ROUNDING, 1.0)
+        last = min(last + CELL_ROUNDING, 1.0)
     return first, last
 
 

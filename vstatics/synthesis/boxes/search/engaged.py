@@ -75,48 +75,6 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
     return number
 
 
-@compiled
-def all_used(
-    ratio_of: Integers, used: Integers, chosen: Integers, came: Integers, gears: Integers
-) -> bool:
-    """Whether gears of the chosen ratios can be such that all elements are used.
-
-    Target by target it is noted which elements may be in use, as bits, and how.
-
-    Parameters
-    ----------
-    ratio_of : array, shape (combinations of a set,)
-        The ratio of each, below 0 of none.
-    used : array, shape (combinations of a set,)
-        The places of elements that each uses, as bits.
-    chosen : array, shape (targets,)
-        The ratio of each target.
-    came : array, shape (targets + 1, 2**size)
-        Scratch.
-    gears : array, shape (targets,)
-        Takes the combination of each target.
-    """
-    every, count, subsets = came.shape[1] - 1, len(chosen), len(ratio_of)
-    came[:] = -1
-    came[0, 0] = 0
-    for target in range(count):
-        for state in range(every + 1):
-            if came[target, state] >= 0:
-                for subset in range(subsets):
-                    if ratio_of[subset] == chosen[target]:
-                        after = state | used[subset]
-                        if came[target + 1, after] < 0:
-                            came[target + 1, after] = state * subsets + subset
-    if came[count, every] < 0:
-        return False
-    state = every
-    for target in range(count - 1, -1, -1):
-        step = came[target + 1, state]
-        gears[target] = step % subsets
-        state = step // subsets
-    return True
-
-
 class GearSpeeds(NamedTuple):
     """The different speeds that gears of a scheme can have."""
 

@@ -10,7 +10,7 @@ from vstatics.core.cli.shared.values import named, pair, separated, told, wrong_
 from vstatics.core.errors import nearest, quoted, spoken
 from vstatics.core.readers.named.scalars import number
 from vstatics.synthesis.boxes.box import COARSEST
-from vstatics.synthesis.gears.case_of_scheme import in_order, names_of_gears
+from vstatics.synthesis.gears.names import in_order, names_of_gears
 
 
 class WantedRatio(NamedTuple):

@@ -30,10 +30,9 @@ from vstatics.synthesis.tolerances import (
     LEAST_BOX_DAMPING,
     LEAST_BOX_STEP,
     LEAST_GAIN,
+    NARROWEST_RANGE,
 )
 
-NARROWEST = 1e-5
-"""Half the width of a range of one value. [-]"""
 UNIT = 0.1
 """In place of the half-width of what has no middle. [-]"""
 
@@ -101,7 +100,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
             least, most = wanted.spread if row == targets else wanted.steps
             middle, low, high = least, 0.0, math.inf
             if most < math.inf:
-                middle, half = 0.5 * (least + most), max(0.5 * (most - least), NARROWEST)
+                middle, half = 0.5 * (least + most), max(0.5 * (most - least), NARROWEST_RANGE)
                 high, counts = 0.5 * (most - least) / half, 1.0
                 low = -high
         room.rows[row, 0] = middle

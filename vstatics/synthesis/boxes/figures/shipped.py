@@ -1,0 +1,35 @@
+"""The table of gearboxes that `known` names, from the shipped cases.
+
+Reading all cases takes longer than most searches, so the table is a file: `make known`.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+
+from vstatics.core.examples import example, example_files
+from vstatics.core.jobs.files import replace
+from vstatics.synthesis.boxes.figures.built import built_box
+from vstatics.synthesis.boxes.figures.known import KnownBox
+from vstatics.synthesis.boxes.least_form import least_forms
+
+
+def shipped_boxes() -> Iterator[KnownBox]:
+    """Yield all shipped cases that are gearboxes, in each form of the least identity."""
+    for name in example_files():
+        if "/" in name:  # a scenario
+            continue
+        case = example(name)
+        box = built_box(case)
+        for form in least_forms(box) if box else ():
+            yield KnownBox(name, len(case.shift_elements) - len(form.elements), form)
+
+
+def table() -> str:
+    """Return the text of `known.jsonl`."""
+    return "".join(known.line() for known in shipped_boxes())
+
+
+if __name__ == "__main__":
+    replace(sys.argv[1], table().encode())
