@@ -45,7 +45,7 @@ STANDING_ELSEWHERE = {
     "vehicle.duty_file": "core.summary",
     **{f"{annex}.pictures": "pictures" for annex in ("torsion", "simulation", "sweep")},
     **{f"{annex}.pictures": "pictures" for annex in ("synthesis", "vehicle")},
-    **{f"{annex}.report": "page.report" for annex in ("torsion", "simulation", "synthesis")},
+    **{f"{annex}.report": "pictures" for annex in ("torsion", "simulation", "synthesis")},
     **{f"{annex}.cli": "core.cli" for annex in ("pictures", "torsion", "simulation", "sweep")},
     **{f"{annex}.cli": "core.cli" for annex in ("synthesis", "vehicle", "page")},
 }

@@ -88,6 +88,21 @@ class Schema(NamedTuple):
     """Whether the type is that of each document of a file, or of the file as a whole."""
 
 
+class ReportPart(NamedTuple):
+    """A section of the page of a case."""
+
+    name: str
+    """Its heading."""
+    module: str
+    """Module with ``has_part(case, runs=...)`` and ``part(request)``."""
+    place: int
+    """Sections stand in ascending order of their places."""
+    is_printed: bool = True
+    """Whether it is printed unless other sections are asked for."""
+    scripts: str = ""
+    """Module with the `SCRIPTS` and the `STYLE` that a page with a run has, if any."""
+
+
 class Annex(NamedTuple):
     """What an annex provides."""
 
@@ -111,6 +126,8 @@ class Annex(NamedTuple):
     """Kind of documents other than cases -> what commands can do with it."""
     schemas: Mapping[str, Schema] = MappingProxyType({})
     """Name of a file of `schemas/` -> the type that it describes."""
+    report: Mapping[str, ReportPart] = MappingProxyType({})
+    """Word that chooses a section of the page of a case -> the section."""
 
 
 @cache
@@ -192,3 +209,9 @@ def not_installed(what: str, annex: str) -> str:
     'omega belongs to vstatics.torsion, which is not installed here'
     """
     return f"{what} belongs to vstatics.{annex}, which is not installed here"
+
+
+@cache
+def report_parts() -> Mapping[str, ReportPart]:
+    """Return the sections that annexes add to the page of a case."""
+    return {key: part for annex in annexes() for key, part in annex.report.items()}

@@ -18,4 +18,5 @@ ANNEX = Annex(
     names={
         "write_report": "vstatics.page.report.saving",
     },
+    methods={"stamped_page": "vstatics.page.report.html_page"},
 )

@@ -10,10 +10,11 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`drawing` is what all share. `flow`, `lever`, `schemes` and `plan` have kinds of pictures, and `cli`
-the command `vstatics plot`; other annexes have the pictures of their results. Records of annexes
-declare the kinds. A kind is a function ``draw(results, style, gears)`` in a module that is
-imported when its picture is drawn: matplotlib is an extra. `pair` puts two cases on one sheet.
+`drawing` is what all share. `flow`, `lever`, `schemes` and `plan` have kinds of pictures, `paged`
+has pictures within pages of HTML, and `cli` the command `vstatics plot`; other annexes have the
+pictures of their results. Records of annexes declare the kinds. A kind is a function
+``draw(results, style, gears)`` in a module that is imported when its picture is drawn: matplotlib
+is an extra. `pair` puts two cases on one sheet.
 It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
 Where gears have something in common it is ``each(results, style, shown)``, which makes this once
 for the pages of several lists of gears.
@@ -23,11 +24,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from vstatics.core.annexes import PictureKind, picture_kinds, picture_options
+from vstatics.core.annexes import PictureKind, module, picture_kinds, picture_options
 from vstatics.core.errors import spoken
 from vstatics.core.extras import require
 from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
@@ -48,7 +48,7 @@ def drawn_kinds() -> Mapping[str, PictureKind]:
 
 def module_of(kind: str) -> ModuleType:
     """Import the module that draws a kind of picture."""
-    return import_module(picture_kinds()[kind].module)
+    return module(picture_kinds()[kind].module)
 
 
 def kinds_of_runs() -> list[str]:
@@ -113,13 +113,13 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
 ) -> list[list[Figure]]:
     """The pages of each list of gears; a run has room for others in its scales."""
     require("plot", "a picture")
-    module = module_of(kind)
+    drawing = module_of(kind)
     least = picture_kinds()[kind].least_width * POINTS_PER_MILLIMETRE
     style = style._replace(width=max(style.width, least))
     with settings_of(style):
-        if hasattr(module, "each"):
-            return list(module.each(results, style, shown))
-        return [module.draw(results, style, gears, *_run(kind, motion, others)) for gears in shown]
+        if hasattr(drawing, "each"):
+            return list(drawing.each(results, style, shown))
+        return [drawing.draw(results, style, gears, *_run(kind, motion, others)) for gears in shown]
 
 
 def render(  # noqa: PLR0913 - what is drawn, and how

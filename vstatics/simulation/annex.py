@@ -1,6 +1,6 @@
 """What simulation over time provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, Schema
+from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, ReportPart, Schema
 
 ANNEX = Annex(
     name="simulation",
@@ -34,7 +34,9 @@ ANNEX = Annex(
         "motion_dataframe": "vstatics.simulation.record.columns",
         "drawn_run": "vstatics.simulation.cli.scenario_run",
         "motion_grids": "vstatics.simulation.record.tables",
+        "paired_runs": "vstatics.simulation.report.pair",
         "plot_motion": "vstatics.simulation.pictures.plotting",
+        "read_scenario": "vstatics.simulation.scenario.file",
         "run_of": "vstatics.simulation.cli.scenario_run",
     },
     own_names={
@@ -65,6 +67,14 @@ ANNEX = Annex(
             "run",
             options=("motion", "out"),
             refused={"gear": "a run goes through all gears of its scenario"},
+        ),
+    },
+    report={
+        "run": ReportPart(
+            "Run",
+            "vstatics.simulation.report.motion",
+            20,
+            scripts="vstatics.simulation.report.runs.scripts",
         ),
     },
     picture_options={"out": "only shift has columns of a run"},

@@ -23,7 +23,9 @@ ANNEX = Annex(
         "box_option": "vstatics.synthesis.cli.found_boxes",
         "calculated_boxes": "vstatics.synthesis.cli.found_boxes",
         "box_grids": "vstatics.synthesis.boxes.tables",
+        "listing_in": "vstatics.synthesis.cli.found_boxes",
         "plot_boxes": "vstatics.synthesis.cli.found_boxes",
+        "report_boxes": "vstatics.synthesis.cli.found_boxes",
     },
     groups={
         "synth": {

@@ -1,6 +1,6 @@
 """What torsional vibration provides to the program."""
 
-from vstatics.core.annexes import Annex, Command, PictureKind, Schema
+from vstatics.core.annexes import Annex, Command, PictureKind, ReportPart, Schema
 
 ANNEX = Annex(
     name="torsion",
@@ -110,6 +110,7 @@ ANNEX = Annex(
             least_width=135.0,
         ),
     },
+    report={"vibration": ReportPart("Vibration", "vstatics.torsion.report.vibration", 110)},
     picture_options={
         "orders": "only {kinds} have orders",
         "speed": "only {kinds} are over a speed",

@@ -33,7 +33,11 @@ ANNEX = Annex(
         "resized": "vstatics.vehicle.damage.resize",
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
-    methods={"performance": "vstatics.vehicle.operation.traction"},
+    methods={
+        "driven_duty": "vstatics.vehicle.cli.duty",
+        "duty_options": "vstatics.vehicle.cli.duty",
+        "performance": "vstatics.vehicle.operation.traction",
+    },
     groups={
         "damage": {
             "record": (

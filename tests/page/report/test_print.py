@@ -13,8 +13,9 @@ from tests.page.report.printed import PrintedSheet, printed
 from vstatics import load, solve
 from vstatics.core.tables.html import Markup
 from vstatics.page.report.asked import AskedPage
-from vstatics.page.report.page_pictures import Drawn, pictures
+from vstatics.page.report.page_pictures import pictures
 from vstatics.page.report.parts import on_paper, side_by_side
+from vstatics.pictures.paged.drawn import Drawn
 
 SCENARIOS = [
     path for path in sorted((CASES / "scenarios").glob("*.yaml")) if "samples" not in path.name

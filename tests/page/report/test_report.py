@@ -346,7 +346,7 @@ def test_a_picture_that_does_not_suit_is_left_out_and_told(monkeypatch: pytest.M
     def refuse(*_: object, **_of: object) -> bytes:
         raise CaseError("E234", "nothing <moves>")
 
-    monkeypatch.setattr("vstatics.page.report.page_pictures.pages", refuse)
+    monkeypatch.setattr("vstatics.pictures.paged.drawn.pages", refuse)
     shown = Page(page(gather(solve(load(CASES / "differential.yaml")))))
     assert any("not drawn. nothing <moves> [E234]" in one.text for one in shown.all("p"))
 

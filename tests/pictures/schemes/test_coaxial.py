@@ -295,18 +295,10 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
     assert max(levels) == round(max(y for lines in own.values() for *_, y in lines))
 
 
-def half() -> Style:
-    """Return the style of a picture in half the width of a page of HTML."""
-    from vstatics.page.report.page_pictures import HALF
-
-    return HALF
-
-
-@pytest.mark.parametrize("width", ["page", pytest.param("half", marks=needs("page")), "narrow"])
+@pytest.mark.parametrize("width", ["page", "half", "narrow"])
 @pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
-    styles = {"page": Style(), "narrow": Style(width=320.0, wheels=True)}
-    style = half() if width == "half" else styles[width]
+    style = {"page": Style(), "half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
     cases = [vstatics.solve(vstatics.load(SHIPPED / f"{name}.yaml")) for name in names]
     pages = measured(browser, [render(one, "stick", "svg", style, [1]) for one in cases])
     for name, page in zip(names, pages, strict=True):

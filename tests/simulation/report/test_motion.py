@@ -19,13 +19,13 @@ from vstatics.core.tables.grid import Column, Grid, Row, exact, text
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import Naming, gather
 from vstatics.page.report.saving import write_report
-from vstatics.simulation.report.motion import RunSection, in_figures, shown_run
+from vstatics.simulation.report.motion import RunSection, in_figures
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-lock.yaml"
 
 
 def test_a_run_has_its_events_energy_and_torques() -> None:
-    shown = Page("".join(shown_run(RunSection(run()), None)))
+    shown = Page("".join(RunSection(run()).shown(None)))
     assert list(shown.table("Events")) == [f"{LOCK:.4f}"]
     assert value(shown.table("Energy")["brake"]["energy [J]"]) == 858.815102
     assert value(shown.table("Largest torques")["brake"]["torque [N*m]"]) == -120.0
@@ -45,7 +45,7 @@ def test_why_a_run_stopped_and_what_is_to_be_said_of_it_are_told() -> None:
     motion = run()._replace(
         stopped=Problem("E608", "stopped at <b>3 s\x1b"), messages=(Message("N601", "a & b"),)
     )
-    text = "".join(shown_run(RunSection(motion), None))
+    text = "".join(RunSection(motion).shown(None))
     assert "The run stopped: stopped at &lt;b&gt;3 s\\u001b [E608]" in text
     assert "note: a &amp; b [N601]" in text
 

@@ -28,7 +28,7 @@ class _AnnotationNames(dict[str, Any]):
     def __missing__(self, name: str) -> Any:
         if name in self.module:
             return self.module[name]
-        if name in self.classes:
+        if self.classes.get(name):
             return getattr(import_module(self.classes[name]), name)
         for holder in (builtins, collections.abc, typing):
             if hasattr(holder, name):

@@ -3,30 +3,62 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import NamedTuple, Protocol
 
 import click
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import gathered, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import each, named, separated, value
+from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
 from vstatics.core.texts import Language, speaking
+from vstatics.page.cli.scenarios import naming_of, run_of
 from vstatics.page.report.asked import SECTIONS, AskedPage, section
-from vstatics.simulation.cli.scenario_run import naming_of, run_of
-from vstatics.synthesis.cli.found_boxes import listing_in, report_boxes
-from vstatics.vehicle.cli import duty as duty_cycles
-from vstatics.vehicle.cli.duty import DutyOptions
 
-if TYPE_CHECKING:
-    from vstatics.vehicle.duty_file import DutyFile, DutyTable
+
+class AskedDuty(Protocol):
+    """Options of a duty cycle, as their annex has them."""
+
+    @property
+    def files(self) -> list[str]:
+        """The file, if it is given."""
+
+    def read(self) -> object | None:
+        """Return the duty cycle, if there is one, for `driven_duty` of its annex."""
+
+
+class PageOptions(NamedTuple):
+    """A page as it is asked for."""
+
+    asked: AskedPage
+    digits: int | None
+    lang: Language
+    settings: CaseOptions
+    duty: AskedDuty | None = None
+    """None where its annex is not installed."""
+
+    @property
+    def duty_files(self) -> list[str]:
+        """The file of the duty cycle, if it is given."""
+        return self.duty.files if self.duty else []
+
+
+def _duty_options(command: Callable[..., int]) -> Callable[..., int]:
+    """Add the options of a duty cycle if their annex is installed."""
+    if module_of_method("duty_options"):
+        with_options: Callable[..., int] = higher("duty_options")(command)
+        return with_options
+    return command
 
 
 @click.command()
@@ -42,45 +74,41 @@ if TYPE_CHECKING:
     is_eager=True,
     help="Serve the page of one case, as `vstatics serve` does, which follows its file.",
 )
-@click.option(
-    "--sections",
-    metavar="NAME,...",
-    multiple=True,
-    callback=value(each(section)),
-    help=f"These only, on the screen and in print: {', '.join(SECTIONS)}.",
+@gathered(
+    "page",
+    PageOptions,
+    gathered(
+        "asked",
+        AskedPage,
+        click.option(
+            "--sections",
+            metavar="NAME,...",
+            multiple=True,
+            callback=value(each(section)),
+            help=f"These only, on the screen and in print: {', '.join(SECTIONS)}.",
+        ),
+        click.option(
+            "--gears",
+            metavar="G,...",
+            multiple=True,
+            callback=value(separated),
+            help="Of these gears only, by names or numbers.",
+        ),
+        click.option("--all", "prints_all", is_flag=True, help="Print all that the screen shows."),
+        click.option(
+            "--stamp",
+            metavar="NAME=TEXT,...",
+            multiple=True,
+            callback=value(named("NAME=TEXT", str)),
+            help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
+        ),
+    ),
+    _duty_options,
+    formats.digits,
+    arguments.language("the words of the page, but not of names and messages"),
+    arguments.settings,
 )
-@click.option(
-    "--gears",
-    metavar="G,...",
-    multiple=True,
-    callback=value(separated),
-    help="Of these gears only, by names or numbers.",
-)
-@click.option("--all", "prints_all", is_flag=True, help="Print all that the screen shows.")
-@click.option(
-    "--stamp",
-    metavar="NAME=TEXT,...",
-    multiple=True,
-    callback=value(named("NAME=TEXT", str)),
-    help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
-)
-@duty_cycles.options
-@formats.digits
-@arguments.language("the words of the page, but not of names and messages")
-@arguments.settings
-def report(
-    cases: tuple[str, ...],
-    output: str | None,
-    watch: bool,
-    sections: tuple[str, ...],
-    gears: list[str],
-    prints_all: bool,
-    stamp: dict[str, str],
-    duty: DutyOptions,
-    digits: int | None,
-    lang: Language,
-    settings: CaseOptions,
-) -> int:
+def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOptions) -> int:
     """Write each CASE and its results as one page of HTML; - is standard input.
 
     A scenario may stand for its case; then the page has its run, too. For what `synth box -f
@@ -115,97 +143,102 @@ def report(
     \b
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
+    asked, settings = page.asked, page.settings
     refuse(
-        (sections and prints_all, "--sections: what it names is printed, without --all"),
+        (
+            asked.sections and asked.prints_all,
+            "--sections: what it names is printed, without --all",
+        ),
     )
-    parts = sections or gears or prints_all or duty.duty
+    parts = asked.sections or asked.gears or asked.prints_all or page.duty_files
     own = "--sections, --gears, --all, --duty"
     if watch:
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
             (
-                parts or stamp or output,
+                parts or asked.stamp or output,
                 "--watch: it serves the whole page, without -o and a choice of parts",
             ),
         )
         from vstatics.page.cli.serve import serve_page
 
-        return serve_page(cases[0], digits, lang, settings)
+        return serve_page(cases[0], page.digits, page.lang, settings)
     assert output is not None  # noqa: S101 - it is required
-    settings = settings.on_page
     to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
-    if len(cases) == 1 and (found := listing_in(cases[0])):
+    if len(cases) == 1 and (found := _listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
         refuse((parts, f"{own}: found boxes have a page of their own"))
-        with speaking(lang):
-            return report_boxes(*found, cases[0], output, digits, stamp)
+        with speaking(page.lang):
+            status: int = higher("report_boxes")(
+                *found, cases[0], output, page.digits, page.asked.stamp
+            )
+            return status
+    takes = settings.on_page._replace(scenarios=True, of_runs=True)
     if len(cases) == 2 and not to.is_folder:
         refuse((parts, f"{own}: two cases have a page of their own"))
-        with speaking(lang):
-            options = settings._replace(scenarios=True, of_runs=True)
-            return _report_two(cases, output, digits, stamp, options)
-    asked = AskedPage(sections, gears, prints_all, stamp)
-    to = to._replace(style=TextStyle(lang))
-    quiet = settings.telling.quiet
-    files.spare(duty.files, to.output)
-    show = partial(_shown, digits=digits, quiet=quiet, asked=asked, cycle=duty.read())
-    options = settings._replace(scenarios=True, of_runs=True)
-    return carry_out(Job("report", options, to, show), cases, others=duty.files)
+        with speaking(page.lang):
+            return _report_two(cases, output, page._replace(settings=takes))
+    to = to._replace(style=TextStyle(page.lang))
+    files.spare(page.duty_files, to.output)
+    cycle = page.duty.read() if page.duty else None
+    show = partial(_shown, page=page, cycle=cycle)
+    return carry_out(Job("report", takes, to, show), cases, others=page.duty_files)
 
 
-def _report_two(
-    cases: tuple[str, ...],
-    output: str,
-    digits: int | None,
-    stamp: dict[str, str],
-    settings: CaseOptions,
-) -> int:
+def _listing_in(file: str) -> tuple[object, object] | None:
+    """Return the found boxes that a file lists, and its document; nothing of another file."""
+    if not module_of_method("listing_in"):
+        return None
+    found: tuple[object, object] | None = higher("listing_in")(file)
+    return found
+
+
+def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
     """Write the page of two cases; the exit status."""
     both, failed = [], False
-    for label, outcome in zip("AB", arguments.calculate(cases, settings), strict=True):
+    for label, outcome in zip("AB", arguments.calculate(cases, page.settings), strict=True):
         failed |= outcome.failed
         if outcome.results is not None:
             from vstatics.page.report.pair.paged import paged
 
             file = os.path.basename(outcome.file)  # noqa: PTH119
-            naming, run = naming_of(outcome), run_of(outcome)
-            both.append(paged(label, outcome.results, file, outcome.problems, digits, naming, run))
+            told = naming_of(outcome), run_of(outcome)
+            own = label, outcome.results, file, outcome.problems, page.digits
+            both.append(paged(*own, *told))
     if len(both) == len(cases):
         from vstatics.page.report.pair.page import pair_page
 
-        files.write_pages([pair_page(both, stamp).encode(errors="backslashreplace")], output)
+        shown = pair_page(both, page.asked.stamp)
+        files.write_pages([shown.encode(errors="backslashreplace")], output)
     return FAILED if failed else DONE
 
 
 def _shown(
-    outcome: CalculatedCase,
-    results: Results,
-    digits: int | None,
-    quiet: bool,
-    asked: AskedPage,
-    *,
-    cycle: DutyFile | DutyTable | None,
+    outcome: CalculatedCase, results: Results, page: PageOptions, cycle: object | None
 ) -> texts.CaseOutput:
     """The page of a case."""
+    asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
-    driven = None if cycle is None else cycle.of(results)
-    found = duty_cycles.doubts(driven, outcome.file)
+    driven, found = None, []
+    if cycle is not None:
+        driven, found = higher("driven_duty")(cycle, results, outcome.file)
 
     def html(_: str | None) -> str:
-        from vstatics.page.report.html_page import page
+        from vstatics.page.report.html_page import page as whole
         from vstatics.page.report.material import gather
 
         run, naming = run_of(outcome), naming_of(outcome)
         told = [*outcome.problems, *found]
-        material = gather(results, told, digits, run, naming, asked=own)
+        material = gather(results, told, page.digits, run, naming, asked=own)
         material = material._replace(summary=material.summary._replace(cycle=driven))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
-        if material.vibration and material.vibration.without and not quiet:
-            files.say(f"vstatics report: no vibration: {material.vibration.without}")
-        return page(material)
+        for key, part in material.parts.items():
+            if part.without and not quiet:
+                files.say(f"vstatics report: no {key}: {part.without}")
+        return whole(material)
 
     return texts.CaseOutput([], {"html": html}, problems=found)

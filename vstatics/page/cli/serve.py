@@ -12,14 +12,16 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import documents, files, formats
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions, calculate_one
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.errors import ReadError, of_file
+from vstatics.core.extras import higher
 from vstatics.core.jobs.stopping import ENDING
 from vstatics.core.texts import Language, speaking
-from vstatics.simulation.cli.scenario_run import run_of
+from vstatics.page.cli.scenarios import naming_of, run_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
     from vstatics.page.serve.document_fields import Texts
     from vstatics.page.serve.server import PageServer
     from vstatics.page.serve.states import Calculated
-    from vstatics.simulation.record.motion import Motion
+    from vstatics.pictures.runs import PicturedRun
 
 TOKEN_BYTES = 24
 """Of the secret part of the address, which has four characters for three of them."""
@@ -142,7 +144,6 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
     """A case or a scenario as its files are, but with other texts in place of some."""
     from vstatics.core.readers.named.csv_files import noted_files
     from vstatics.page.serve.states import Calculated
-    from vstatics.simulation.cli.scenario_run import naming_of
 
     known, named = _read(file, texts)
     with noted_files() as noted:
@@ -167,19 +168,17 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
 
 def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
     """The documents as far as they can be read, a scenario first, and the names of all."""
-    from vstatics.simulation.scenario.file import read_scenario
-
     known, named = {}, [file]
     with contextlib.suppress(ReadError):  # whoever calculates says why
         known[file] = texts.get(file) or files.read_input(file, regular=True)[0]
-        if documents.is_a("scenario", known[file], file):
-            case = read_scenario(known[file], file).case_file
+        if documents.is_a("scenario", known[file], file) and module_of_method("read_scenario"):
+            case = higher("read_scenario")(known[file], file).case_file
             if case:
                 named.append(case)
                 known[case] = texts.get(case) or files.read_input(case, regular=True)[0]
     return known, named
 
 
-def _run_once(outcome: CalculatedCase) -> Callable[[], Motion | None]:
+def _run_once(outcome: CalculatedCase) -> Callable[[], PicturedRun | None]:
     """The run of a scenario, calculated when it is asked for, and then kept."""
     return cache(partial(run_of, outcome))

@@ -5,30 +5,31 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.core.annexes import report_parts
 from vstatics.core.errors import nearest
 from vstatics.core.tables.grid import Grid
 
-SECTIONS = {
-    "overview": "Overview",
-    "run": "Run",
-    "gears": "Gears",
-    "flow": "Power flow",
-    "lever": "Lever diagram",
-    "equations": "Equations",
-    "efficiency": "Efficiency",
-    "plan": "Kinematic plan",
-    "vehicle": "Vehicle",
-    "duty": "Duty cycle",
-    "vibration": "Vibration",
-    "largest": "Largest values",
-    "shifts": "Shifts",
-    "input": "Input",
-    "tables": "Tables",
-    "conventions": "Conventions",
-}
-"""The sections of a page by the words that choose them, in their order."""
+_PLACES = {
+    "overview": ("Overview", 10),
+    "gears": ("Gears", 30),
+    "flow": ("Power flow", 40),
+    "lever": ("Lever diagram", 50),
+    "equations": ("Equations", 60),
+    "efficiency": ("Efficiency", 70),
+    "plan": ("Kinematic plan", 80),
+    "vehicle": ("Vehicle", 90),
+    "duty": ("Duty cycle", 100),
+    "largest": ("Largest values", 120),
+    "shifts": ("Shifts", 130),
+    "input": ("Input", 140),
+    "tables": ("Tables", 150),
+    "conventions": ("Conventions", 160),
+} | {key: (part.name, part.place) for key, part in report_parts().items()}
+SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
+"""The sections of a page, of annexes too, by the words that choose them, in their order."""
 PRINTED = (
-    *("overview", "run", "gears", "flow", "efficiency", "vehicle", "duty", "vibration", "largest"),
+    *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
+    *(key for key, part in report_parts().items() if part.is_printed),
 )
 """Those that are printed where nobody asks for others."""
 
@@ -56,7 +57,7 @@ class AskedPage(NamedTuple):
     def has(self, section: str) -> bool:
         """Whether there is a section.
 
-        >>> AskedPage().has("input"), AskedPage(["run"]).has("input")
+        >>> AskedPage().has("input"), AskedPage(["flow"]).has("input")
         (True, False)
         """
         return section in (self.sections or SECTIONS)

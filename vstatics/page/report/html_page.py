@@ -12,10 +12,11 @@ from vstatics.core.tables.html import Markup, filled, joined, printed, tag
 from vstatics.core.texts import spoken, tr
 from vstatics.page.report.asked import SECTIONS
 from vstatics.page.report.material import Material
-from vstatics.page.report.page_pictures import palette, shared
-from vstatics.page.report.parts import SCREEN, chooser
-from vstatics.page.report.sections import Part, sections
+from vstatics.page.report.parts import chooser
+from vstatics.page.report.sections import sections
 from vstatics.pictures.drawing.style import FAMILIES
+from vstatics.pictures.paged.inline import palette, shared
+from vstatics.pictures.paged.parts import SCREEN, Part
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 """A browser loads nothing from anywhere."""
@@ -89,7 +90,7 @@ def page(material: Material) -> str:
         See `gather`.
     """
     case = material.results.case
-    title = material.naming.title(case.name, runs=material.run is not None)
+    title = material.naming.title(case.name, runs=material.has_run)
     parts = list(sections(material))
     return framed(title, about(material), parts, material.document, PageFrame(choice(material)))
 
@@ -151,6 +152,17 @@ def framed(
     return f"<!DOCTYPE html>\n{tag('html', head, body, **root)}\n"
 
 
+def stamped_page(
+    title: str,
+    stamp: Mapping[str, str],
+    told: Iterable[Markup],
+    parts: Sequence[Part],
+    document: dict[str, Any],
+) -> str:
+    """Return a page of another document than a case; parameters as of `framed` and `stamped`."""
+    return framed(title, [*stamped(stamp), *told], parts, document)
+
+
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
     """What a section shows below its heading, as it stands on the page of a document."""
     return printed(joined(*part.shown), _names(document.get("case")))
@@ -181,7 +193,7 @@ def about(material: Material) -> Iterator[Markup]:
     """What stands below the title of the page of a case."""
     case = material.results.case
     yield from stamped(material.asked.stamp)
-    if material.run:
+    if material.has_run:
         link = tag("a", tr(SECTIONS["run"]), href=f"#{id_of(SECTIONS['run'])}")
         said = f": {material.naming.description}" if material.naming.description else ""
         yield tag("p", filled(tr("Scenario, see {link}"), link=link), said, class_="told")

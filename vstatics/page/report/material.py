@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from types import ModuleType
 from typing import Any, NamedTuple
 
+from vstatics.core.annexes import module, report_parts
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import GearFlow
@@ -18,9 +21,9 @@ from vstatics.page.report.asked import EVERYTHING, AskedPage
 from vstatics.page.report.marks import marked
 from vstatics.page.report.page_pictures import Pictures, pictures
 from vstatics.page.report.tools.marks import with_tool_marks
-from vstatics.simulation.record.motion import Motion
-from vstatics.simulation.report.motion import RunSection, run_section
-from vstatics.torsion.report.vibration import Vibration, vibration
+from vstatics.pictures.paged.drawn import picture_of
+from vstatics.pictures.paged.parts import PagePart, PartRequest
+from vstatics.pictures.runs import PicturedRun
 
 
 class Naming(NamedTuple):
@@ -69,12 +72,10 @@ class Material(NamedTuple):
     """Of the input, then of the results."""
     without: str
     """Why there are no pictures at all, else nothing."""
-    vibration: Vibration | None = None
-    """Nothing if the case does not vibrate."""
+    parts: Mapping[str, PagePart] = {}
+    """Sections of annexes, by the words that choose them."""
     digits: int | None = None
     """After the point; None: those that suit a number."""
-    run: RunSection | None = None
-    """Of a scenario."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
     has_marks: bool = False
@@ -87,6 +88,11 @@ class Material(NamedTuple):
         return (with_tool_marks(marked(one), self.results.case) for one in grids)
 
     @property
+    def has_run(self) -> bool:
+        """Whether the page has the run of a scenario."""
+        return "run" in self.parts
+
+    @property
     def shown_flows(self) -> Sequence[GearFlow]:
         """Of the gears that are shown."""
         return [one for one in self.flows if self.asked.shows(one.gear)]
@@ -96,7 +102,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     results: Results,
     problems: Iterable[Problem] = (),
     digits: int | None = None,
-    motion: Motion | None = None,
+    motion: PicturedRun | None = None,
     naming: Naming = UNNAMED,
     *,
     asked: AskedPage = EVERYTHING,
@@ -131,6 +137,15 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
             drawn = pictures(results, asked)
         except CaseError as error:
             without, drawn = str(error), Pictures()
+    chosen = [n for n, gear in enumerate(results.case.gears, 1) if asked.shows(gear.name)]
+    request = PartRequest(
+        results,
+        partial(picture_of, results),
+        chosen if asked.gears else (),
+        motion,
+        has_pictures=not without,
+        has_marks=has_marks,
+    )
     told = []
     for one in problems:
         if not _is_among(one, results.messages):  # with its line, but not its file
@@ -144,15 +159,30 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         drawn,
         [*told, *map(str, results.messages)],
         without,
-        vibration(results, asked, has_pictures=not without) if asked.has("vibration") else None,
+        dict(_parts(request, asked)),
         digits,
-        run_section(results, motion, has_pictures=not without, moves=has_marks)
-        if motion is not None and asked.has("run")
-        else None,
         naming,
         asked,
         has_marks,
     )
+
+
+def _parts(request: PartRequest, asked: AskedPage) -> Iterator[tuple[str, PagePart]]:
+    """Yield the sections of annexes that the page has."""
+    for key in filter(asked.has, report_parts()):
+        if part := part_of(key, request._replace(in_full=asked.in_full(key))):
+            yield key, part
+
+
+def part_of(key: str, request: PartRequest) -> PagePart | None:
+    """Return a section of an annex; nothing where the case has nothing for it."""
+    part: PagePart | None = module_of_part(key).part(request)
+    return part
+
+
+def module_of_part(key: str) -> ModuleType:
+    """Import the module of a section of an annex."""
+    return module(report_parts()[key].module)
 
 
 def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:

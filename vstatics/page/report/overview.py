@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from operator import itemgetter
 
 from vstatics.core.summary.extremes import LOSSY_TORQUES, TORQUES, overall, quantity
@@ -12,8 +12,8 @@ from vstatics.core.tables.numbers import rounded
 from vstatics.core.tables.quantities import UNITS
 from vstatics.core.texts import tr
 from vstatics.page.report.material import Material
-from vstatics.page.report.parts import gear_link
 from vstatics.page.report.tools.marks import RELATIVE
+from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
 """Severities from the heaviest, and several of them."""
@@ -36,12 +36,6 @@ def alerts(messages: Sequence[str]) -> Iterator[Markup]:
         said = [tag("li", one, class_=weight) for one in _of_weight(messages, weight)]
         if said:
             yield tag("ul", *said, class_="messages", id=name)
-
-
-def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
-    """Figures in a line, each below its name."""
-    shown = (tag("div", tag("dt", name), tag("dd", said)) for name, said in facts)
-    return tag("dl", *shown, class_="overview")
 
 
 def _gears(material: Material) -> Iterator[tuple[str, str]]:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import module_of_name
 from vstatics.core.arguments import refusing
 from vstatics.core.jobs.files import replacing
 from vstatics.core.statics.results import Results, expect_one_case
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import gather
-from vstatics.simulation.record.motion import Motion
+
+if TYPE_CHECKING:
+    from vstatics.pictures.runs import PicturedRun as Motion
 
 
-@refusing()
+@refusing(Motion=module_of_name("Motion"))
 def write_report(
     results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
 ) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.flow.tables import power_grid, remarks
@@ -20,30 +19,12 @@ from vstatics.page.report.given import given
 from vstatics.page.report.marks import marked_powers
 from vstatics.page.report.material import Material
 from vstatics.page.report.overview import alerts, overview
-from vstatics.page.report.page_pictures import NAMES, OF_A_VEHICLE, Drawn
-from vstatics.page.report.parts import (
-    conventions,
-    figures,
-    gear_link,
-    in_gear,
-    of_gear,
-    on_paper,
-    on_screen,
-    side_by_side,
-)
+from vstatics.page.report.page_pictures import OF_A_VEHICLE
+from vstatics.page.report.parts import conventions, in_gear, on_paper, side_by_side
 from vstatics.page.report.sheets import flow_sheets
 from vstatics.page.report.tools.marks import marked_links
-from vstatics.simulation.report.motion import shown_run
-from vstatics.torsion.report.vibration import shown_vibration
-
-
-class Part(NamedTuple):
-    """A section of a page."""
-
-    name: str
-    shown: Sequence[Markup]
-    is_printed: bool = True
-
+from vstatics.pictures.paged.drawn import Drawn, name_of
+from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
 ALREADY = ("ETA", "ratio")
 """Columns of the results by gear that the table of gears has."""
@@ -74,23 +55,17 @@ def sections(material: Material) -> Iterator[Part]:
     others = [*material.marked(others)]
     every: dict[str, Iterable[Markup]] = {
         "overview": _overview(material),
-        "run": _run(material),
         "gears": _gears(material, gears),
         "flow": _flows(material),
         "lever": _of_gears(material, "lever"),
         "equations": _equations(material),
         **{
-            kind: figures(pictures[kind], tr(NAMES[kind]), captioned=False)
+            kind: figures(pictures[kind], name_of(kind), captioned=False)
             for kind in ("efficiency", "plan")
-            if kind in pictures and not (kind == "plan" and _has_run_plan(material))
+            if kind in pictures and not any(kind in part.drawn for part in material.parts.values())
         },
         "vehicle": _vehicle(material, others),
         "duty": tables(one for one in others if one.key in DUTY),
-        "vibration": (
-            shown_vibration(material.vibration, material.digits, has_marks=material.has_marks)
-            if material.vibration
-            else ()
-        ),
         "largest": _largest(others),
         "shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
         "input": given(
@@ -98,24 +73,12 @@ def sections(material: Material) -> Iterator[Part]:
         ),
         "tables": _tables(material, others),
         "conventions": [conventions(material.document["conventions"])],
+        **{key: part.shown(material.digits) for key, part in material.parts.items()},
     }
     for key, name in SECTIONS.items():
         inner = list(every[key]) if asked.has(key) and key in every else []
         if inner:
             yield Part(name, inner, asked.prints(key))
-
-
-def _run(material: Material) -> Iterator[Markup]:
-    if material.run:
-        in_full = material.asked.in_full("run")
-        yield from shown_run(
-            material.run, material.digits, in_full=in_full, has_marks=material.has_marks
-        )
-
-
-def _has_run_plan(material: Material) -> bool:
-    """Whether the plan stands with the run in it already."""
-    return bool(material.run and material.run.plan and material.run.plan.sheets)
 
 
 def _overview(material: Material) -> Iterator[Markup]:
@@ -127,8 +90,8 @@ def _overview(material: Material) -> Iterator[Markup]:
     if bare is None:
         yield from _of_gears(material, "stick")
     else:
-        shown = on_paper(bare, tr(NAMES[bare.kind]))
-        yield tag("div", shown, class_="bare") if material.run else shown
+        shown = on_paper(bare, name_of(bare.kind))
+        yield tag("div", shown, class_="bare") if material.has_run else shown
         yield on_screen(_of_gears(material, "stick"))
     yield from alerts(material.messages)
 
@@ -185,12 +148,12 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
     """A picture of each gear, or why there is none."""
     drawn = material.pictures.of_gears.get(kind, ())
     if drawn and not _differ(drawn):
-        yield from figures(drawn[0], tr(NAMES[drawn[0].kind]))
+        yield from figures(drawn[0], name_of(drawn[0].kind))
         return
     names = [flow.gear for flow in material.shown_flows]
     for name, one in zip(names, drawn, strict=bool(drawn)):
         section = "gear" if kind == "stick" else kind
-        shown = figures(one, in_gear(NAMES[one.kind], name), captioned=False)
+        shown = figures(one, in_gear(one.kind, name), captioned=False)
         yield of_gear(section, name, list(shown))
 
 
@@ -206,12 +169,12 @@ def _flows(material: Material) -> Iterator[Markup]:
     section = "flow" if has_stick else "gear"  # where the links to a gear lead
     whole = material.pictures.flows
     if whole is not None:
-        most = flow_sheets(has_run=bool(material.run), has_vibration=bool(material.vibration))
-        yield on_paper(whole, tr(NAMES["flow"]), most=most)
+        most = flow_sheets(len(material.parts))
+        yield on_paper(whole, name_of("flow"), most=most)
     for number, flow in enumerate(material.shown_flows):
         shown = list(_power(flow, material))
         if drawn and flow.ideal is not None:
-            name = in_gear(NAMES["flow"], flow.gear)
+            name = in_gear("flow", flow.gear)
             shown = [*figures(drawn[number], name, captioned=False), *shown]
         yield of_gear(section, flow.gear, shown, is_printed=whole is None)
 
@@ -260,7 +223,7 @@ def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
     yield from tables(one for one in summary if one.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):
-        yield from figures(drawn[kind], tr(NAMES[kind]))
+        yield from figures(drawn[kind], name_of(kind))
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:

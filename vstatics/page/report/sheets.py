@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.core.tables.html import Markup, tag
 from vstatics.core.texts import tr
-from vstatics.page.report.page_pictures import HALF, PAGE, Drawn
 from vstatics.pictures.drawing.style import PAGE_HEIGHT
+from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn
 
 MOST_SHEETS = 10
 """Of paper, for a case."""
@@ -17,7 +17,7 @@ STICK_ROOM = 1.7
 FLOW_SHEETS = 5
 """Of power flow where a case has nothing else; each of the next takes some."""
 LESS_BESIDE = 2
-"""Sheets that a run takes from those of power flow, and vibration, too."""
+"""Sheets that each section of an annex takes from those of power flow."""
 CAPTION = 22.0
 """Height of a caption with its margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)
@@ -58,9 +58,9 @@ def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
     return len(pictures)
 
 
-def flow_sheets(*, has_run: bool, has_vibration: bool) -> int:
-    """So many sheets of power flow are printed."""
-    return FLOW_SHEETS - LESS_BESIDE * (has_run + has_vibration)
+def flow_sheets(others: int) -> int:
+    """Return the number of printed sheets of power flow where annexes have so many sections."""
+    return FLOW_SHEETS - LESS_BESIDE * others
 
 
 def left_out(names: Sequence[str]) -> Iterator[Markup]:

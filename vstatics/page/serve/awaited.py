@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
+from vstatics.core.annexes import picture_kinds, report_parts
 from vstatics.core.errors import CaseError
-from vstatics.core.extras import missing
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup, joined, tag
 from vstatics.core.texts import tr
 from vstatics.page.report.asked import SECTIONS, AskedPage
-from vstatics.page.report.material import Material
-from vstatics.page.report.page_pictures import (
-    PAGE,
-    Drawn,
-    Pictures,
-    of_all_gears,
-    of_each,
-    picture_of,
-)
-from vstatics.page.report.sections import Part, sections
-from vstatics.simulation.report.motion import NOTHING, RunSection, bare_stick, moving_of, shown_run
-from vstatics.torsion.report.vibration import shown_vibration, vibrates, vibration
-
-if TYPE_CHECKING:
-    from vstatics.simulation.record.motion import Motion
+from vstatics.page.report.material import Material, module_of_part, part_of
+from vstatics.page.report.page_pictures import Pictures, of_all_gears
+from vstatics.page.report.sections import sections
+from vstatics.pictures.paged.drawn import PAGE, Drawn, bare_stick, of_each, picture_of
+from vstatics.pictures.paged.parts import Part, PartRequest
+from vstatics.pictures.runs import PicturedRun
 
 OF_GEARS = ("stick", "flow", "lever", "modes")
 """Pictures of which each gear has one."""
+OF_ALL_GEARS = ("campbell",)
+"""Pictures of sections of annexes that show all gears."""
 OF_RUN = ("shift", "plan", "stick")
-SOON, LATER = ("run", "vibration"), ("equations",)
+SOON, LATER = tuple(report_parts()), ("equations",)
 """Sections that are made behind the others: those with numbers at once, others when looked at."""
 QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
 
@@ -61,7 +53,9 @@ def _drawn(name: str, *, soon: bool = False) -> Drawn:
 def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
     """The sections in their order, those in place that are not made yet."""
     made = {part.name: part for part in sections(material)}
-    there = {"run": runs, "vibration": vibrates(material.results.case), "equations": True}
+    case = material.results.case
+    there = {key: module_of_part(key).has_part(case, runs=runs) for key in report_parts()}
+    there["equations"] = True
     for key, name in SECTIONS.items():
         if name in made:
             yield made[name]
@@ -69,7 +63,9 @@ def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
             yield Part(name, [awaited(key, soon=key in SOON)])
 
 
-def awaited_part(name: str, material: Material, run: Callable[[], Motion | None]) -> Markup | None:
+def awaited_part(
+    name: str, material: Material, run: Callable[[], PicturedRun | None]
+) -> Markup | None:
     """What was awaited, by its name; None if nothing has that name.
 
     Parameters
@@ -85,34 +81,37 @@ def awaited_part(name: str, material: Material, run: Callable[[], Motion | None]
         return tag("p", tr("Not made: {why}", why=" ".join(str(error).split())), class_="error")
 
 
-def _section(name: str, material: Material, run: Callable[[], Motion | None]) -> Markup | None:
+def _section(name: str, material: Material, run: Callable[[], PicturedRun | None]) -> Markup | None:
     """A section, pictures in it still awaited."""
     shown: Iterable[Markup] = ()
-    if name == "run" and (motion := run()):
-        course, plan, stick = (
-            _drawn(f"run-picture:{kind}", soon=kind == "shift") for kind in OF_RUN
-        )
-        moves = NOTHING
-        if not missing("plot", "a run that moves"):
-            moves = moving_of(material.results, motion, stick)
-        section = RunSection(motion, course, plan, moves)
-        shown = shown_run(section, material.digits, in_full=True, has_marks=True)
-    elif name == "vibration":
-        shown = _vibration(material)
+    if name in report_parts():
+        motion = run() if name == "run" else None
+        request = PartRequest(material.results, _awaited_picture, motion=motion, has_marks=True)
+        if part := part_of(name, request):
+            shown = part.shown(material.digits)
     elif name == "equations":
         parts = sections(material._replace(asked=AskedPage([name])))
         shown = (one for part in parts for one in part.shown)
     return joined(*shown) or None
 
 
-def _picture(name: str, results: Results, run: Callable[[], Motion | None]) -> Markup | None:
+def _awaited_picture(
+    kind: str, gears: Sequence[int] = (), motion: PicturedRun | None = None
+) -> Drawn:
+    """The place of a picture of a section."""
+    if motion is not None:
+        return Drawn(kind, [awaited(f"run-picture:{kind}", soon=kind == "shift")])
+    return _drawn(":".join([kind, *map(str, gears)]))
+
+
+def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
     """A picture, or why it is not drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):
-        make = bare_stick if of == "stick" else partial(picture_of, kind=of)
-        drawn = make(results, motion=motion)
-    elif name in (*of_all_gears(results.case), "campbell"):
+        draw = partial(picture_of, results)
+        drawn = bare_stick(draw, motion) if of == "stick" else draw(of, motion=motion)
+    elif name in (*of_all_gears(results.case), *OF_ALL_GEARS) and name in picture_kinds():
         drawn = picture_of(results, name)
     elif kind in OF_GEARS and of in map(str, range(1, len(results.case.gears) + 1)):
         drawn = _of_gear(results, kind, int(of))
@@ -129,14 +128,3 @@ def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
     if kind == "stick" and not made.sheets:
         [made] = of_each(results, "structure", [gear], PAGE)
     return made
-
-
-def _vibration(material: Material) -> Iterator[Markup]:
-    found = vibration(material.results, material.asked, has_pictures=False)
-    if found is None:
-        return
-    gears = range(1, len(found.gears) + 1)
-    if any(gear.modes for gear in found.gears):
-        shapes = [_drawn(f"modes:{gear}") for gear in gears]
-        found = found._replace(shapes=shapes, campbell=_drawn("campbell"))
-    yield from shown_vibration(found, material.digits)

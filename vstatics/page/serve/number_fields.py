@@ -17,7 +17,7 @@ from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.tables.html import Markup, tag
 from vstatics.core.texts import spoken, tr
-from vstatics.page.report.marks import digits_of
+from vstatics.pictures.paged.marks import digits_of
 from vstatics.sweep.variants.path_numbers import case_path, known_paths, own_number_at
 from vstatics.sweep.variants.targets import OF_MECHANISM
 

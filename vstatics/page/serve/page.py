@@ -9,6 +9,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
+from vstatics.core.annexes import module, report_parts
 from vstatics.core.errors import Problem, excerpt
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup, joined, tag
@@ -25,13 +26,11 @@ from vstatics.page.report.html_page import (
     section_alone,
 )
 from vstatics.page.report.material import Material, Naming, gather
-from vstatics.page.report.parts import SCREEN
-from vstatics.page.report.sections import Part
 from vstatics.page.report.tools import toolbar
 from vstatics.page.serve import number_fields
 from vstatics.page.serve.awaited import QUICK, awaited_pictures, awaited_sections
 from vstatics.page.serve.number_fields import PageField, case_fields, shown_fields
-from vstatics.simulation.report.runs import scripts as run_scripts
+from vstatics.pictures.paged.parts import SCREEN, Part
 
 CHANGE = "Change"
 """The section of fields."""
@@ -45,12 +44,17 @@ _OWN_SCRIPTS = (number_fields.SCRIPT, _resource("patches.js"), _resource("serve.
 _STYLE = joined(toolbar.STYLE, number_fields.STYLE, _resource("serve.css"))
 
 
+_OF_RUNS = [module(part.scripts) for part in report_parts().values() if part.scripts]
+_RUN_SCRIPTS = [script for own in _OF_RUNS for script in own.SCRIPTS]
+"""Scripts of a page with a run."""
+
+
 def _hashed(script: Markup) -> str:
     digest = hashlib.sha256(in_language(script).encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"
 
 
-SCRIPTS = (SCRIPT, toolbar.SCRIPT, *run_scripts.SCRIPTS, *_OWN_SCRIPTS)
+SCRIPTS = (SCRIPT, toolbar.SCRIPT, *_RUN_SCRIPTS, *_OWN_SCRIPTS)
 """All that a page may have."""
 
 
@@ -159,8 +163,8 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
     frame = PageFrame(
         choice=chosen,
         panel=joined(toolbar.toolbar(), _panel(state)),
-        scripts=[toolbar.SCRIPT, *(run_scripts.SCRIPTS if has_run else ()), *_OWN_SCRIPTS],
-        style=joined(_STYLE, run_scripts.STYLE if has_run else ""),
+        scripts=[toolbar.SCRIPT, *(_RUN_SCRIPTS if has_run else ()), *_OWN_SCRIPTS],
+        style=joined(_STYLE, *(own.STYLE for own in _OF_RUNS if has_run)),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},
         revision=state["revision"],

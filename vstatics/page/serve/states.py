@@ -11,7 +11,6 @@ from vstatics.core.errors import Problem
 from vstatics.core.jobs.files import ChangedFileError, replacing, unwritable
 from vstatics.core.statics.results import Results
 from vstatics.page.report.material import Material, Naming
-from vstatics.page.report.sections import Part
 from vstatics.page.serve.document_fields import CaseDocuments, Texts, documents_of
 from vstatics.page.serve.number_fields import PageField
 from vstatics.page.serve.page import (
@@ -24,7 +23,8 @@ from vstatics.page.serve.page import (
     told,
 )
 from vstatics.page.serve.watched_files import digest_of, signature_of
-from vstatics.simulation.record.motion import Motion
+from vstatics.pictures.paged.parts import Part
+from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
 """So long a file in error is left to whoever may still be writing it."""
@@ -45,7 +45,7 @@ class Calculated(NamedTuple):
     """A scenario, if there is one, and then the case; what could not be read is left out."""
     files: Sequence[str] = ()
     """All that were read, or would have been."""
-    run: Callable[[], Motion | None] = lambda: None
+    run: Callable[[], PicturedRun | None] = lambda: None
     """Of a scenario; raises a `CaseError` if it can't begin."""
     is_run: bool = False
 

@@ -12,10 +12,10 @@ from vstatics.core.jobs.alone import Rules
 from vstatics.core.jobs.processes import Processes
 from vstatics.core.texts import Language, speaking
 from vstatics.page.report.html_page import shown_alone
-from vstatics.page.report.sections import Part
 from vstatics.page.serve.awaited import awaited_part
 from vstatics.page.serve.document_fields import Texts
 from vstatics.page.serve.page import material_of
+from vstatics.pictures.paged.parts import Part
 
 if TYPE_CHECKING:
     from vstatics.page.report.material import Material

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -10,12 +9,10 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase
 from vstatics.core.cli.shared.options import needs
 from vstatics.core.errors import CaseError, Problem, ReadError
-from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.simulation.scenario.file import ScenarioFile
 
 if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
-    from vstatics.page.report.material import Naming
     from vstatics.simulation.record.motion import Motion
 
 INSTANTS = 400
@@ -74,12 +71,3 @@ def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
         yield Problem(message.id, text, (), file)
     if motion.stopped is not None:
         yield read.locate(motion.stopped)
-
-
-def naming_of(outcome: CalculatedCase) -> Naming:
-    """The name of the file for what has none itself, and what happens in a scenario."""
-    from vstatics.page.report.material import Naming
-
-    path, read = outcome.file, outcome.scenario
-    file = "" if path == STDIN_NAME else os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122
-    return Naming(file) if read is None else Naming(read.name or file, read.description)

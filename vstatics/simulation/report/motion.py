@@ -7,14 +7,16 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vstatics.core.errors import printable
+from vstatics.core.extras import missing
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Cell, Column, Grid, exact
 from vstatics.core.tables.html import Markup, tables, tag
 from vstatics.core.tables.numbers import certain
 from vstatics.core.texts import tr
-from vstatics.page.report.marks import marked
-from vstatics.page.report.page_pictures import Drawn, picture_of
-from vstatics.page.report.parts import figures, on_screen
+from vstatics.pictures.paged.drawn import Drawn, bare_stick
+from vstatics.pictures.paged.marks import with_mark
+from vstatics.pictures.paged.parts import PartRequest, figures, on_screen
 from vstatics.simulation.record.motion import Motion
 
 TIME, FIGURES = 4, 5
@@ -34,25 +36,56 @@ class RunSection(NamedTuple):
     """In the kinematic plan."""
     moves: Markup = NOTHING
     """What a script moves; it takes the place of `course` on a screen."""
+    in_full: bool = False
+    """Whether its plan is printed, too."""
+    has_marks: bool = False
+    """Whether times of events say what they are, for a script."""
+    without: str = ""
+
+    @property
+    def drawn(self) -> tuple[str, ...]:
+        """The plan, if it is drawn with the run in it."""
+        return ("plan",) if self.plan and self.plan.sheets else ()
+
+    def shown(self, digits: int | None) -> Iterator[Markup]:
+        """All of it; why the run stopped, if it did, comes first."""
+        from vstatics.simulation.record.tables import motion_grids
+
+        motion = self.motion
+        if motion.stopped is not None:
+            why = printable(motion.stopped.told)
+            yield tag("p", tr("The run stopped: {why}", why=why), class_="error")
+        if motion.messages:
+            yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
+        yield self.moves
+        if self.course:
+            course = figures(self.course, tr("Run over time"))
+            yield from [tag("div", *course, class_="run-still")] if self.moves else course
+        grids = [in_figures(grid).with_digits(digits) for grid in motion_grids(motion)]
+        yield from tables(map(marked_events, grids) if self.has_marks else grids)
+        if self.plan:
+            shown = figures(self.plan, tr("Run in the kinematic plan"))
+            yield from shown if self.in_full else [on_screen(shown)]
 
 
-def run_section(
-    results: Results, motion: Motion, *, has_pictures: bool, moves: bool = False
-) -> RunSection:
-    """A run with its pictures.
+def has_part(case: Transmission, *, runs: bool) -> bool:  # noqa: ARG001
+    """Whether a page has a run."""
+    return runs
 
-    Parameters
-    ----------
-    has_pictures : bool
-        Whether anything can be drawn.
-    moves : bool
-        Whether the page has the script of a run.
-    """
-    if not has_pictures:
-        return RunSection(motion)
-    course, plan = (picture_of(results, kind, motion=motion) for kind in ("shift", "plan"))
-    moving = moving_of(results, motion, bare_stick(results, motion)) if moves else NOTHING
-    return RunSection(motion, course, plan, moving)
+
+def part(request: PartRequest) -> RunSection | None:
+    """Return a run with its pictures; nothing if there is none."""
+    motion = request.motion
+    if not isinstance(motion, Motion):
+        return None
+    section = RunSection(motion, in_full=request.in_full, has_marks=request.has_marks)
+    if not request.has_pictures:
+        return section
+    course, plan = (request.draw(kind, motion=motion) for kind in ("shift", "plan"))
+    moves = NOTHING
+    if request.has_marks and not missing("plot", "a run that moves"):
+        moves = moving_of(request.results, motion, bare_stick(request.draw, motion))
+    return section._replace(course=course, plan=plan, moves=moves)
 
 
 def moving_of(results: Results, motion: Motion, stick: Drawn) -> Markup:
@@ -70,42 +103,18 @@ def moving_of(results: Results, motion: Motion, stick: Drawn) -> Markup:
     return moving_run(results, motion, stick)
 
 
-def bare_stick(results: Results, motion: Motion) -> Drawn:
-    """The stick diagram of no gear, for a run; where there is none the structure."""
-    stick = picture_of(results, "stick", motion=motion)
-    return stick if stick.sheets else picture_of(results, "structure", motion=motion)
+def marked_events(grid: Grid) -> Grid:
+    """Return a table of events with marks on their times; other tables as they are."""
+    if grid.key != "events":
+        return grid
+    return grid._replace(rows=[_of_event(row) for row in grid.cells])
 
 
-def shown_run(
-    section: RunSection, digits: int | None, *, in_full: bool = False, has_marks: bool = False
-) -> Iterator[Markup]:
-    """All of it; why the run stopped, if it did, comes first.
-
-    Parameters
-    ----------
-    in_full : bool
-        Whether its plan is printed, too.
-    has_marks : bool
-        Whether times of events say what they are, for a script.
-    """
-    from vstatics.simulation.record.tables import motion_grids
-
-    motion = section.motion
-    if motion.stopped is not None:
-        yield tag(
-            "p", tr("The run stopped: {why}", why=printable(motion.stopped.told)), class_="error"
-        )
-    if motion.messages:
-        yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
-    yield section.moves
-    if section.course:
-        course = figures(section.course, tr("Run over time"))
-        yield from [tag("div", *course, class_="run-still")] if section.moves else course
-    grids = [in_figures(grid).with_digits(digits) for grid in motion_grids(motion)]
-    yield from tables(map(marked, grids) if has_marks else grids)
-    if section.plan:
-        shown = figures(section.plan, tr("Run in the kinematic plan"))
-        yield from shown if in_full else [on_screen(shown)]
+def _of_event(row: Sequence[Cell]) -> list[Cell]:
+    """The time of what happens, by what it happens to."""
+    time, element, event, *others = row
+    named = with_mark(time, "events", row=f"{element.text} {event.text}".strip())
+    return [named, element, event, *others]
 
 
 def in_figures(grid: Grid) -> Grid:

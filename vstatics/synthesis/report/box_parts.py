@@ -8,9 +8,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from vstatics.core.tables.grid import Cell, Column, Grid, Value, Values, exact, grid_of, sign
 from vstatics.core.tables.html import Markup, table, tables, tag
 from vstatics.core.texts import heading, tr
-from vstatics.page.report.overview import line_of
-from vstatics.page.report.page_pictures import inline
-from vstatics.page.report.parts import figure
+from vstatics.pictures.paged.inline import inline
+from vstatics.pictures.paged.parts import figure, line_of
 from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, ListedGear, Range, WantedOfBoxes
 
 

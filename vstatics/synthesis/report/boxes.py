@@ -6,19 +6,16 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from vstatics.core.annexes import module_of_method
 from vstatics.core.errors import CaseError
-from vstatics.core.extras import missing
+from vstatics.core.extras import higher, missing
 from vstatics.core.tables.answer import plain_data
 from vstatics.core.tables.html import Markup, joined, table, tag
 from vstatics.core.tables.numbers import typeset
 from vstatics.core.texts import spoken, tr
-from vstatics.page.report.asked import EVERYTHING
-from vstatics.page.report.html_page import framed, stamped
-from vstatics.page.report.overview import line_of
-from vstatics.page.report.page_pictures import inline
-from vstatics.page.report.parts import figure
-from vstatics.page.report.sections import Part
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.paged.inline import inline
+from vstatics.pictures.paged.parts import Part, figure, line_of
 from vstatics.synthesis.boxes.listing import BoxListing, WantedOfBoxes, drawn_boxes
 from vstatics.synthesis.gears.names import in_order, names_of_gears
 from vstatics.synthesis.report.box_parts import (
@@ -38,7 +35,9 @@ MOST_LISTED = 1000
 
 
 def box_pages(listing: BoxListing) -> dict[str, bytes]:
-    """Return the page of found boxes and, with the extra for it, their picture, by file name.
+    """Return the page of found boxes and their picture, by file name.
+
+    The page needs `vstatics.page`, the picture the extra for it.
 
     Parameters
     ----------
@@ -50,7 +49,9 @@ def box_pages(listing: BoxListing) -> dict[str, bytes]:
     CaseError
         If there is no box.
     """
-    pages = {"boxes.html": boxes_page(listing).encode(errors="backslashreplace")}
+    pages = {}
+    if module_of_method("stamped_page"):
+        pages["boxes.html"] = boxes_page(listing).encode(errors="backslashreplace")
     if not missing("plot", "a picture"):
         from vstatics.synthesis.pictures.picture import render_boxes
 
@@ -62,7 +63,7 @@ def boxes_page(
     listing: BoxListing,
     document: Mapping[str, Any] | None = None,
     digits: int | None = None,
-    stamp: Mapping[str, str] = EVERYTHING.stamp,
+    stamp: Mapping[str, str] | None = None,
 ) -> str:
     """The page, as HTML; without matplotlib it has no pictures.
 
@@ -95,7 +96,8 @@ def boxes_page(
     data = document or plain_data(listing._replace(boxes=()))
     boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
     listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
-    return framed(title, [*stamped(stamp), *_about(listing)], parts, listed)
+    page: str = higher("stamped_page")(title, stamp or {}, _about(listing), parts, listed)
+    return page
 
 
 def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:

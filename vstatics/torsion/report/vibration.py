@@ -12,14 +12,11 @@ from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import Mechanism, ShiftElement, Transmission
-from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Cell, Column, Grid, Values, grid_of, whole
 from vstatics.core.tables.html import Markup, table, tables, tag
 from vstatics.core.texts import tr
-from vstatics.page.report.asked import EVERYTHING, AskedPage
-from vstatics.page.report.marks import marked_frequencies
-from vstatics.page.report.page_pictures import NAMES, Drawn, picture_of
-from vstatics.page.report.parts import figures, gear_link, of_gear
+from vstatics.pictures.paged.drawn import Drawn, name_of
+from vstatics.pictures.paged.parts import PartRequest, figures, gear_link, of_gear
 
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes
@@ -37,15 +34,37 @@ class Vibration(NamedTuple):
     """Whether what is shown of each gear is printed."""
     without: str = ""
     """Why all this is left out, else nothing."""
+    drawn: tuple[str, ...] = ()
+
+    def shown(self, digits: int | None) -> Iterator[Markup]:
+        """All of it, or why it is left out."""
+        if self.without:
+            yield tag("p", tr("Left out: {why}", why=self.without))
+            return
+        said = [
+            f"{tr('gear {gear}', gear=gear.name)}: {text}"
+            for gear in self.gears
+            for text in gear.warnings
+        ]
+        if said:
+            yield tag("ul", *(tag("li", text) for text in said), class_="messages")
+        grid = frequencies(self.gears).with_digits(digits)
+        yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
+        if self.campbell:
+            yield from figures(self.campbell, name_of(self.campbell.kind))
+        for number, gear in enumerate(self.gears):
+            drawn = self.shapes[number] if self.shapes else None
+            shown = list(_gear(gear, drawn, digits))
+            yield of_gear("modes", gear.name, shown, is_printed=self.in_full)
 
 
-def vibrates(case: Transmission) -> bool:
+def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
     """Whether anything has an inertia, and anything is elastic.
 
     >>> from vstatics import Spring
     >>> spring = Spring({1: 1, 2: -1}, stiffness=100.0)
     >>> case = Transmission(2, [], [], [], springs=[spring])
-    >>> vibrates(case), vibrates(case.replace(inertias={1: 0.5}))
+    >>> has_part(case), has_part(case.replace(inertias={1: 0.5}))
     (False, True)
     """
     drawing = drawing_of(case)
@@ -55,20 +74,10 @@ def vibrates(case: Transmission) -> bool:
     return heavy and (bool(case.springs) or any(one.stiffness is not None for one in parts))
 
 
-def vibration(
-    results: Results, asked: AskedPage = EVERYTHING, *, has_pictures: bool
-) -> Vibration | None:
-    """The natural modes of a case; nothing if it does not vibrate.
-
-    Parameters
-    ----------
-    asked : AskedPage
-        Which gears are shown, and what is printed of them.
-    has_pictures : bool
-        Whether anything can be drawn.
-    """
-    case = results.case
-    if not vibrates(case):
+def part(request: PartRequest) -> Vibration | None:
+    """Return the natural modes of a case; nothing if it does not vibrate."""
+    case = request.results.case
+    if not has_part(case):
         return None
     try:
         require("torsion", "the section on vibration")
@@ -76,48 +85,17 @@ def vibration(
         return Vibration(without=str(error))
     from vstatics.torsion.vibration.gear_modes import modes
 
-    numbers = [n for n, gear in enumerate(case.gears, 1) if asked.shows(gear.name)]
-    found = [gear for gear in modes(case) if asked.shows(gear.name)]
-    if not has_pictures or not any(gear.modes for gear in found):
+    numbers = [n for n in range(1, len(case.gears) + 1) if request.shows(n)]
+    found = [gear for n, gear in enumerate(modes(case), 1) if request.shows(n)]
+    if not request.has_pictures or not any(gear.modes for gear in found):
         return Vibration(found)
-    shapes = [picture_of(results, "modes", [number]) for number in numbers]
-    campbell = picture_of(results, "campbell", numbers if asked.gears else ())
-    return Vibration(found, shapes, campbell, asked.in_full("vibration"))
+    shapes = [request.draw("modes", [number]) for number in numbers]
+    campbell = request.draw("campbell", request.gears)
+    return Vibration(found, shapes, campbell, request.in_full)
 
 
 OF_GEAR = ("frequencies", "energy")
 """Keys of the tables of a gear."""
-
-
-def shown_vibration(
-    found: Vibration, digits: int | None, *, has_marks: bool = False
-) -> Iterator[Markup]:
-    """All of it, or why it is left out.
-
-    Parameters
-    ----------
-    has_marks : bool
-        Whether frequencies say what they are, for a script.
-    """
-    if found.without:
-        yield tag("p", tr("Left out: {why}", why=found.without))
-        return
-    said = [
-        f"{tr('gear {gear}', gear=gear.name)}: {text}"
-        for gear in found.gears
-        for text in gear.warnings
-    ]
-    if said:
-        yield tag("ul", *(tag("li", text) for text in said), class_="messages")
-    grid = frequencies(found.gears).with_digits(digits)
-    grid = marked_frequencies(grid) if has_marks else grid
-    yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
-    if found.campbell:
-        yield from figures(found.campbell, tr(NAMES[found.campbell.kind]))
-    for number, gear in enumerate(found.gears):
-        drawn = found.shapes[number] if found.shapes else None
-        shown = list(_gear(gear, drawn, digits))
-        yield of_gear("modes", gear.name, shown, is_printed=found.in_full)
 
 
 def frequencies(gears: Sequence[GearModes]) -> Grid:
@@ -150,7 +128,7 @@ def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[
         yield tag("p", gear.error or tr("no natural frequency"))
         return
     if drawn:
-        yield from figures(drawn, tr(NAMES[drawn.kind]))
+        yield from figures(drawn, name_of(drawn.kind))
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
     for_one = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
     yield from tables(grid.with_digits(digits) for grid in for_one)

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.options import gathered, refuse
+from vstatics.core.cli.shared.options import Command, gathered, refuse
 from vstatics.core.cli.shared.values import above_0, value
 from vstatics.core.errors import Problem, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
+    from vstatics.core.statics.results import Results
     from vstatics.vehicle.duty import Cycle
     from vstatics.vehicle.duty_file import DutyFile, DutyTable
     from vstatics.vehicle.operation.load_spectrum import Spectrum
@@ -67,6 +68,19 @@ options = gathered(
     ),
 )
 """Both options; a command gets `duty`."""
+
+
+def duty_options(command: Command) -> Command:
+    """Add both options to a command of another annex."""
+    return options(command)
+
+
+def driven_duty(
+    duty: DutyFile | DutyTable, results: Results, file: str
+) -> tuple[Cycle | Spectrum, list[Problem]]:
+    """Return the duty cycle of a case, and what is doubtful about it."""
+    cycle = duty.of(results)
+    return cycle, doubts(cycle, file)
 
 
 def doubts(cycle: Cycle | Spectrum | None, file: str) -> list[Problem]:

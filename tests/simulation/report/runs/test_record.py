@@ -16,7 +16,7 @@ from tests.commands import CASES
 from tests.simulation.pictures.test_shift import LOCK, run
 from vstatics import load, load_scenario, simulate, solve
 from vstatics.core.numerics.arrays import Floats
-from vstatics.page.report.page_pictures import Drawn
+from vstatics.pictures.paged.drawn import Drawn
 from vstatics.simulation.record.columns import columns
 from vstatics.simulation.report.runs.instants import NEAR, chosen_instants
 from vstatics.simulation.report.runs.levers import moving_levers

@@ -15,7 +15,7 @@ from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.tables.grid import Cell, Column, Grid, text
 from vstatics.core.tables.written_results import Figure
 from vstatics.core.texts import heading, tr
-from vstatics.page.report.marks import digits_of
+from vstatics.pictures.paged.marks import digits_of
 
 DIFFERS, CHANGE = "differs", "change"
 """The class of what is not the same, and what heads a row that tells by how much."""

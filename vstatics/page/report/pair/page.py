@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.resources import files
 
+from vstatics.core.annexes import picture_kinds
 from vstatics.core.comparison.compare import compare
 from vstatics.core.comparison.layout import shown_values
 from vstatics.core.comparison.verdicts import CaseVerdict
 from vstatics.core.errors import CaseError
-from vstatics.core.extras import require
+from vstatics.core.extras import higher, require
 from vstatics.core.summary.extremes import LOSSY_TORQUES, TORQUES, overall
 from vstatics.core.summary.tables import summary_grids
 from vstatics.core.tables.grid import Cell, Grid, grid_of, text
@@ -21,14 +22,15 @@ from vstatics.page.report.asked import SECTIONS
 from vstatics.page.report.html_page import PageFrame, framed, stamped
 from vstatics.page.report.material import Material
 from vstatics.page.report.overview import alerts
-from vstatics.page.report.page_pictures import NAMES, PAGE, Drawn, in_spoken, inline
 from vstatics.page.report.pair.paged import PagedCase, merged_tables
-from vstatics.page.report.pair.runs import runs
-from vstatics.page.report.parts import conventions, figures
-from vstatics.page.report.sections import Part, gears_grid
+from vstatics.page.report.parts import conventions
+from vstatics.page.report.sections import gears_grid
 from vstatics.page.report.tools import toolbar
 from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures import pages
+from vstatics.pictures.paged.drawn import PAGE, Drawn, in_spoken, name_of
+from vstatics.pictures.paged.inline import inline
+from vstatics.pictures.paged.parts import Part, figures
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 ON_ONE_SCALE = ("steps", "efficiency")
@@ -39,7 +41,7 @@ SIGN = "Changes are by the size of A: below 0 where a number falls, so where a n
 """What the sign of a change means, as in `compare`."""
 
 
-def pair_page(both: Sequence[PagedCase], stamp: dict[str, str] | None = None) -> str:
+def pair_page(both: Sequence[PagedCase], stamp: Mapping[str, str] | None = None) -> str:
     """The page of two cases, each number of one beside that of the other.
 
     Examples
@@ -74,7 +76,7 @@ def _style() -> str:
     return (files(__package__) / "pair.css").read_text(encoding="utf-8")
 
 
-def _told(both: Sequence[PagedCase], stamp: dict[str, str]) -> Iterator[Markup]:
+def _told(both: Sequence[PagedCase], stamp: Mapping[str, str]) -> Iterator[Markup]:
     yield from stamped(stamp)
     yield terms((one.label, f"{one.title}, {one.file}") for one in both)
 
@@ -95,7 +97,7 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
     return {
         SECTIONS["overview"]: _overview(both, verdict),
         "Changes": _changes(both, verdict),
-        SECTIONS["run"]: runs(both),
+        SECTIONS.get("run", ""): _runs(both),
         SECTIONS["gears"]: [*_gears_of_one(both), table(gears, headed=False)],
         "Pictures": _pictures(both),
         SECTIONS["largest"]: tables(of(LARGEST)),
@@ -103,6 +105,16 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
         SECTIONS["tables"]: tables([*of(others), *_results(both)]),
         SECTIONS["conventions"]: [conventions(both[0].material.document["conventions"])],
     }
+
+
+def _runs(both: Sequence[PagedCase]) -> Iterator[Markup]:
+    """The runs of two scenarios, and their tables as one."""
+    if any(one.motion for one in both):
+        shown, grids = higher("paired_runs")(
+            [(one.label, one.material.results, one.motion) for one in both]
+        )
+        yield from shown
+        yield from tables(merged_tables(both, pair) for pair in grids)
 
 
 def _summary(one: PagedCase) -> dict[str, Grid]:
@@ -195,14 +207,14 @@ def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
         return
     yield tag("div", *(_stick(one) for one in both), class_="two wide")
     pair = [PairedCase(f"{one.title}, {one.file}", one.material.results) for one in both]
-    for kind in ON_ONE_SCALE:
+    for kind in filter(picture_kinds().get, ON_ONE_SCALE):
         try:
             made = pair_pages(pair, kind, "svg", in_spoken(PAGE))
         except CaseError as error:
-            yield from figures(Drawn(kind, [], " ".join(str(error).split())), tr(NAMES[kind]))
+            yield from figures(Drawn(kind, [], " ".join(str(error).split())), name_of(kind))
             continue
-        sheets = [inline(svg, f"{kind}-{n}", tr(NAMES[kind])) for n, svg in enumerate(made)]
-        yield from figures(Drawn(kind, sheets), tr(NAMES[kind]))
+        sheets = [inline(svg, f"{kind}-{n}", name_of(kind)) for n, svg in enumerate(made)]
+        yield from figures(Drawn(kind, sheets), name_of(kind))
 
 
 def _stick(one: PagedCase) -> Markup:
@@ -211,6 +223,6 @@ def _stick(one: PagedCase) -> Markup:
         kind, made = "stick", pages(one.material.results, "stick", "svg", in_spoken(PAGE))
     except CaseError:
         kind, made = "structure", pages(one.material.results, "structure", "svg", in_spoken(PAGE))
-    name = f"{one.label}: {tr(NAMES[kind])}"
+    name = f"{one.label}: {name_of(kind)}"
     sheets = [inline(svg, f"{one.label}-{kind}-{n}", name) for n, svg in enumerate(made)]
     return tag("div", *figures(Drawn(kind, sheets), name), data_case=one.label)

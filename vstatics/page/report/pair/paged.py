@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
+from vstatics.core.annexes import report_parts
 from vstatics.core.errors import Problem
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
@@ -12,7 +13,7 @@ from vstatics.page.report.asked import SECTIONS, AskedPage
 from vstatics.page.report.material import UNNAMED, Material, Naming, gather
 from vstatics.page.report.page_pictures import Pictures
 from vstatics.page.report.pair.merged import merged
-from vstatics.simulation.record.motion import Motion
+from vstatics.pictures.runs import PicturedRun
 
 NO_PICTURES = Pictures()
 
@@ -25,7 +26,7 @@ class PagedCase(NamedTuple):
     file: str
     """Its name without a path."""
     material: Material
-    motion: Motion | None = None
+    motion: PicturedRun | None = None
     """The run of a scenario."""
 
     @property
@@ -42,10 +43,10 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     problems: Iterable[Problem] = (),
     digits: int | None = None,
     naming: Naming = UNNAMED,
-    motion: Motion | None = None,
+    motion: PicturedRun | None = None,
 ) -> PagedCase:
     """A case with what its side of the page is made of; parameters as of `gather`."""
-    quick = AskedPage([key for key in SECTIONS if key != "vibration"])
+    quick = AskedPage([key for key in SECTIONS if key not in report_parts()])
     options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
     material = gather(results, problems, digits, None, naming, **options)
     return PagedCase(label, file, material, motion)

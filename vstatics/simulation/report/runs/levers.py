@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.tables.html import Markup, joined, tag
 from vstatics.core.texts import heading, tr
-from vstatics.page.report.page_pictures import PAGE, in_spoken
 from vstatics.pictures.drawing.labels import widest
 from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.lever.places import LeverCell, page_of
 from vstatics.pictures.lever.routes import LeverRow
+from vstatics.pictures.paged.drawn import PAGE, in_spoken
 
 BESIDE = 8.0
 """Between a lever, the names of its points and the speeds. [pt]"""

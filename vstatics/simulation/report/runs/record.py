@@ -12,9 +12,9 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.names import written
 from vstatics.core.texts import tr
-from vstatics.page.report.page_pictures import colour_name
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.paged.inline import colour_name
 from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.gears import element_sets, gear_pieces
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity_side, numbers_of

@@ -9,8 +9,8 @@ from typing import Any
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup, tag
 from vstatics.core.texts import heading, tr
-from vstatics.page.report.page_pictures import Drawn
-from vstatics.page.report.parts import SCREEN, figures
+from vstatics.pictures.paged.drawn import Drawn
+from vstatics.pictures.paged.parts import SCREEN, figures
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.report.runs.levers import moving_levers, moving_speeds
 from vstatics.simulation.report.runs.record import page_run, recorded

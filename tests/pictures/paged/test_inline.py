@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from vstatics.core.tables.html import Markup, tag
-from vstatics.page.report.page_pictures import shared
+from vstatics.pictures.paged.inline import shared
 
 LINE = '<path d="M0 0L1 1" fill="none" stroke="var(--ink)" />'
 SHORT = '<path d="M0 0L1 1" class="l0" />'

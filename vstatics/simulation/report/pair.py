@@ -5,29 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vstatics.core.errors import CaseError, printable
+from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid, Row, text
-from vstatics.core.tables.html import Markup, tables, tag
+from vstatics.core.tables.html import Markup, tag
 from vstatics.core.texts import tr
-from vstatics.page.report.marks import marked
-from vstatics.page.report.page_pictures import HALF, Drawn, in_spoken, inline
-from vstatics.page.report.pair.paged import PagedCase, merged_tables
-from vstatics.page.report.parts import figures
 from vstatics.pictures import pages
+from vstatics.pictures.paged.drawn import HALF, Drawn, in_spoken
+from vstatics.pictures.paged.inline import inline
+from vstatics.pictures.paged.parts import figures
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.tables import motion_grids
-from vstatics.simulation.report.motion import in_figures
+from vstatics.simulation.report.motion import in_figures, marked_events
+
+LabelledRun = tuple[str, Results, Motion | None]
+"""A letter, and a case with its run, if it has one."""
 
 
-def runs(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Runs over time, side by side, then their events, energies and torques."""
-    motions = [one.motion for one in both]
-    for one in both:
-        if one.motion and one.motion.stopped is not None:
-            why = printable(one.motion.stopped.told)
-            yield tag("p", one.label, ": ", tr("The run stopped: {why}", why=why), class_="error")
-    ends = [f"{motion.time[-1]:.6g}" for motion in motions if motion]
-    if not ends:
-        return
+def paired_runs(
+    both: Sequence[LabelledRun],
+) -> tuple[list[Markup], Iterator[list[Grid | None]]]:
+    """Return two runs over time, side by side, and each of their tables of both."""
+    return [*_shown(both)], run_grids([motion for _, _, motion in both])
+
+
+def _shown(both: Sequence[LabelledRun]) -> Iterator[Markup]:
+    for label, _, motion in both:
+        if motion and motion.stopped is not None:
+            why = printable(motion.stopped.told)
+            yield tag("p", label, ": ", tr("The run stopped: {why}", why=why), class_="error")
+    ends = [f"{motion.time[-1]:.6g}" for _, _, motion in both if motion]
     if len({*ends}) > 1:
         first, second = ends
         said = tr(
@@ -36,23 +42,20 @@ def runs(both: Sequence[PagedCase]) -> Iterator[Markup]:
             other=second,
         )
         yield tag("p", said, class_="note")
-    yield tag("div", *(_course(one, both) for one in both if one.motion), class_="two")
-    yield from tables(merged_tables(both, pair) for pair in run_grids(motions))
+    yield tag("div", *(_course(one, both) for one in both if one[-1]), class_="two")
 
 
-def _course(one: PagedCase, both: Sequence[PagedCase]) -> Markup:
+def _course(own: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
     """The picture of a run over time, with the scales of both."""
-    name = f"{one.label}: {tr('Run over time')}"
+    label, results, motion = own
+    name = f"{label}: {tr('Run over time')}"
+    others = [(case, run) for _, case, run in both if run and run is not motion]
     try:
-        others = [
-            (each.material.results, each.motion) for each in both if each is not one and each.motion
-        ]
-        own = one.material.results
-        made = pages(own, "shift", "svg", in_spoken(HALF), motion=one.motion, others=others)
+        made = pages(results, "shift", "svg", in_spoken(HALF), motion=motion, others=others)
     except CaseError as error:
         return tag("div", *figures(Drawn("shift", [], " ".join(str(error).split())), name))
-    sheets = [inline(svg, f"{one.label}-run-{n}", name) for n, svg in enumerate(made)]
-    return tag("div", *figures(Drawn("shift", sheets), name), data_case=one.label)
+    sheets = [inline(svg, f"{label}-run-{n}", name) for n, svg in enumerate(made)]
+    return tag("div", *figures(Drawn("shift", sheets), name), data_case=label)
 
 
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
@@ -70,7 +73,7 @@ def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
         shown = [in_figures(grid) if grid else None for grid in own]
         heads = {tuple(column.heading for column in grid.columns[1:]) for grid in shown if grid}
         same = shown if len(heads) == 1 else own
-        yield [_by_event(marked(_certain(grid))) if grid else None for grid in same]
+        yield [_by_event(marked_events(_certain(grid))) if grid else None for grid in same]
 
 
 def _certain(grid: Grid) -> Grid:
@@ -87,7 +90,8 @@ def _certain(grid: Grid) -> Grid:
 def _by_event(grid: Grid) -> Grid:
     """A table of events with what happens before its time.
 
-    >>> from vstatics.core.tables.grid import Column, exact
+    >>> from vstatics.core.statics.results import Results
+    from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]
     >>> _by_event(Grid("Events", columns, [[exact(0.5), "B", "locks"]], key="events")).texts
     [['B locks', '.500']]

@@ -12,9 +12,9 @@ from tests.commands import CASES, vstatics
 from tests.page.report.pages import Page
 from tests.simulation.pictures.test_shift import LOCK, run
 from vstatics.page.report.pair.merged import merged
-from vstatics.page.report.pair.runs import run_grids
 from vstatics.simulation.pictures.line_panel import range_of
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel
+from vstatics.simulation.report.pair import run_grids
 
 SCENARIO = CASES / "scenarios" / "tarasik-set-upshift.yaml"
 
