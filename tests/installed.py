@@ -39,14 +39,13 @@ NAMES = {
 }
 """The annex of each public name of the package that is not of the core."""
 FILES: dict[str, tuple[str, ...]] = {
-    "page/report/pair/test_runs.py": ("simulation",),
     "page/serve/test_bare_units.py": ("simulation",),
     "page/serve/test_random_numbers.py": ("sweep",),
     "simulation/published/test_pages.py": ("torsion",),
     "simulation/published/test_published_starts.py": ("torsion",),
     "simulation/report/runs/test_browser.py": ("page",),
-    "simulation/report/runs/test_record.py": ("page",),
     "simulation/report/test_motion.py": ("page",),
+    "simulation/report/test_pair.py": ("page",),
     "synthesis/cli/box/test_process.py": ("sweep",),
     "torsion/report/test_vibration.py": ("page",),
     "torsion/vibration/test_varied_frequencies.py": ("sweep",),

@@ -24,6 +24,7 @@ from vstatics.core.model.springs import between
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.files import settings_of, written
 from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.paged.drawn import HALF
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
