@@ -717,7 +717,7 @@ def with_field(part: type, name: str) -> Transmission:
 
 def key(case: Transmission) -> tuple[object, ...]:
     gear = case.with_all_drag(case.gears[0])
-    return (*variants._structure(case), *variants._conditions(case, gear))
+    return (*variants._case_key(case), *variants._gear_key(case, gear))
 
 
 FIELDS = [(part, name) for part, names in OTHER.items() for name in names]

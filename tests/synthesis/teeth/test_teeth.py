@@ -35,7 +35,7 @@ def rows_of(element: Element, limits: TeethLimits) -> set[tuple[int, ...]]:
     case = Transmission(links, [], [], [Gear()], drawing=Drawing(links, [element]))
     (layout,) = teeth_layouts(on_own_links(case))
     wheels = len(layout.wheels)
-    found = [rows[:, : wheels + 1] for rows in TeethRows(layout, limits).found({})]
+    found = [rows[:, : wheels + 1] for rows in TeethRows(layout, limits).pieces({})]
     return {tuple(row.tolist()) for piece in found for row in piece}
 
 

@@ -1,4 +1,4 @@
-"""Typical elements: gear wheels, planetary sets, differentials, from their teeth.
+"""Gear sets with teeth: gear pairs, planetary gear sets, differentials.
 
 >>> from vstatics.core.model.transmission import Gear, ShiftElement
 >>> links = {"sun": 1, "ring": 2, "carrier": 3}
@@ -7,11 +7,12 @@
 >>> [(mechanism.name, mechanism.ratio) for mechanism in case.mechanisms]
 [('P', -2.5)]
 
-The room for cases that are drawn rather than prepared. `kinds` declares what there is,
-`element` holds a case's elements, `keys` their keys in YAML and JSON, `group` has exact
-ratios of planets on a carrier, `lower` makes three-link mechanisms of them, `drawing` a
-transmission; `checks` and `teeth` say what cannot be. `planet_inertia` tells how masses of planets
-move, `bodies` which inertias stand for them, for vibration and motion.
+This room is for cases that are drawn as gear sets instead of given as three-link mechanisms.
+`kinds` declares the kinds of gear sets, `element` holds the gear sets of a case, `keys` their keys
+in YAML and JSON, `group` gives exact ratios of planets on a carrier, `lower` converts gear sets to
+three-link mechanisms, and `drawing` makes a transmission of them. `checks` and `teeth` report
+impossible and doubtful gear sets; `planet_inertia` gives the motion of planet masses,
+`bodies` the inertias that represent them, for vibration and motion.
 """
 
 from vstatics.core.elements.drawing import Drawing, transmission

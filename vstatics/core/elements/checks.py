@@ -1,9 +1,7 @@
-"""What elements must fulfil before they become mechanisms; problems with paths.
+"""Checks of gear sets before the conversion to mechanisms; problems have paths.
 
-The reader has seen to keys and kinds of values. Conditions on the geometry of teeth,
-which leave a case calculable, are in `teeth`.
-
-What the stiffness of an element and the masses of its planets must fulfil.
+The reader has checked keys and types of values. Conditions on the geometry of teeth, without which
+a case can still be calculated, are in `teeth`. Stiffnesses and planet masses are checked here.
 """
 
 from __future__ import annotations
@@ -26,22 +24,22 @@ from vstatics.core.model.torsional_checks import not_negative, of_elastic
 
 
 def problems(drawing: DrawingFields) -> Iterator[Problem]:
-    """Every error of the elements, in their order."""
+    """Yield every error of the gear sets, in their order."""
     yield from _mesh_efficiency(drawing.mesh_efficiency, ())
     yield from _friction(drawing)
     for number, element in enumerate(drawing.elements, 1):
         path = ("elements", number)
-        found = [*_problems(element, path)]
-        yield from found
-        if not found and isinstance(element.shape, Planetary):
-            found = [*group_checks.whole(element, path)]
-            yield from found
-        if not found and _is_torsional(element):
+        errors = [*_problems(element, path)]
+        yield from errors
+        if not errors and isinstance(element.shape, Planetary):
+            errors = [*group_checks.whole(element, path)]
+            yield from errors
+        if not errors and _is_torsional(element):
             yield from whole(element, drawing, path)
 
 
 def hints(drawing: DrawingFields) -> Iterator[Problem]:
-    """Wheels that are left out or alike, planets that are shared, what has no loss."""
+    """Yield notes on unused or equal gears, shared planets and missing losses."""
     for number, element in enumerate(drawing.elements, 1):
         if element.kind in ("belt", "chain") and element.efficiency is None:
             message = "there is no `efficiency`: belts and chains have no default, so no loss"
@@ -63,7 +61,7 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Wheels that turn alike, by a ratio of 1 between them."""
+    """Note central gears with a ratio of 1 between them."""
     for train in group.trains:
         seen: dict[Fraction, str] = {}
         for wheel in group.wheels_of(train):
@@ -77,11 +75,16 @@ def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
 
 
 def _side_by_side(drawing: DrawingFields) -> Iterator[Problem]:
-    """Sets that have a wheel and the carrier in common, as two halves of a Ravigneaux set do."""
+    """Note gear sets that share a central gear and the carrier, like halves of a Ravigneaux set."""
     sets = (
-        (number, one.name, one.link("carrier"), [wheel.link for wheel in group_of(one).wheels])
-        for number, one in enumerate(drawing.elements, 1)
-        if isinstance(one.shape, Planetary)
+        (
+            number,
+            element.name,
+            element.link("carrier"),
+            [wheel.link for wheel in group_of(element).wheels],
+        )
+        for number, element in enumerate(drawing.elements, 1)
+        if isinstance(element.shape, Planetary)
     )
     for number, other in sets_side_by_side(sets):
         message = (
@@ -122,7 +125,7 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _friction(drawing: DrawingFields) -> Iterator[Problem]:
-    """Rings whose efficiency would follow from teeth that cannot be standard ones."""
+    """Report rings with too few teeth for the efficiency of standard teeth."""
     for number, element in enumerate(drawing.elements, 1):
         losses = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
         if losses.friction is None or "internal" in losses.given or element.efficiency is not None:
@@ -139,7 +142,6 @@ def _friction(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def _is_torsional(element: Element) -> bool:
-    """Whether it has anything for vibration."""
     return bool(element.stiffness is not None or element.damping or element.planet_masses)
 
 
@@ -154,7 +156,6 @@ def _mesh_efficiency(efficiencies: Mapping[str, float], path: Path) -> Iterator[
 
 
 def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Problem]:
-    """A kind with a fixed layout: members, and the teeth that its ratios need."""
     missing = [*_missing(element, kind, path)]
     yield from missing
     wheels = [member for member in kind.wheels if member in element.members]
@@ -182,11 +183,10 @@ def _planetary(element: Element, kind: Planetary, path: Path) -> Iterator[Proble
 
 
 def _ratios(element: Element, path: Path) -> Iterator[Problem]:
-    """Ratios in place of teeth: of both suns, and what would need teeth is not there."""
     place = (*path, "ratios")
-    beside = [key for key in ("teeth", "planet_masses", "stiffness") if getattr(element, key)]
+    excluded = [key for key in ("teeth", "planet_masses", "stiffness") if getattr(element, key)]
     if (
-        beside
+        excluded
         or element.efficiency is None
         or not {"small_sun", "large_sun", "ring"} <= {*element.members}
     ):
@@ -206,9 +206,9 @@ def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
-    """Members on one link; what they belong to would turn as one piece or not at all."""
+    """Report members on the same link, which would be locked up or immobile."""
     if element.kind == GROUP:
-        return  # two wheels on one link may mesh with planets of different trains
+        return  # two gears on one link can mesh with planets of different trains
     seen: dict[int, str] = {}
     for member in kind.members:
         link = element.members.get(member)
@@ -252,7 +252,7 @@ def _teeth(
 
 
 def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
-    """Numbers of an element, and what there must be beside them."""
+    """Check the data of a gear set for vibration."""
     yield from of_elastic(element.stiffness, element.damping, path)
     if not element.planet_masses:
         return
@@ -288,12 +288,12 @@ def _of_mass(mass: PlanetMass, path: Path) -> Iterator[Problem]:
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
-    """What only an element tells that is right in itself: its rows, and the speeds of its planets.
+    """Check data for vibration that depend on the mechanisms and planet speeds of the gear set.
 
     Parameters
     ----------
     drawing : DrawingFields
-        That it is part of.
+        Drawing that contains the gear set.
     """
     if element.stiffness is not None:
         rows = len(part_of(element, drawing, drawing.links).lowered)
@@ -311,7 +311,6 @@ def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Prob
 
 
 def _known_planets(element: Element) -> set[str]:
-    """Planets that have a speed by their teeth."""
     if isinstance(element.shape, Planetary):
         group = group_of(element)
         return {planet for planet in group.planets if group.is_known(planet)}

@@ -1,4 +1,4 @@
-"""A drawing, and how results are given for what it draws: elements, members, planets, meshes."""
+"""A drawing of gear sets, and the devices for which results are given: members, planets, meshes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vstatics.core.model.transmission import ShiftElement, Transmission
 
 @dataclass(frozen=True)
 class Drawing(DrawingFields):
-    """What a case draws; for its parameters see `DrawingFields`.
+    """Drawing of a case as gear sets; see `DrawingFields` for the parameters.
 
     Examples
     --------
@@ -34,16 +34,16 @@ class Drawing(DrawingFields):
 
     @cached_property
     def parts(self) -> Sequence[DrawnPart]:
-        """What each element became."""
+        """Gear sets and mechanisms, each with the mechanisms of the solver."""
         return parts(self)
 
     @cached_property
     def devices(self) -> Sequence[OwnDevice]:
-        """Elements and mechanisms, in the order of the mechanisms that they became."""
+        """Gear sets and mechanisms, in the order of the mechanisms of the solver."""
         return tuple(_devices(self.parts))
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Between which ratios that of a mechanism is, by the kind of its element.
+        """Return the bounds of the ratio of a mechanism, which follow from the kind of gear set.
 
         >>> from vstatics.core.elements.element import Element
         >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
@@ -55,18 +55,18 @@ class Drawing(DrawingFields):
         return lowered.ratio_range(element) if element else (-math.inf, math.inf)
 
     def problems(self) -> Iterator[Problem]:
-        """Every error of the elements, in their order."""
-        from vstatics.core.elements.checks import problems  # costs start-up time
+        """Yield every error of the gear sets, in their order."""
+        from vstatics.core.elements.checks import problems  # the import costs start-up time
 
         return problems(self)
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """The fields of a case that follow from the drawing: links, their names, mechanisms.
+        """Return the fields of a case that follow from the drawing: links, link names, mechanisms.
 
         Parameters
         ----------
         link_names : sequence of str
-            Of the case's own links; further ones are called by their numbers.
+            Names of the case's own links; missing names are link numbers.
         """
         numbers = [str(number) for number in range(len(link_names) + 1, self.links + 1)]
         planets = [f"{part.name}.{planet}" for part in self.parts for planet in part.planet_links]
@@ -87,26 +87,28 @@ def transmission(
     link_names: Sequence[str] = (),
     **others: Any,
 ) -> Transmission:
-    """The transmission of a drawing.
+    """Return the transmission of a drawing.
 
     Parameters
     ----------
     drawing : Drawing
+        Gear sets with their teeth.
     shift_elements : sequence of ShiftElement, optional
+        Clutches, brakes and freewheels.
     link_names : sequence of str, optional
-        Of the case's own links.
+        Names of the case's own links.
     **others
-        Further arguments of `Transmission`: gears, input, output, ...
+        Further arguments of `Transmission`: gears, input, output and others.
 
     Returns
     -------
     Transmission
-        Whose mechanisms and links follow from the drawing.
+        Transmission with links and mechanisms that follow from the drawing.
 
     Raises
     ------
     CaseError
-        With everything that is wrong with the elements or with the rest.
+        With all errors of the gear sets and of the other arguments.
 
     Examples
     --------
@@ -126,12 +128,12 @@ def transmission(
 
 
 def drawing_of(case: Transmission) -> Drawing | None:
-    """What a case was drawn as, if it was."""
+    """Return the drawing of a case, if the case is drawn."""
     return case.drawing if isinstance(case.drawing, Drawing) else None
 
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
-    """The parts of any case: of its drawing, or its mechanisms as they are."""
+    """Return the parts of any case, from the drawing or the mechanisms."""
     return (drawing_of(case) or Drawing(case.links, (), case.mechanisms)).parts
 
 
@@ -155,7 +157,7 @@ def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
 
 
 def _meshes(part: DrawnPart) -> tuple[bool, ...]:
-    """Of each mesh: whether the teeth of its first wheel are known."""
+    """Return for each mesh whether the teeth of the first gear are known."""
     if part.element is None or not part.planet_links:
         return ()
     group = group_of(part.element)
@@ -166,7 +168,6 @@ def _meshes(part: DrawnPart) -> tuple[bool, ...]:
 def _planets(
     part: DrawnPart, numbers: Sequence[int], places: Mapping[str, Sequence[tuple[int, int]]]
 ) -> Iterator[Planet]:
-    """All planets and idlers of a part that turn against a carrier."""
     element, mechanism = part.element, part.lowered[0].mechanism
     if element is not None and isinstance(element.shape, Planetary):
         group = group_of(element)

@@ -1,4 +1,4 @@
-"""A case as it is drawn: typical elements with teeth, in place of three-link mechanisms."""
+"""Gear sets of a case as drawn, with teeth, instead of three-link mechanisms."""
 
 from __future__ import annotations
 
@@ -10,23 +10,24 @@ from vstatics.core.elements.kinds import KINDS, Kind, Planetary
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
-"""Whether losses are calculated at each mesh, or in as few mechanisms as the speeds need."""
+"""Place of the losses: at each mesh, or in as few mechanisms as the speeds need."""
 
 
 class CentralWheel(NamedTuple):
-    """A sun or ring of a group of planets.
+    """Sun gear or ring gear of a group of planets.
 
     Attributes
     ----------
     member : str
-        Its name within the element.
+        Name within the gear set.
     link : int
-        The link that it belongs to; 0 is the housing.
+        Link of the gear; 0 is the housing.
     teeth : int
+        Number of teeth.
     internal : bool
-        A ring; a sun is external.
+        True for a ring gear, False for a sun gear.
     rim : str
-        The rim of a planet that it meshes with.
+        Rim of a planet in mesh with the gear.
 
     Examples
     --------
@@ -42,16 +43,16 @@ class CentralWheel(NamedTuple):
 
 
 class PlanetMass(NamedTuple):
-    """One planet of a set.
+    """Inertia and mass of a planet of a gear set.
 
     Parameters
     ----------
     inertia : float
-        About its own axis. [kg*m^2]
+        Moment of inertia about the planet's own axis. [kg*m^2]
     mass : float
-        [kg]
+        Mass of the planet. [kg]
     radius : float
-        Of its pin around the axis of the set; needed with a mass. [m]
+        Distance of the pin from the axis of the set; needed with a mass. [m]
 
     Examples
     --------
@@ -65,10 +66,10 @@ class PlanetMass(NamedTuple):
 
 
 class MeshEfficiency(NamedTuple):
-    """Efficiency of a single mesh, both axes held [-].
+    """Efficiency of a single mesh with both axes held [-].
 
-    The defaults of gear meshes are those of the published comparison of loss models;
-    the page Elements names all sources.
+    The default values are those of the published comparison of loss models; the page Elements lists
+    all sources.
 
     Examples
     --------
@@ -83,40 +84,41 @@ class MeshEfficiency(NamedTuple):
 
 @dataclass(frozen=True)
 class Element:
-    """A typical element: what a drawing shows as one thing.
+    """Gear set of a case, drawn as one symbol.
 
     Parameters
     ----------
     name : str
+        Name of the gear set.
     kind : str
-        One of `vstatics.core.elements.kinds.KINDS`.
+        Kind, a key of `vstatics.core.elements.kinds.KINDS`.
     members : mapping of str to int
         Link of each member; 0 is the housing.
     teeth : mapping of str to number
-        Of wheels and of rims of planets (diameters of a belt drive).
+        Teeth of gears and of rims of planets (diameters of a belt drive).
     planets : int, optional
-        How many planets, or sets of meshed planets, stand around; for the checks of teeth.
+        Number of planets, or of sets of meshed planets, around the axis; for the checks of teeth.
     efficiency : float, optional
-        Of the element as one mechanism, its carrier held; else it follows from the meshes. [-]
+        Efficiency of the whole gear set with the carrier held. Default: from the meshes. [-]
     back_efficiency : float, optional
-        Of a worm pair that the wheel drives. [-]
+        Efficiency of a worm pair that the wheel drives. [-]
     mesh_efficiency : mapping of mesh to float
-        Fields of `MeshEfficiency` that differ from the case's in this element. [-]
+        Fields of `MeshEfficiency` that replace the efficiencies of the case. [-]
     rims : mapping of planet to its rims with their teeth
-        Of a `planet_group`.
+        Rims of a `planet_group`.
     wheels : sequence of CentralWheel
-        Of a `planet_group`.
+        Central gears of a `planet_group`.
     meshes : sequence of pairs of rims
-        Of a `planet_group`: planets that mesh with one another.
+        Planets of a `planet_group` that mesh with each other.
     stiffness : float, optional
-        Of an element that becomes one mechanism: torque on its first member by the twist of the
-        mechanism's row, for vibration; rigid when not given. [N*m/rad]
+        Stiffness of a gear set with a single mechanism, for vibration: torque on its first member
+        divided by the twist of the mechanism's row. Default: rigid. [N*m/rad]
     damping : Damping or float
-        Beside the stiffness; a number is viscous. [N*m*s/rad]
+        Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     planet_masses : mapping of planet to PlanetMass
-        Of each of the `planets`, for vibration.
+        Mass data of each of the `planets`, for vibration.
     ratios : mapping of sun to number
-        Of a Ravigneaux set whose teeth are not known yet: to the ring with the carrier held. [-]
+        Ratios, sun to ring with the carrier held, of a Ravigneaux set with unknown teeth. [-]
 
     Examples
     --------
@@ -142,41 +144,42 @@ class Element:
     ratios: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        """Make a damping of a number."""
+        """Convert a number to a damping."""
         object.__setattr__(self, "damping", damping(self.damping))
 
     @property
     def shape(self) -> Kind:
-        """What its kind is made of."""
+        """Declaration of the kind, with members, gears and meshes."""
         return KINDS[self.kind]
 
     @property
     def planet_names(self) -> tuple[str, ...]:
-        """Names of its planets, those of a group under `rims`; none of what has no planets."""
+        """Names of the planets, under `rims` for a group; empty for a gear set without planets."""
         if isinstance(self.shape, Planetary):
             return tuple(self.rims or self.shape.planets)
         return ("planet",) if "planet" in self.shape.toothed else ()
 
     def link(self, member: str) -> int:
-        """The link of a member, the housing where it has none."""
+        """Return the link of a member, the housing if the member is absent."""
         return self.members.get(member, HOUSING)
 
 
 @dataclass(frozen=True)
 class DrawingFields:
-    """What a case draws: elements, and mechanisms that stand beside them; see `Drawing`.
+    """Drawing of a case: gear sets and further mechanisms; see `Drawing`.
 
     Parameters
     ----------
     links : int
-        The case's own links; those of planets come after them.
+        Number of the case's own links; links of planets follow.
     elements : sequence of Element
+        Gear sets.
     mechanisms : sequence of Mechanism
-        Those that are given as such.
+        Mechanisms that the case gives directly.
     losses : {"meshes", "reduced"}, optional
-        ``meshes`` where planets are shared when not given.
+        Place of the losses. Default: ``meshes`` for gear sets with shared planets.
     mesh_efficiency : mapping of mesh to float
-        Fields of `MeshEfficiency` that differ from the defaults. [-]
+        Fields of `MeshEfficiency` that replace the defaults. [-]
     """
 
     links: int

@@ -1,8 +1,8 @@
-"""A group of planets on one carrier: exact ratios between its wheels and planets.
+"""Group of planets on one carrier: exact ratios between central gears and planets.
 
-Every planetary kind is such a group. Seen from the carrier the group is an ordinary
-gear train: two bodies that mesh have speeds in the inverse ratio of their teeth, of
-opposite sign in an external mesh (Willis).
+Every planetary kind is such a group. Relative to the carrier the group is an ordinary gear train:
+two bodies in mesh have speeds in the inverse ratio of their teeth, of opposite sign in an external
+mesh (Willis).
 """
 
 from __future__ import annotations
@@ -19,17 +19,18 @@ from vstatics.core.elements.kinds import Planetary
 
 @dataclass(frozen=True)
 class PlanetGroup:
-    """Wheels and planets on one carrier.
+    """Central gears and planets on a common carrier.
 
     Parameters
     ----------
     carrier : int
-        The link that bears the planets.
+        Link that bears the planets.
     wheels : sequence of CentralWheel
+        Sun gears and ring gears.
     planets : mapping of planet to its rims with their teeth
-        Teeth are None where they are not given and no ratio of wheels needs them.
+        Teeth are None if they are not given and no ratio of central gears needs them.
     meshes : sequence of pairs of rims
-        Planets that mesh with one another.
+        Planets that mesh with each other.
     """
 
     carrier: int
@@ -39,22 +40,22 @@ class PlanetGroup:
 
     @cached_property
     def planet_of(self) -> dict[str, str]:
-        """Rim -> its planet."""
+        """Planet of each rim."""
         return {rim: planet for planet, rims in self.planets.items() for rim in rims}
 
     def teeth(self, rim: str) -> Fraction:
-        """Teeth of a rim; 1 where they are not given, which changes no ratio of wheels."""
+        """Return the teeth of a rim, or 1 if not given, which changes no ratio of central gears."""
         return self.planets[self.planet_of[rim]][rim] or Fraction(1)
 
     def is_known(self, planet: str) -> bool:
-        """Whether all teeth of a planet are given."""
+        """Return whether all teeth of a planet are given."""
         return all(self.planets[planet].values())
 
     @cached_property
     def trains(self) -> list[dict[str, Fraction]]:
-        """Planets that mesh with one another, directly or not, with their relative speeds.
+        """Trains of planets in mesh, directly or not, with relative speeds.
 
-        In each train the first planet has speed 1, seen from the carrier.
+        In each train the first planet has speed 1 relative to the carrier.
 
         Raises
         ------
@@ -62,9 +63,9 @@ class PlanetGroup:
             If planets mesh in a ring that cannot turn.
         """
         neighbours: dict[str, list[tuple[str, Fraction]]] = {planet: [] for planet in self.planets}
-        for one, other in self.meshes:
-            a, b = self.planet_of[one], self.planet_of[other]
-            ratio = -self.teeth(one) / self.teeth(other)
+        for rim, other in self.meshes:
+            a, b = self.planet_of[rim], self.planet_of[other]
+            ratio = -self.teeth(rim) / self.teeth(other)
             neighbours[a].append((b, ratio))
             neighbours[b].append((a, 1 / ratio))
         trains: list[dict[str, Fraction]] = []
@@ -88,11 +89,13 @@ class PlanetGroup:
         return trains
 
     def wheels_of(self, train: Mapping[str, Fraction]) -> list[CentralWheel]:
-        """The central wheels that mesh with the planets of a train."""
+        """Return the central gears in mesh with the planets of a train."""
         return [wheel for wheel in self.wheels if self.planet_of[wheel.rim] in train]
 
     def relative(self, wheel: CentralWheel, train: Mapping[str, Fraction]) -> Fraction:
-        """Speed of a wheel, seen from the carrier, where that of the train's first planet is 1.
+        """Return the speed of a central gear relative to the carrier.
+
+        The first planet of the train has speed 1.
 
         >>> sun = CentralWheel("sun", 1, 30, False, "planet")
         >>> group = PlanetGroup(3, [sun], {"planet": {"planet": Fraction(15)}})
@@ -102,12 +105,12 @@ class PlanetGroup:
         return train[self.planet_of[wheel.rim]] * self.mesh_ratio(wheel)
 
     def mesh_ratio(self, wheel: CentralWheel) -> Fraction:
-        """Speed of a wheel over that of the planet it meshes with, seen from the carrier."""
+        """Return the speed of a central gear divided by the planet's, relative to the carrier."""
         ratio = self.teeth(wheel.rim) / wheel.teeth
         return ratio if wheel.internal else -ratio
 
     def ratio(self, first: CentralWheel, second: CentralWheel) -> Fraction:
-        """``(w_first - w_carrier)/(w_second - w_carrier)`` of two wheels of one train.
+        """Return ``(w_first - w_carrier)/(w_second - w_carrier)`` of two gears of a train.
 
         >>> sun = CentralWheel("sun", 1, 48, False, "planet")
         >>> ring = CentralWheel("ring", 2, 96, True, "planet")
@@ -118,7 +121,7 @@ class PlanetGroup:
         return self.relative(first, train) / self.relative(second, train)
 
     def path(self, first: str, second: str) -> list[tuple[str, str]]:
-        """The meshes between planets on the shortest way from one planet to another."""
+        """Return the meshes on the shortest way between two planets."""
         ways: dict[str, list[tuple[str, str]]] = {first: []}
         waiting = [first]
         while waiting and second not in ways:
@@ -133,12 +136,12 @@ class PlanetGroup:
 
     @property
     def is_shared(self) -> bool:
-        """Whether more than two wheels mesh with one train of planets."""
+        """True if more than two central gears mesh with a train of planets."""
         return any(len(self.wheels_of(train)) > 2 for train in self.trains)
 
 
 def group_of(element: Element) -> PlanetGroup:
-    """The group of planets that an element of a planetary kind is."""
+    """Return the group of planets of a planetary gear set."""
     carrier = element.link("carrier")
     if element.rims:
         rims = {
@@ -166,7 +169,7 @@ def group_of(element: Element) -> PlanetGroup:
 
 
 def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
-    """Numbers of teeth, as large as they may be, with just these ratios of suns to the ring.
+    """Return numbers of teeth, of any size, with exactly the given ratios of suns to the ring.
 
     >>> _proportions({"small_sun": 2.5, "large_sun": -2.0})
     {'ring': 10, 'small_sun': 4, 'large_sun': 5}
@@ -177,7 +180,7 @@ def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
 
 
 def _rim_teeth(element: Element, wheels: Sequence[CentralWheel], rim: str) -> Fraction | None:
-    """Teeth of a rim as they are given, or as a sun and a ring around them leave room."""
+    """Return the teeth of a rim: given, or between a sun and a ring."""
     if rim in element.teeth:
         return Fraction(int(element.teeth[rim]))
     around = {wheel.internal: wheel.teeth for wheel in wheels if wheel.rim == rim}

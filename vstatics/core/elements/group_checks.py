@@ -1,4 +1,4 @@
-"""What groups of planets must fulfil before they become mechanisms; problems with paths."""
+"""Checks of groups of planets before the conversion to mechanisms; problems have paths."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from vstatics.core.errors import Path, Problem, nearest
 from vstatics.core.model.parts import HOUSING
 
 LARGEST_WHEEL = 10**6
-"""Teeth, or a diameter: far above any wheel; ratios of such numbers stay calculable."""
+"""Limit of teeth or a diameter, far above any gear, for which ratios can be calculated."""
 
 MOST_PLANET_KINDS = 20
-"""Kinds of planets on one carrier; real groups have two or three."""
+"""Most kinds of planets on a carrier; real groups have two or three."""
 
 
 def rims(element: Element, path: Path) -> Iterator[Problem]:
-    """A group of planets: names of rims, each known and only once."""
+    """Check the rims of a group of planets: names must be unique."""
     seen: dict[str, str] = {}
-    for planet, own in element.rims.items():
+    for planet, rims_of_planet in element.rims.items():
         place = (*path, "rims", planet)
-        if not own:
+        if not rims_of_planet:
             yield Problem("E319", "there is no rim, expected its name and teeth", place)
-        for rim, count in own.items():
+        for rim, count in rims_of_planet.items():
             yield from _count(count, (*place, rim))
             if rim in seen:
                 yield Problem(
@@ -38,7 +38,7 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Problem]:
-    """Central wheels and meshes: sizes, names, and rims that there are."""
+    """Check sizes and names of central gears, and the rims of all meshes."""
     named: list[tuple[Path, str]]
     named = [((*wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
     for number, pair in enumerate(element.meshes, 1):
@@ -61,22 +61,22 @@ def _count(teeth: int, path: Path) -> Iterator[Problem]:
 
 
 def wheel_path(element: Element, wheel: CentralWheel) -> Path:
-    """Where a sun or a ring stands in its element: in a list for each."""
+    """Return the path of a sun or ring within the gear set, in the list of suns or rings."""
     alike = [other for other in element.wheels if other.internal == wheel.internal]
     return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1)
 
 
 def whole(element: Element, path: Path) -> Iterator[Problem]:
-    """What only the group as a whole tells."""
+    """Check a group as a whole: speeds, meshes and efficiency."""
     group = group_of(element)
     if len(group.planets) > MOST_PLANET_KINDS:
         message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
         yield Problem("E325", message, (*path, "rims"))
         return
-    for one, other in group.meshes:
-        if group.planet_of[one] == group.planet_of[other]:
+    for rim, other in group.meshes:
+        if group.planet_of[rim] == group.planet_of[other]:
             yield Problem(
-                "E326", f"rims `{one}` and `{other}` are on one planet", (*path, "meshes")
+                "E326", f"rims `{rim}` and `{other}` are on one planet", (*path, "meshes")
             )
             return
     try:
@@ -90,7 +90,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
             names = " and ".join(train)
             message = f"{count} central wheel meshes with planet {names}, expected two or more"
             yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
-    is_single = bool(element.ratios)  # it is that of each ratio
+    is_single = bool(element.ratios)  # with ratios, the efficiency is that of each ratio
     if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
         message = "one efficiency for several paths of power; give `mesh_efficiency` instead"
         yield Problem("E329", message, (*path, "efficiency"))
@@ -99,7 +99,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Wheels of a group that belong to its carrier, have no room, or lock one another."""
+    """Report central gears that are on the carrier's link, lack room or block the planets."""
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:

@@ -1,7 +1,6 @@
-"""The keys of typical elements in YAML and JSON, made from the declaration of their kinds.
+"""Keys of gear sets in YAML and JSON, derived from the declaration of their kinds.
 
-An element has not the attributes that its keys say: `record_of` and `element_of` change
-one into the other.
+Keys differ from the attributes of an element; `record_of` and `element_of` convert.
 """
 
 from __future__ import annotations
@@ -104,7 +103,6 @@ _PLANETS = KeyShape("planets", COUNT, "Planets, or sets of meshed planets, aroun
 
 
 def _record(name: str, kind: Kind) -> ByKey:
-    """The keys of a kind."""
     if name == GROUP:
         return _GROUP
     members = tuple(
@@ -129,7 +127,7 @@ def _record(name: str, kind: Kind) -> ByKey:
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
-    """The key of planets' masses: of the one that there is, else by their names."""
+    """Return the key for masses of planets, by name if there are several."""
     shape: Shape = ByName("planet", _PLANET_MASS)
     if len(names) == 1:
         shape = _PLANET_MASS
@@ -208,7 +206,10 @@ DRAWN = (
 
 
 def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
-    """The shape of a case that may, or must, list elements in place of links and mechanisms."""
+    """Return the shape of a case with gear sets, which replace links and mechanisms.
+
+    The gear sets are optional or, if `required`, mandatory.
+    """
     needed = {key.name for key in case.keys if key.required} - {"links", "mechanisms"}
     needed |= {"elements"} if required else set()
     at = [key.name for key in case.keys].index("mechanisms")
@@ -217,7 +218,7 @@ def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
 
 
 def record_of(element: Element) -> dict[str, Any]:
-    """An element by its keys; links are numbers."""
+    """Return a gear set as a record of keys; links are numbers."""
     record: dict[str, Any] = {
         "kind": element.kind,
         **element.members,
@@ -240,7 +241,7 @@ def record_of(element: Element) -> dict[str, Any]:
 
 
 def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
-    """Masses of planets as they are written: that of the only one without its name."""
+    """Return the masses of planets as written in a case: a single planet has no name."""
     masses = element.planet_masses
     if element.kind == GROUP or len(element.planet_names) > 1:
         return dict(masses)
@@ -248,7 +249,7 @@ def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
 
 
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """The element of a record; wheels of a group of planets are called by the case's own links."""
+    """Return the gear set of a record; gears of a planet group are named after the case's links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), None
     if isinstance(efficiency, dict):
@@ -274,11 +275,11 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
-    """Suns, then rings; each is called by its link, and more where that is not enough."""
-    found = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
-    links = Counter(wheel["link"] for wheel, _ in found)
+    """Yield suns, then rings, named after links, with additions where names coincide."""
+    gears = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
+    links = Counter(wheel["link"] for wheel, _ in gears)
     taken = {"carrier", *record.get("rims", ())}
-    for wheel, internal in found:
+    for wheel, internal in gears:
         link, rim = wheel["link"], wheel["rim"]
         member = link_names[link - 1] if link > HOUSING else "housing"
         if links[link] > 1 or member in taken:

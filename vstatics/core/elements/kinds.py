@@ -1,7 +1,7 @@
-"""The kinds of typical elements: their members, their wheels, and which of them mesh.
+"""Kinds of gear sets: their members, their gears, and the meshes between them.
 
-This is the one place that knows what a planetary set or a Ravigneaux set is; readers,
-the schema of cases, the lowering and the checks follow from it.
+Only this module knows the structure of a planetary or a Ravigneaux set; readers, the schema of
+cases, the conversion and the checks follow from it.
 """
 
 from __future__ import annotations
@@ -11,35 +11,35 @@ from typing import NamedTuple
 
 
 class WheelKind(NamedTuple):
-    """A central wheel: whether its teeth point inward, and the planet rim that it meshes with."""
+    """Central gear, internal or external, and the planet rim in mesh."""
 
     internal: bool
     rim: str
 
 
 def sun(rim: str) -> WheelKind:
-    """A wheel inside the planets."""
+    """Return a central gear inside the planets."""
     return WheelKind(internal=False, rim=rim)
 
 
 def ring(rim: str) -> WheelKind:
-    """A wheel around the planets."""
+    """Return a central gear around the planets."""
     return WheelKind(internal=True, rim=rim)
 
 
 class Planetary(NamedTuple):
-    """A kind with planets on a carrier.
+    """Kind of gear set with planets on a carrier.
 
     Attributes
     ----------
     wheels : mapping of member to WheelKind
-        The central wheels, in the order of the links of the mechanism.
+        Central gears, in the order of the links of the mechanism.
     planets : mapping of planet to its rims
-        All rims of a planet turn together.
+        All rims of a planet rotate together.
     meshes : pairs of rims
-        Planets that mesh with one another.
+        Planets that mesh with each other.
     optional : set of members
-        Central wheels that a transmission may leave out.
+        Central gears that a transmission can leave out.
     """
 
     description: str
@@ -50,30 +50,30 @@ class Planetary(NamedTuple):
 
     @property
     def members(self) -> tuple[str, ...]:
-        """The members that name links."""
+        """Members that name links."""
         return (*self.wheels, "carrier")
 
     @property
     def toothed(self) -> tuple[str, ...]:
-        """What has teeth: central wheels, then rims of planets."""
+        """Names with teeth, central gears before rims of planets."""
         return (*self.wheels, *(rim for rims in self.planets.values() for rim in rims))
 
 
 class Simple(NamedTuple):
-    """A kind without a group of planets: two wheels, a shaft, a support.
+    """Kind without a group of planets: two gears, a shaft, a support.
 
     Attributes
     ----------
     members : names
-        First, second and third link of the mechanism; the housing where there are fewer.
+        First, second and third link of the mechanism; missing links are the housing.
     toothed : names
-        What has teeth; the first and the last are the wheels whose ratio counts.
+        Names with teeth; the first and the last determine the ratio.
     sign : int
-        Of ``w_first/w_second`` with the third link held.
+        Sign of ``w_first/w_second`` with the third link held.
     meshes : sequence of str
-        The meshes that power passes: fields of `MeshEfficiency`.
+        Meshes in the path of power: fields of `MeshEfficiency`.
     size : str
-        What is counted: ``teeth`` or ``diameters``; none where there is no ratio.
+        Measure of size, ``teeth`` or ``diameters``; empty without a ratio.
     """
 
     description: str
@@ -174,6 +174,6 @@ KINDS: Mapping[str, Kind] = {
     ),
     "held": Simple("A link that is held for good.", ("link",)),
 }
-"""Every kind by the name that a case gives it."""
+"""Every kind, by name in a case."""
 
 GROUP, RAVIGNEAUX = "planet_group", "ravigneaux"

@@ -1,10 +1,10 @@
-"""Elements -> three-link mechanisms, which is all that the solver knows.
+"""Conversion of gear sets to the three-link mechanisms of the solver.
 
-A group of planets becomes mechanisms in one of two ways. *Reduced*: between central
-wheels, as few as the speeds need. *At the meshes*: its planets are links too, and each
-mesh is a mechanism (wheel, planet, carrier). Without losses both give the same; with
-losses and shared planets only the second is right, as power may run from wheel to
-wheel past the planets in ways that the first cannot tell apart.
+A group of planets becomes mechanisms in one of two ways. *Reduced*: between central gears, as few
+as the speeds need. *At the meshes*: its planets are links too, and each mesh is a mechanism
+(central gear, planet, carrier). Without losses both are equivalent. With losses and shared planets
+only the second is right, because power can pass the planets in ways that the first cannot
+distinguish.
 """
 
 from __future__ import annotations
@@ -23,17 +23,16 @@ from vstatics.core.model.parts import Mechanism
 
 
 class Lowered(NamedTuple):
-    """A mechanism that an element became."""
+    """Mechanism derived from a gear set."""
 
     mechanism: Mechanism
     members: tuple[str, str, str]
-    """What its links are within the element: members, planets, or nothing."""
+    """Members or planets of the gear set on the mechanism's links; empty if absent."""
 
     def ratio_range(self, element: Element) -> tuple[float, float]:
-        """Between which ratios its own is whatever teeth its element has, both ends left out.
+        """Return the open interval of the mechanism's ratio for any teeth.
 
-        It has the sign that the kind gives; of a sun and the ring around its planets the ring is
-        the larger one.
+        The sign follows from the kind. A ring is larger than a sun with the same planets.
         """
         least, most = 0.0, math.inf
         if isinstance(element.shape, Planetary):
@@ -45,17 +44,17 @@ class Lowered(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """An element, or a mechanism that was given as such, and what it became."""
+    """Gear set or given mechanism, with the resulting mechanisms."""
 
     name: str
     element: Element | None
     lowered: tuple[Lowered, ...]
     planet_links: Mapping[str, int]
-    """Planets that are links, also those whose teeth are not known."""
+    """Links of planets, including planets with unknown teeth."""
 
     @property
     def members(self) -> dict[str, int]:
-        """The members of the element itself, with their links, planets apart."""
+        """Links of the members of the gear set, without planets."""
         links: dict[str, int] = {}
         for mechanism, members in self.lowered:
             for member, link in zip(members, mechanism.links, strict=True):
@@ -68,7 +67,7 @@ class DrawnPart(NamedTuple):
 
 
 def parts(drawing: DrawingFields) -> list[DrawnPart]:
-    """What each element of a drawing becomes; planets that are links count on from its links."""
+    """Return the parts of a drawing; links of planets are numbered last."""
     drawn: list[DrawnPart] = []
     last = drawing.links
     for element in drawing.elements:
@@ -82,7 +81,7 @@ def parts(drawing: DrawingFields) -> list[DrawnPart]:
 
 
 def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> bool:
-    """Whether the losses of a group are calculated at its meshes."""
+    """Return whether the losses of a group are calculated at each mesh."""
     if element.efficiency is not None:
         return False
     if drawing.losses is None:
@@ -91,7 +90,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 
 def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
-    """What an element becomes; planets that are links count on from the last link."""
+    """Return a gear set with its mechanisms; links of planets are numbered after `last`."""
     per_mesh = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
@@ -103,7 +102,6 @@ def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
 
 
 def _simple(element: Element, kind: Simple, per_mesh: MeshLosses) -> Lowered:
-    """A gear pair, a chain, a shaft, a support: one mechanism."""
     first, second, third = (*kind.members, "", "")[:3]
     efficiency = element.efficiency
     if efficiency is None:
@@ -127,7 +125,7 @@ def _simple(element: Element, kind: Simple, per_mesh: MeshLosses) -> Lowered:
 
 
 def simple_ratio(element: Element, kind: Simple) -> Fraction:
-    """``w_first/w_second`` with the third link held: the sizes of the wheels, inverted.
+    """Return ``w_first/w_second`` with the third link held, the inverse ratio of the sizes.
 
     >>> from vstatics.core.elements.kinds import KINDS
     >>> pair = Element("G", "gear_pair", {"first": 1, "second": 2}, {"first": 20, "second": 41})
@@ -141,7 +139,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
 
 
 def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Each wheel of a train of planets with the one of them to which its ratio is."""
+    """Yield each central gear of a train with the reference gear of the ratio."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -153,7 +151,7 @@ def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWhe
 
 
 def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
-    """Mechanisms from each wheel of a train of planets to one of them."""
+    """Yield mechanisms from each central gear of a train to a reference gear."""
     pairs = [*reduced_pairs(group)]
     for wheel, reference in pairs:
         single = len(pairs) == len(group.trains) == 1
@@ -162,9 +160,9 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
         between = group.path(group.planet_of[wheel.rim], group.planet_of[reference.rim])
         efficiency = math.prod(
             [
-                _of_wheel(wheel, group, per_mesh),
-                *(_of_planets(group, *two, per_mesh) for two in between),
-                _of_wheel(reference, group, per_mesh),
+                _efficiency_of_wheel(wheel, group, per_mesh),
+                *(_efficiency_of_planets(group, *two, per_mesh) for two in between),
+                _efficiency_of_wheel(reference, group, per_mesh),
             ]
         )
         mechanism = Mechanism(
@@ -182,10 +180,10 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
-    """Ratio of a wheel to the planet that it meshes with, where the planet's teeth are known.
+    """Return the ratio of a central gear to the planet in mesh, if the teeth are known.
 
-    None for a planet that just fills the gap of a plain set: the solver knows its ratio, and
-    that of any other ratio of the set in a sweep.
+    The ratio is also None for a planet that fills the gap of a plain set: the solver derives it,
+    also for any other ratio of the set in a sweep.
     """
     if not group.is_known(group.planet_of[wheel.rim]):
         return None
@@ -197,7 +195,7 @@ def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> floa
 def _meshes(
     element: Element, group: PlanetGroup, links: Mapping[str, int], per_mesh: MeshLosses
 ) -> Iterator[Lowered]:
-    """A mechanism for each mesh; the planets are links."""
+    """Yield a mechanism for each mesh; the planets are links."""
 
     def mesh(first: str, link: int, planet: str, ratio: Fraction, efficiency: float) -> Lowered:
         is_known = all(group.is_known(member) for member in (first, planet) if member in links)
@@ -214,30 +212,38 @@ def _meshes(
 
     for wheel in group.wheels:
         planet, ratio = group.planet_of[wheel.rim], group.mesh_ratio(wheel)
-        yield mesh(wheel.member, wheel.link, planet, ratio, _of_wheel(wheel, group, per_mesh))
-    for one, other in group.meshes:
-        first, second = group.planet_of[one], group.planet_of[other]
-        ratio = -group.teeth(other) / group.teeth(one)
-        yield mesh(first, links[first], second, ratio, _of_planets(group, one, other, per_mesh))
+        yield mesh(
+            wheel.member, wheel.link, planet, ratio, _efficiency_of_wheel(wheel, group, per_mesh)
+        )
+    for rim, partner in group.meshes:
+        first, second = group.planet_of[rim], group.planet_of[partner]
+        ratio = -group.teeth(partner) / group.teeth(rim)
+        yield mesh(
+            first,
+            links[first],
+            second,
+            ratio,
+            _efficiency_of_planets(group, rim, partner, per_mesh),
+        )
 
 
-def _of_wheel(wheel: CentralWheel, group: PlanetGroup, per_mesh: MeshLosses) -> float:
-    """Efficiency of the mesh of a central wheel."""
+def _efficiency_of_wheel(wheel: CentralWheel, group: PlanetGroup, per_mesh: MeshLosses) -> float:
     mesh = "internal" if wheel.internal else "external"
     return per_mesh.efficiency(mesh, _teeth(group, wheel.rim), wheel.teeth)
 
 
-def _of_planets(group: PlanetGroup, one: str, other: str, per_mesh: MeshLosses) -> float:
-    """Efficiency of the mesh of two rims of planets."""
-    return per_mesh.efficiency("external", _teeth(group, one), _teeth(group, other))
+def _efficiency_of_planets(
+    group: PlanetGroup, rim: str, partner: str, per_mesh: MeshLosses
+) -> float:
+    return per_mesh.efficiency("external", _teeth(group, rim), _teeth(group, partner))
 
 
 def _teeth(group: PlanetGroup, rim: str) -> float | None:
-    """Teeth of a rim: given, or as many as fill the gap between a sun and a ring; else None."""
+    """Return the teeth of a rim: given, or between a sun and a ring; else None."""
     if group.is_known(group.planet_of[rim]):
         return float(group.teeth(rim))
     suns, rings = (
-        [one.teeth for one in group.wheels if one.rim == rim and one.internal == internal]
+        [wheel.teeth for wheel in group.wheels if wheel.rim == rim and wheel.internal == internal]
         for internal in (False, True)
     )
     return (rings[0] - suns[0]) / 2 if suns and rings else None

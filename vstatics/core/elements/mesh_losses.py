@@ -1,11 +1,11 @@
-"""Efficiency of single meshes: numbers of the case, or from the teeth and their friction.
+"""Efficiency of single meshes: given by the case, or calculated from teeth and friction.
 
-Ohlendorf's loss factor as in Niemann, Winter, Maschinenelemente II: with equal shares of the load
-between the pairs of teeth in contact ``eta = 1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 +
-e1^2 + e2^2``, minus inside a ring; e1, e2 are the parts of the contact ratio at the tips. Standard
-teeth without shift: 20 degrees, addendum 1, the tip of a ring at z - 2. The sum is exact while e1
-and e2 are no more than 1; the tip of most rings reaches a little further, then it is on the safe
-side.
+Ohlendorf's loss factor as in Niemann, Winter, Maschinenelemente II: with equal load shares of the
+pairs of teeth in contact, ``eta = 1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 +
+e2^2``; the minus applies to an internal mesh, and e1, e2 are the contact ratios at the tips.
+Standard teeth without profile shift are assumed: 20 degrees, addendum 1, the tip of a ring at z -
+2. The formula is exact while e1 and e2 are at most 1; the tips of most rings reach a little
+further, which makes the result conservative.
 """
 
 from __future__ import annotations
@@ -17,22 +17,25 @@ from typing import NamedTuple
 from vstatics.core.elements.element import MeshEfficiency
 
 PRESSURE_ANGLE = math.radians(20)
-"""Of standard teeth. [rad]"""
+"""Pressure angle of standard teeth. [rad]"""
 LEAST_RING = 34
-"""Teeth of a ring whose tip lies outside its base circle."""
+"""Least number of teeth of a ring with tips outside the base circle."""
 
 
 class MeshLosses(NamedTuple):
-    """What meshes of an element lose."""
+    """Losses of the meshes of a gear set."""
 
     numbers: MeshEfficiency
+    """Efficiencies where friction does not apply. [-]"""
     friction: float | None = None
-    """Coefficient of friction of the teeth [-]; None: `numbers` hold."""
+    """Coefficient of friction of the teeth [-], if given."""
     given: frozenset[str] = frozenset()
-    """Meshes whose number is given, and holds though there is friction."""
+    """Meshes whose given efficiency applies in spite of friction."""
 
     def efficiency(self, mesh: str, teeth: float | None, others: float | None) -> float:
-        """Of a mesh: ``external``, ``internal`` (the other wheel is the ring), ``bevel`` [-].
+        """Return the efficiency of a mesh: ``external``, ``internal`` or ``bevel`` [-].
+
+        The second gear of an internal mesh is the ring.
 
         Examples
         --------
@@ -40,14 +43,16 @@ class MeshLosses(NamedTuple):
         >>> round(losses.efficiency("external", 20, 40), 6), losses.efficiency("bevel", 20, 40)
         (0.990036, 0.97)
         """
-        own: float = getattr(self.numbers, mesh)
+        given: float = getattr(self.numbers, mesh)
         if self.friction is None or mesh == "bevel" or mesh in self.given or not (teeth and others):
-            return own
+            return given
         return mesh_efficiency(float(teeth), float(others), self.friction, mesh == "internal")
 
 
 def mesh_losses(case: Mapping[str, float], element: Mapping[str, float]) -> MeshLosses:
-    """What the case and an element say; friction of an element goes before numbers of the case.
+    """Return the losses of meshes from the numbers of a case and of a gear set.
+
+    Friction of a gear set takes precedence over efficiencies of the case.
 
     Examples
     --------
@@ -67,20 +72,20 @@ def mesh_efficiency(
     friction: float,
     is_internal: bool,  # noqa: FBT001
 ) -> float:
-    """Efficiency of a mesh of standard teeth, the second wheel a ring if it is internal [-].
+    """Return the efficiency of a mesh of standard teeth; the second gear can be a ring [-].
 
     Examples
     --------
     >>> round(mesh_efficiency(24, 60, 0.06, True), 6)
     0.995094
     """
-    one, other = tip_contact(teeth), tip_contact(others, is_ring=is_internal)
+    e1, e2 = tip_contact(teeth), tip_contact(others, is_ring=is_internal)
     sliding = 1 / teeth + (-1 / others if is_internal else 1 / others)
-    return 1 - math.pi * friction * sliding * (1 - one - other + one**2 + other**2)
+    return 1 - math.pi * friction * sliding * (1 - e1 - e2 + e1**2 + e2**2)
 
 
 def tip_contact(teeth: float, *, is_ring: bool = False) -> float:
-    """The part of the contact ratio at the tip of a wheel: from there to the pitch point [-].
+    """Return the contact ratio from the tip of a gear to the pitch point [-].
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The inertia of planets: exact shares of motion that need no links of their own."""
+"""Inertia of planets, as exact functions of link speeds, without links for the planets."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from vstatics.core.model.parts import HOUSING
 
 
 class PlanetInertia(NamedTuple):
-    """All planets of one name: half the inertia times a speed squared is their energy.
+    """Inertia of all planets of a name: kinetic energy is half the inertia times speed squared.
 
     Parameters
     ----------
     name : str
-        The element's and the planet's: ``P1.planet``.
+        Names of gear set and planet: ``P1.planet``.
     inertia : float
-        [kg*m^2]
+        Inertia of all planets together. [kg*m^2]
     speed : mapping of int to float
-        The speed, as a sum of those of links with these coefficients. [-]
+        Coefficients of the link speeds whose sum is the speed of the planets. [-]
     wheel : str
-        The member whose speed and the carrier's give it; none of what turns with the carrier.
+        Member that, together with the carrier, determines the speed; empty if the planets rotate
+        with the carrier.
     by_wheel : float
         Coefficient of the speed of that member. [-]
     """
@@ -37,10 +38,11 @@ class PlanetInertia(NamedTuple):
 
 
 def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
-    """The motions of all planets that have masses: about their pins, and with their carrier.
+    """Yield the inertias of planets with masses: about the pins, and around the carrier's axis.
 
-    Of a checked drawing; so what is elastic has none. A planet whose axis is parallel to that of
-    its set turns by its whole speed, one of a bevel set by that against its carrier.
+    The drawing must have passed the checks, so elastic gear sets have no planet masses. A planet
+    with an axis parallel to the axis of its set has its absolute speed of rotation; a bevel planet
+    has its speed relative to the carrier.
 
     Examples
     --------
@@ -55,20 +57,20 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
     """
     for element in drawing.elements:
         carrier = element.link("carrier")
-        for planet, one in element.planet_masses.items():
+        for planet, mass in element.planet_masses.items():
             name, count = f"{element.name}.{planet}", element.planets or 0
-            if one.inertia:
+            if mass.inertia:
                 wheel, link, ratio = _by_wheel(element, planet)
                 carried = 1 if isinstance(element.shape, Planetary) else 0
                 spin = {link: ratio, carrier: carried - ratio}.items()
                 speed = {link: float(part) for link, part in spin if link != HOUSING}
-                yield PlanetInertia(name, count * one.inertia, speed, wheel, float(ratio))
-            if one.mass and carrier != HOUSING:
-                yield PlanetInertia(name, count * one.mass * one.radius**2, {carrier: 1.0})
+                yield PlanetInertia(name, count * mass.inertia, speed, wheel, float(ratio))
+            if mass.mass and carrier != HOUSING:
+                yield PlanetInertia(name, count * mass.mass * mass.radius**2, {carrier: 1.0})
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """A wheel, its link, and a planet by it, both against the carrier (Willis)."""
+    """Return a central gear, its link, and a planet's relative speed per gear speed (Willis)."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])

@@ -1,4 +1,4 @@
-"""Numbers of teeth that keep where they come from, and quotients of products of them."""
+"""Quotients of numbers of teeth that remember the formula of their value."""
 
 from __future__ import annotations
 
@@ -8,20 +8,22 @@ from fractions import Fraction
 from typing import Any
 
 Formula = float | str | Sequence[Any]
-"""A number, the path of one that the case gives, or an operation with formulas: ``["/", a, b]``.
+"""Number, path of a number of the case, or operation on formulas, such as ``["/", a, b]``.
 
 Operations are ``*`` of any number of factors, ``/`` and ``-`` of two, and ``mesh``: the efficiency
-that friction leaves, of its coefficient, teeth, other teeth, and 1 if those are a ring's."""
+with friction, from the coefficient, the teeth of both gears, and 1 if the second is a ring.
+"""
 
 
 class Quotient:
-    """A product of numbers by a product of others, with its value.
+    """Product of numbers divided by a product of numbers, with the value.
 
     Parameters
     ----------
     value : Fraction
+        Value of the quotient.
     powers : mapping of Formula to int
-        Factors with their exponents; a whole number among them is itself.
+        Factors with their exponents; whole numbers represent themselves.
 
     Examples
     --------
@@ -36,14 +38,14 @@ class Quotient:
 
     @classmethod
     def of(cls, formula: Formula, value: float | Fraction) -> Quotient:
-        """A number of teeth, or another formula."""
+        """Return a quotient of a single factor: a number of teeth, or a formula."""
         return cls(Fraction(value), {tuple(formula) if isinstance(formula, list) else formula: 1})
 
     def __repr__(self) -> str:
         return f"Quotient({self.value}, {self.formula})"
 
     def __eq__(self, other: object) -> bool:
-        """Whether the values are the same."""
+        """Return whether the values are equal."""
         return self.value == (other.value if isinstance(other, Quotient) else other)
 
     def __hash__(self) -> int:
@@ -53,8 +55,8 @@ class Quotient:
         if not isinstance(other, Quotient):  # a whole number
             other = Quotient.of(other, other)
         powers = Counter(self.powers)
-        for factor, own in other.powers.items():
-            powers[factor] += power * own
+        for factor, exponent in other.powers.items():
+            powers[factor] += power * exponent
         return Quotient(self.value * other.value**power, powers)
 
     def __mul__(self, other: Any) -> Quotient:
@@ -73,22 +75,22 @@ class Quotient:
 
     @property
     def formula(self) -> Formula:
-        """A whole number by another one, which rounds once."""
+        """Formula of whole numbers with a single division, so that the value is rounded once."""
         above, below = (
             [f for f, power in self.powers.items() for _ in range(max(power * way, 0)) if f != 1]
             for way in (1, -1)
         )
         odd = (above + below).count(-1) % 2
-        above, below = ([one for one in part if one != -1] for part in (above, below))
+        above, below = ([factor for factor in part if factor != -1] for part in (above, below))
         numerator = product([*[-1] * odd, *above])
         return ["/", numerator, product(below)] if below else numerator
 
 
 def product(factors: Iterable[Any]) -> Formula:
-    """The product of formulas.
+    """Return the product of formulas.
 
     >>> product([]), product(["a"]), product(["a", 2])
     (1, 'a', ['*', 'a', 2])
     """
-    every = [list(one) if isinstance(one, tuple) else one for one in factors]
+    every = [list(factor) if isinstance(factor, tuple) else factor for factor in factors]
     return every[0] if len(every) == 1 else ["*", *every] if every else 1

@@ -1,4 +1,7 @@
-"""Types of arrays (without numpy.typing, which costs start-up time), and what is asked of them."""
+"""Array types, and small functions on arrays.
+
+The types do without numpy.typing, which costs start-up time.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +21,12 @@ Booleans = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 def as_floats(name: str, given: object, hint: str = "") -> Floats:
-    """An array of numbers that somebody gives, by a name.
+    """Return an array of the given numbers.
 
     Raises
     ------
     CaseError
-        If it is none, with the name.
+        If something other than a number is given; the message contains the name.
 
     Examples
     --------
@@ -40,19 +43,20 @@ def as_floats(name: str, given: object, hint: str = "") -> Floats:
 
 
 def _has_truths(given: object) -> bool:
-    """Whether there is a True or False, which NumPy takes as 1 or 0."""
     if isinstance(given, list | tuple):
         return any(map(_has_truths, given))
     return isinstance(given, bool) or getattr(given, "dtype", None) == np.bool_
 
 
 def first_largest(sizes: Floats) -> Integers:
-    """The place of the largest number along the first axis; of those equal to rounding the first.
+    """Return the index of the largest number along the first axis.
+
+    Among numbers that are equal but for rounding, the first counts.
 
     Parameters
     ----------
     sizes : ndarray, shape (n,) or (n, columns)
-        None below 0; NaN is never the largest.
+        Magnitudes; NaN is never the largest.
 
     Returns
     -------
@@ -68,7 +72,7 @@ def first_largest(sizes: Floats) -> Integers:
 
 
 def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
-    """The largest magnitude of an array; 0 of an empty one, NaN if any is.
+    """Return the largest magnitude of an array; 0 if empty, NaN if any number is NaN.
 
     Examples
     --------
@@ -79,17 +83,19 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
 
 
 def counted(lengths: Integers) -> tuple[Integers, Integers]:
-    """Of lists one behind the other: the list of each item, and its place there from 0.
+    """Return the list number and the position of each item of concatenated lists.
 
-    >>> [one.tolist() for one in counted(np.array([2, 0, 3]))]
-    [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]
+    Both count from 0.
+
+        >>> [indices.tolist() for indices in counted(np.array([2, 0, 3]))]
+        [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]
     """
     which = np.repeat(np.arange(len(lengths)), lengths)
     return which, np.arange(len(which)) - (np.cumsum(lengths) - lengths)[which]
 
 
 def portions(lengths: Integers, most: int) -> Iterator[slice]:
-    """Which lists are taken together: no more than so many items, and one list at least.
+    """Yield slices of consecutive lists with at most `most` items, or a single longer list.
 
     >>> list(portions(np.array([2, 0, 3, 9, 1]), 5))
     [slice(0, 3, None), slice(3, 4, None), slice(4, 5, None)]

@@ -1,4 +1,4 @@
-"""Functions that Numba compiles, for loops that arrays can't do."""
+"""Functions compiled with Numba, for loops that arrays cannot replace."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from vstatics.core.numerics.arrays import Floats, Integers
 Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 CACHE_TROUBLE: list[str] = []
-"""Why machine code is not kept, or what is kept could not be read; for the command to tell."""
+"""Reasons why machine code could not be stored or read, for the command to report."""
 
 
 def _cache() -> str:
-    """Return a folder for machine code in which nobody else can write, or "": the code is run.
+    """Return a folder for machine code in which no other user can write, or "".
 
-    The path is resolved once. Its folders are looked at from the root on, so that nobody can
-    exchange one that is looked at later. The folder is named by the files that are compiled and
-    the tolerances in them: machine code of other ones could be taken for theirs.
+    The path is resolved once, and its folders are checked from the root on, so that nobody can
+    exchange a folder that is checked later. The name of the folder depends on the compiled files
+    and on the tolerances in them, so that machine code of other versions is never used.
     """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
     name = build(b"import compiled", b"Tolerances of")
@@ -53,17 +53,18 @@ def _cache() -> str:
 
 
 def _check(path: str, *, may_be_shared: bool = False) -> None:
-    """Refuse a file or folder that somebody other than this user and root can change.
+    """Refuse a file or folder that users other than the present user and root can change.
 
     Parameters
     ----------
     path : str
     may_be_shared : bool
-        Whether others may write in a folder whose sticky bit keeps them from what is not theirs.
+        True if others may write in a folder whose sticky bit protects the files of each user.
 
     Raises
     ------
     OSError
+        If the file or folder is refused.
     """
     status = os.lstat(path)
     mode = status.st_mode
@@ -80,7 +81,7 @@ def _check(path: str, *, may_be_shared: bool = False) -> None:
 
 @contextmanager
 def _private() -> Iterator[None]:
-    """Let nobody else write to the files that are created meanwhile."""
+    """Create files that no other user can write."""
     before = os.umask(0o077)
     try:
         yield
@@ -89,20 +90,21 @@ def _private() -> Iterator[None]:
 
 
 ROOT = 0
-"""The user who can change every file."""
+"""Number of the user who can change every file."""
 CACHE = _cache()
+"""Folder for machine code; empty if no safe folder exists."""
 
 
-class _KeptCode(FunctionCache):
-    """Machine code in files; what can't be read or written is compiled again."""
+class _CachedCode(FunctionCache):
+    """Machine code in files; unreadable code is compiled again."""
 
     @contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:
-        """Around each reading and writing: whatever is wrong with a file ends there."""
+        """Guard each reading and writing against any fault of a file."""
         try:
             with _private():
                 yield
-        except RuntimeError:  # the code is not ready to be kept yet: Numba compiles it again
+        except RuntimeError:  # the code is not ready to be stored yet; Numba compiles it again
             pass
         except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
             CACHE_TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
@@ -111,21 +113,21 @@ class _KeptCode(FunctionCache):
 
 
 def compiled(function: Compiled) -> Compiled:
-    """A function that is compiled when it is called first; the machine code is kept if it can."""
-    made = numba.njit(function, nogil=True, error_model="numpy")
+    """Return a function that is compiled at the first call, or loaded as stored machine code."""
+    dispatcher = numba.njit(function, nogil=True, error_model="numpy")
     before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
     numba.config.CACHE_DIR = CACHE  # type: ignore[attr-defined]
     try:
-        if CACHE and made is not function:
+        if CACHE and dispatcher is not function:
             with _private():
-                kept = _KeptCode(function)  # type: ignore[no-untyped-call]
-            if kept.cache_path.startswith(CACHE):
-                made._cache = kept  # noqa: SLF001 - as its own enable_caching does
+                cache = _CachedCode(function)  # type: ignore[no-untyped-call]
+            if cache.cache_path.startswith(CACHE):
+                dispatcher._cache = cache  # noqa: SLF001 - as its own enable_caching does
     except (OSError, RuntimeError) as error:
         CACHE_TROUBLE.append(f"{CACHE}: {error}")
-    finally:  # functions of others are kept where they want
+    finally:  # other packages' functions are stored where they want
         numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
-    return cast(Compiled, made)
+    return cast(Compiled, dispatcher)
 
 
 @compiled
@@ -137,6 +139,6 @@ def put(values: Floats | Integers, into: Floats | Integers) -> None:
 
 @compiled
 def fill(into: Floats | Integers, value: float) -> None:
-    """Give all places of an array one value."""
+    """Fill an array with a value."""
     for place in range(len(into)):
         into[place] = value

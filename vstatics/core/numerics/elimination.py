@@ -1,19 +1,18 @@
-"""Sparse Gauss elimination of small linear systems that need not be regular; their entries.
+"""Sparse Gauss elimination of small linear systems that can be singular.
 
-It knows nothing of transmissions. Rows are sparse; the arithmetic of their entries
-(see `Entry`) tells whether an entry is zero, and that decides rank and consistency
-without any scale chosen from outside. Pivots are chosen by the structure, as far as
-their magnitude allows, so that variants of one structure take the same way.
+Rows are sparse; the arithmetic of their entries (see `Entry`) decides whether an entry is zero.
+This gives rank and consistency without a scale from outside. Pivots are chosen by the structure, as
+far as their magnitude allows, so that variants of a structure are eliminated in the same order.
 
-The size is the sum of the magnitudes that a value was made from. Its rounding error is
-at most a few units in the last place of its size (running error analysis: Wilkinson
-1963). So a difference of no more than a unit in the last place of its size is zero, unless
-a millionth of its larger term is left: sizes overrate the error of long calculations. What is
-larger, and yet so small that few digits are left, is told by `solve_told`.
+The size of a value is the sum of the magnitudes from which it was calculated. Its rounding error is
+at most a few units in the last place of its size (running error analysis: Wilkinson 1963). So a
+difference of at most a unit in the last place of its size is zero, unless a millionth of its larger
+term is left: sizes overestimate the error of long calculations. `solve_with_certainty` also returns
+whether larger differences keep enough digits.
 
-Whether a difference of traced numbers is zero is decided for the first variant as for floats.
-For the others it is guarded: by parts of the terms, or, of any sign, by their own sizes, which
-are calculated only where a guard asks for one.
+Whether a difference of traced numbers is zero is decided for the first variant, as for floats. For
+the other variants a guard checks the decision: by parts of the terms for numbers of fixed sign, by
+sizes for numbers of any sign. Such sizes are calculated only where a guard needs them.
 """
 
 from __future__ import annotations
@@ -60,16 +59,16 @@ from vstatics.core.numerics.traced import (
 
 
 class Solution(NamedTuple):
-    """What a system determines."""
+    """Values that a system determines."""
 
     values: list[Number]
-    """Unknowns, then sums; NaN where there is no single value."""
+    """Unknowns, then sums; NaN if not unique."""
     consistent: bool
-    """No equation contradicts the others."""
+    """True if no equation contradicts the others."""
     missing: int
-    """Unknowns less rank."""
+    """Number of unknowns minus rank."""
     excess: int
-    """Equations less rank."""
+    """Number of equations minus rank."""
 
 
 def solve(
@@ -78,38 +77,38 @@ def solve(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> Solution:
-    """Solve a system; give every unknown, and every sum of unknowns, that is determined.
+    """Solve a system for every unknown and sum of unknowns that is unique.
 
     Parameters
     ----------
     equations : sequence of Equation
-        Numbers are floats, or traced.
+        Equations with floats or traced numbers.
     unknowns : int
-        Columns 0 to unknowns - 1.
+        Number of unknowns, columns 0 to unknowns - 1.
     sums : sequence of mapping
-        Column -> coefficient. A difference of two unknowns may be determined where
-        neither of them is.
+        Coefficients by column. A difference of two unknowns can be unique even if neither unknown
+        is.
     arithmetic : Arithmetic, optional
-        As the numbers are, floats or traced, when not given.
+        Arithmetic of the entries. Default: according to the numbers, floats or traced.
 
     Examples
     --------
-    Two equations for x0 - x1 = 1 and x2 = 5; x0 and x1 are open, their difference is not.
+    Two equations give x0 - x1 = 1 and x2 = 5; x0 and x1 are indeterminate, their difference is not.
 
     >>> equations = [{0: 1.0, 1: -1.0, RIGHT: 1.0}, {2: 2.0, RIGHT: 10.0}]
     >>> solve(equations, 3, sums=[{0: 1.0, 1: -1.0}])
     Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
     """
-    return solve_told(equations, unknowns, sums, arithmetic)[0]
+    return solve_with_certainty(equations, unknowns, sums, arithmetic)[0]
 
 
-def solve_told(
+def solve_with_certainty(
     equations: Sequence[Equation],
     unknowns: int,
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> tuple[Solution, bool]:
-    """What `solve` gives, and whether rounding leaves digits of each pivot and each value."""
+    """Solve a system, and return whether rounding leaves digits of each pivot and value."""
     arithmetic = arithmetic or arithmetic_of(equations)
     run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
@@ -125,7 +124,7 @@ def solve_told(
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """The arithmetic for some equations: that of the first number that is no float."""
+    """Return the arithmetic for equations, according to the first number that is not a float."""
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
@@ -139,7 +138,7 @@ def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
 
 
 def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[int, float]]:
-    """The solutions of homogeneous equations: each unknown by those that are left free.
+    """Return each unknown of homogeneous equations as a sum of the free unknowns.
 
     Examples
     --------
@@ -149,25 +148,27 @@ def in_free_unknowns(equations: Sequence[Equation], unknowns: int) -> list[dict[
     run = _Elimination([row_of(equation, FLOATS) for equation in equations], FLOATS)
     known = run.by_free_unknowns(unknowns)
     rows = [known[unknown] for unknown in range(unknowns)]
-    return [{column: float(entry[0]) for column, entry in row.items()} for row in rows]  # type: ignore[arg-type] # no traced number
+    return [{column: float(entry[0]) for column, entry in row.items()} for row in rows]  # type: ignore[arg-type] # floats only
 
 
 def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], bool]]:
-    """Equations that say the same or contradict each other.
+    """Find repeated and contradictory equations.
 
-    For every equation in excess: the numbers of those whose weighted sum has no
-    unknown left, and whether the right-hand sides agree.
+    For every equation in excess, yield the numbers of the equations whose weighted sum contains no
+    unknown, and whether the right-hand sides agree.
     """
-    marked = [row_of({**one, -2 - number: 1.0}, FLOATS) for number, one in enumerate(equations)]
+    marked = [
+        row_of({**equation, -2 - number: 1.0}, FLOATS) for number, equation in enumerate(equations)
+    ]
     for left in _Elimination(marked, FLOATS).left:
         yield sorted(-2 - column for column in left if column < RIGHT), RIGHT not in left
 
 
 class _Elimination:
-    """One elimination.
+    """Elimination of a system.
 
-    `pivots` holds, in order, the column, the pivot and the rest of its row; `left`
-    the rows in which no unknown is left.
+    `pivots` lists the column, the pivot and the other entries of its row, in order of elimination;
+    `left` contains the rows without unknowns.
     """
 
     def __init__(self, rows: Sequence[Row], arithmetic: Arithmetic) -> None:
@@ -194,18 +195,21 @@ class _Elimination:
         (active if max(row, default=RIGHT) >= 0 else self.left).append(row)
 
     def _subtract(self, row: Row, factor: Entry, other: Row) -> None:
-        """Take ``factor * other`` from `row`, in place, without what becomes zero."""
+        """Subtract ``factor * other`` from `row` in place, and drop entries that become zero."""
         for column, term in other.items():
             entry = self.arithmetic.less(row.pop(column, NOTHING), factor, term)
             if is_traced(entry[0]) or entry[0] != 0:
                 row[column] = entry
 
     def consistent(self) -> bool:
-        """Whether no row says that zero is something else."""
+        """Return whether no row without unknowns has a right-hand side."""
         return not any(RIGHT in row for row in self.left)
 
     def by_free_unknowns(self, unknowns: int) -> dict[int, Row]:
-        """Back substitution: each unknown as a sum of free ones and of the right-hand side."""
+        """Return each unknown as a sum of free unknowns and the right-hand side.
+
+        This is the back substitution.
+        """
         pivots = {column for column, _, _ in self.pivots}
         known: dict[int, Row] = {
             column: {column: EXACTLY_ONE} for column in range(unknowns) if column not in pivots
@@ -219,35 +223,37 @@ class _Elimination:
         return known
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Entry]:
-        """Each unknown and sum, NaN where it hangs on a free unknown."""
+        """Return each unknown and sum, NaN if dependent on a free unknown."""
         known = self.by_free_unknowns(unknowns)
-        wanted = [known[column] for column in range(unknowns)]
+        totals = [known[column] for column in range(unknowns)]
         for terms in sums:
             summed: Row = {}
             for column, coefficient in terms.items():
                 self._subtract(summed, (-coefficient, 0.0), known[column])
-            wanted.append(summed)
-        return [_value_of_sum(row) for row in wanted]
+            totals.append(summed)
+        return [_value_of_sum(row) for row in totals]
 
 
 NOTHING: Entry = (0.0, 0.0)
 
 
 def _value_of_sum(row: Row) -> Entry:
-    """The value of what depends on no free unknown."""
     if max(row, default=RIGHT) >= 0:
         return math.nan, 0.0
     return row.get(RIGHT, NOTHING)
 
 
 def _has_digits(entry: Entry) -> bool:
-    """Whether rounding leaves digits of a number, by its size; of what does not exist, too."""
+    """Return whether rounding leaves digits of a number, according to the size.
+
+    Zero size always does.
+    """
     value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
 
 
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
-    """The pivot that fills least (Markowitz) among those large enough in a shortest row."""
+    """Return the pivot of least fill-in (Markowitz) that is large enough in a shortest row."""
     lengths = [len(row) - (RIGHT in row) for row in active]
     shortest = min(lengths)
     candidates = [row for row, length in zip(active, lengths, strict=True) if length == shortest]
@@ -266,37 +272,38 @@ def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
         others = (row[other][0] for other in row if other not in (column, RIGHT))
         if all(arithmetic.enough(pivot, other) for other in others):
             return row, column
-    return candidates[0], max(candidates[0])  # only where an overflow left no number
+    return candidates[0], max(candidates[0])  # only reached if an overflow left no number
 
 
 Entry = tuple[Number, Any]
-"""A value and its size, a float; of any sign see `SIGNED`."""
+"""Value and size, a float; see `SIGNED` for numbers of any sign."""
 Row = dict[int, Entry]
-"""Column -> entry of an equation."""
+"""Entries of an equation by column."""
 Coefficient = Number | tuple[Number, ...]
-"""A number, or terms that have it as their sum."""
+"""Number, or terms to be summed."""
 Equation = Mapping[int, Coefficient]
-"""Column -> coefficient of the equation ``sum(a_j x_j) = b``; b stands in column `RIGHT`."""
+"""Coefficients of ``sum(a_j x_j) = b`` by column; b has the column `RIGHT`."""
 
 RIGHT = -1
+"""Column of the right-hand side."""
 EXACTLY_ONE: Entry = (1.0, 0.0)
-"""A factor that adds no rounding."""
+"""Factor that adds no rounding error."""
 
 
 class Arithmetic(NamedTuple):
-    """What an elimination does with entries."""
+    """Operations of an elimination on entries."""
 
     entry: Callable[[Number], Entry]
-    """A given number as an entry."""
+    """Return a given number as an entry."""
     quotient: Callable[[Entry, Entry], Entry]
     less: Callable[[Entry, Entry, Entry], Entry]
-    """``less(a, b, c)`` is a - b * c; exactly 0 where that is only rounding."""
+    """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
     enough: Callable[[Number, Number], bool]
-    """Whether a number is large enough as pivot beside another one."""
+    """Return whether a number is a sufficiently large pivot in a row with a second number."""
 
 
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
-    """An equation as entries of a system.
+    """Return an equation as entries of a system.
 
     >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
     {0: (2.0, 2.0), 1: (0.5, 2.5)}
@@ -310,7 +317,7 @@ def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
 
 
 def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
-    """The sum of terms; it may be zero where they cancel."""
+    """Return the sum of terms; exactly zero if the terms cancel."""
     total = arithmetic.entry(terms[0])
     for term in terms[1:]:
         total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
@@ -318,7 +325,7 @@ def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
 
 
 FloatEntry = tuple[float, float]
-"""An entry of one variant."""
+"""Entry of a single variant."""
 
 
 def _float_entry(number: float) -> FloatEntry:
@@ -326,32 +333,32 @@ def _float_entry(number: float) -> FloatEntry:
 
 
 def quotient_of_floats(entry: FloatEntry, pivot: FloatEntry) -> FloatEntry:
-    """An entry by a pivot, of one variant."""
+    """Return an entry divided by a pivot."""
     value, size = entry
-    divisor, its_size = pivot
+    divisor, pivot_size = pivot
     ratio = value / divisor
-    return ratio, (size + abs(ratio) * its_size) / abs(divisor)
+    return ratio, (size + abs(ratio) * pivot_size) / abs(divisor)
 
 
 def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> FloatEntry:
-    """What `Arithmetic.less` gives for one variant."""
+    """Return a - b * c from (a, b, c), for `Arithmetic.less`."""
     value, size = entry
-    a, its_size = factor
-    b, last_size = term
+    a, factor_size = factor
+    b, term_size = term
     product = a * b
-    size += its_size * abs(b) + abs(a) * last_size
+    size += factor_size * abs(b) + abs(a) * term_size
     left = value - product
     rounding = min(ZERO * size, TRACED_REAL * max(abs(value), abs(product)))
     return (0.0 if abs(left) <= rounding < math.inf else left), size
 
 
 def large_enough(pivot: Number, other: Number) -> bool:
-    """Whether a number can be the pivot of a row with another one."""
+    """Return whether a number can be the pivot of a row that contains a second number."""
     return bool(absolute(pivot) >= PIVOT * absolute(other))
 
 
 FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough)  # type: ignore[arg-type]
-"""For equations without a traced number, as `elimination` makes sure."""
+"""Arithmetic of equations without a traced number, as `arithmetic_of` ensures."""
 
 
 def _traced_entry(number: Number) -> Entry:
@@ -387,10 +394,11 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
 
 
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
+"""Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
 
 
 class LaterSize:
-    """The size of an entry: in the first variant, and in all of them when it is asked for."""
+    """Size of an entry in the first variant, and on request in all variants."""
 
     __slots__ = ("_made", "_make", "first")
 
@@ -400,14 +408,13 @@ class LaterSize:
         self._made: Either | None = None
 
     def of_all(self) -> Either:
-        """The size of each variant."""
+        """Return the size in each variant."""
         if self._made is None:
             self._made = self._make()
         return self._made
 
 
 def _of_first_variant(entry: Entry) -> FloatEntry:
-    """An entry as it is in the first variant."""
     number, size = entry
     if number.__class__ is size.__class__ is float:
         return entry  # type: ignore[return-value]
@@ -415,23 +422,23 @@ def _of_first_variant(entry: Entry) -> FloatEntry:
 
 
 def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
-    """The magnitude of an entry and its size in all variants."""
+    """Return the magnitude of an entry, and a function for the size, in all variants."""
     number, size = entry
     later = size.of_all if isinstance(size, LaterSize) else lambda: size
     return size_of(of_any_sign(number)), later
 
 
 def _signed_entry(number: Number) -> Entry:
-    own = of_any_sign(number)
-    return number, LaterSize(abs(value_of(own)), lambda: size_of(own))
+    signed = of_any_sign(number)
+    return number, LaterSize(abs(value_of(signed)), lambda: size_of(signed))
 
 
 def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
     ratio = entry[0] / pivot[0]
 
     def size() -> Either:
-        (_, own), (divisor, its_size) = _of_all_variants(entry), _of_all_variants(pivot)
-        return _sum_of_sizes(own(), size_of(of_any_sign(ratio)) * its_size()) / divisor
+        (_, entry_size), (divisor, pivot_size) = _of_all_variants(entry), _of_all_variants(pivot)
+        return _sum_of_sizes(entry_size(), size_of(of_any_sign(ratio)) * pivot_size()) / divisor
 
     return ratio, LaterSize(
         quotient_of_floats(_of_first_variant(entry), _of_first_variant(pivot))[1], size
@@ -439,19 +446,19 @@ def _signed_quotient(entry: Entry, pivot: Entry) -> Entry:
 
 
 def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
-    """The sign of what is left decides nothing."""
+    """Return a - b * c from (a, b, c); no decision depends on the sign of the difference."""
     value, product = entry[0], factor[0] * term[0]
     left, first_size = less_of_floats(
         _of_first_variant(entry), _of_first_variant(factor), _of_first_variant(term)
     )
 
     def size_of_all() -> Either:
-        (_, own), (a, its_size), (b, last_size) = (
+        (_, entry_size), (a, factor_size), (b, term_size) = (
             _of_all_variants(entry),
             _of_all_variants(factor),
             _of_all_variants(term),
         )
-        return _sum_of_sizes(own(), _sum_of_sizes(its_size() * b, a * last_size()))
+        return _sum_of_sizes(entry_size(), _sum_of_sizes(factor_size() * b, a * term_size()))
 
     size = LaterSize(first_size, size_of_all)
     if not (is_traced(value) or is_traced(product)):
@@ -460,42 +467,46 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
         raise Untraceable
     if value == 0 or product == 0:
         return value - product, size
-    one, other = of_any_sign(value), -of_any_sign(product)
-    larger = max(abs(value_of(one)), abs(value_of(other)))
+    minuend, negated_product = of_any_sign(value), -of_any_sign(product)
+    larger = max(abs(value_of(minuend)), abs(value_of(negated_product)))
     if left == 0:
-        if abs(value_of(one) + value_of(other)) > SIGNED_SAME * larger:
+        if abs(value_of(minuend) + value_of(negated_product)) > SIGNED_SAME * larger:
             raise Untraceable
-        guard_equal(one, -other, size.of_all() * ZERO, SIGNED_SAME)
+        guard_equal(minuend, -negated_product, size.of_all() * ZERO, SIGNED_SAME)
         return 0.0, size
     part = abs(left) / larger
     if part <= 2 * TRACED_REAL:
         raise Untraceable
-    most = TRACED_REAL if _is_given(one) and _is_given(other) else SIGNED_LEAST
-    return guarded_sum(one, other, max(min(most, part / 16), 1.5 * TRACED_REAL)), size
+    most = TRACED_REAL if _is_given(minuend) and _is_given(negated_product) else SIGNED_LEAST
+    return guarded_sum(minuend, negated_product, max(min(most, part / 16), 1.5 * TRACED_REAL)), size
 
 
 def _is_given(number: Either) -> bool:
-    """Whether a number has no rounding error: a plain one or an input."""
+    """Return whether a number has no rounding error: a plain number or an input."""
     return not isinstance(number, Signed) or number.slot < number.tape.inputs
 
 
-def _sum_of_sizes(one: Either, other: Either) -> Either:
-    return other if one == 0 else one if other == 0 else one + other
+def _sum_of_sizes(a: Either, b: Either) -> Either:
+    return b if a == 0 else a if b == 0 else a + b
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:
-    """For ordinary ratios the structure alone decides, so that all such plans are alike."""
+    """Return whether a pivot is large enough; ordinary ratios leave the choice to the structure.
+
+    Then all such plans are alike.
+    """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
 
 SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+"""Arithmetic of numbers of any sign; sizes are instances of `LaterSize`."""
 
 
 def _exact(number: Any) -> Any:
-    """A number as a fraction, of a float that of the decimals that it shows."""
+    """Return a number as a fraction; a float as the fraction of the shown decimals."""
     if is_exact(number):
         return number
-    from fractions import Fraction  # they cost start-up time
+    from fractions import Fraction  # the import costs start-up time
 
     return Fraction(repr(float(plain(number))))
 
@@ -514,4 +525,4 @@ EXACT = Arithmetic(
     less=_exact_less,
     enough=lambda pivot, other: True,  # noqa: ARG005
 )
-"""Fractions, without rounding: for few and small systems, as it is slow."""
+"""Arithmetic of fractions, without rounding; slow, so for few and small systems."""

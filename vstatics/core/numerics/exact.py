@@ -1,4 +1,4 @@
-"""Fractions, in which `elimination` does not round, made floats again."""
+"""Conversion of fractions, in which `elimination` does not round, to floats."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def rounded(value: Any) -> Any:
-    """The same with floats in place of fractions, in records, lists and mappings too.
+    """Return a value with floats instead of fractions, also within records, lists and mappings.
 
     >>> rounded((Fraction(1, 4), [Fraction(10) ** 400], {"a": "b"}))
     (0.25, [inf], {'a': 'b'})
@@ -20,10 +20,10 @@ def rounded(value: Any) -> Any:
         except OverflowError:
             return math.inf if value > 0 else -math.inf
     if isinstance(value, tuple):
-        made = map(rounded, value)
-        return type(value)(*made) if hasattr(value, "_fields") else tuple(made)
+        items = map(rounded, value)
+        return type(value)(*items) if hasattr(value, "_fields") else tuple(items)
     if isinstance(value, list):
         return list(map(rounded, value))
     if isinstance(value, Mapping):
-        return {key: rounded(own) for key, own in value.items()}
+        return {key: rounded(item) for key, item in value.items()}
     return value

@@ -1,8 +1,7 @@
-"""The best points by several objectives: those that no other point dominates.
+"""Pareto fronts: the points that no other point dominates, by several objectives.
 
-A point dominates another if it is as good in all objectives and better in one. Equal points
-do not dominate each other. Smaller is better everywhere here; what does not exist (NaN) is
-in no front.
+A point dominates another point if it is as good in all objectives and better in one. Equal points
+do not dominate each other. Smaller is better everywhere; points with NaN are in no front.
 """
 
 from __future__ import annotations
@@ -12,20 +11,20 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 LEAF = 128
-"""So many points are compared each with each."""
+"""Number of points up to which every pair is compared."""
 BLOCK = 256
-"""So many points are compared with others at once."""
+"""Number of points compared at once with other points."""
 PIVOTS = 16
-"""So many good points are tried against all others before anything is sorted."""
+"""Number of good points that are compared with all others before sorting."""
 
 
 def non_dominated(objectives: Floats) -> Integers:
-    """The rows that no other row dominates, in their order.
+    """Return the rows that no other row dominates, in ascending order.
 
-    A few good rows are tried against all others; what is left is sorted. Two objectives are
-    then one pass; with three and more the rows are halved again and again, and a half is
-    compared with what is left of the half before it: by a staircase for three objectives,
-    in blocks for more.
+    A few good rows are compared with all others; the remaining rows are sorted. Two objectives then
+    take a single pass. With three and more the rows are halved recursively, and the second half is
+    compared with the front of the first half: by a staircase for three objectives, in blocks for
+    more.
 
     Parameters
     ----------
@@ -48,16 +47,16 @@ def non_dominated(objectives: Floats) -> Integers:
     points = points[order]
     new = np.ones(len(points), dtype=np.bool_)
     new[1:] = (points[1:] != points[:-1]).any(axis=1)
-    kept = np.zeros(np.count_nonzero(new), dtype=np.bool_)
-    kept[_front(points[new])] = True
-    return np.sort(rows[order[kept[np.cumsum(new) - 1]]])
+    best = np.zeros(np.count_nonzero(new), dtype=np.bool_)
+    best[_front(points[new])] = True
+    return np.sort(rows[order[best[np.cumsum(new) - 1]]])
 
 
 def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
-    """The rows of two fronts that are non-dominated among both.
+    """Return the rows of two fronts that are non-dominated in the union of both.
 
-    Each is what `non_dominated` has left of its points. With four and more objectives this
-    is faster than to ask for all again.
+    Both must be results of `non_dominated`. With four and more objectives this is faster than a
+    calculation for all points.
 
     Parameters
     ----------
@@ -66,7 +65,7 @@ def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
     Returns
     -------
     first, second : ndarray of int
-        The rows that are left of each, in their order.
+        Remaining rows of each front, in their order.
 
     Examples
     --------
@@ -81,18 +80,19 @@ def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
 
 
 def scaled(objectives: Floats) -> Floats:
-    """Each objective from 0 (the best) to 1; what is infinite counts as far off."""
+    """Return each objective scaled from 0 (the best) to 1; infinite numbers count as far off."""
     limits = np.finfo(np.float64).max / 4
     finite = np.clip(objectives, -limits, limits)
     span = np.ptp(finite, axis=0)
-    made: Floats = (finite - finite.min(axis=0)) / np.where(span > 0, span, 1)
-    return made
+    relative: Floats = (finite - finite.min(axis=0)) / np.where(span > 0, span, 1)
+    return relative
 
 
 def _sieved(rows: Integers, objectives: Floats) -> Integers:
-    """Rows without most of those that are dominated: by the ones with the least sums.
+    """Return the rows without most of the dominated rows.
 
-    Whatever is taken for a sum, only rows that are dominated are left out.
+    Rows with small sums of objectives sort out the others. Whatever the sums are, only dominated
+    rows are left out.
     """
     if len(rows) <= LEAF:
         return rows
@@ -109,7 +109,7 @@ def _sieved(rows: Integers, objectives: Floats) -> Integers:
 
 
 def _front(points: Floats) -> Integers:
-    """Non-dominated rows of different points in the order of their objectives."""
+    """Return the non-dominated rows of different points, sorted by objectives."""
     if points.shape[1] == 1:
         return np.arange(min(len(points), 1))
     if points.shape[1] == 2:
@@ -126,27 +126,27 @@ def _front(points: Floats) -> Integers:
 
 
 def _compared(points: Floats) -> Booleans:
-    """Which of a few different points no other is as good as."""
+    """Return marks of points that no other point equals or betters in all objectives."""
     as_good = np.ones((len(points), len(points)), dtype=np.bool_)
     for objective in points.T:
         as_good &= objective <= objective[:, None]
-    kept: Booleans = as_good.sum(axis=1) == 1  # each is as good as itself
-    return kept
+    best: Booleans = as_good.sum(axis=1) == 1  # each point is as good as itself
+    return best
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:
-    """Which points are dominated by others that are as good in the first objective."""
+    """Return marks of points dominated by points that are as good in the first objective."""
     if points.shape[1] > 3:
         return _dominated(by[:, 1:], points[:, 1:], strictly=False)
     order = np.argsort(by[:, 1], kind="stable")
     least = np.minimum.accumulate(by[order, 2])
     steps = np.searchsorted(by[order, 1], points[:, 1], side="right")
-    made: Booleans = (steps > 0) & (least[steps - 1] <= points[:, 2])
-    return made
+    dominated: Booleans = (steps > 0) & (least[steps - 1] <= points[:, 2])
+    return dominated
 
 
 def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
-    """Which points others are as good as, or strictly: as good as and better in one."""
+    """Return marks of points matched in all objectives, and strictly: bettered in some."""
     dominated = np.zeros(len(points), dtype=np.bool_)
     left = np.arange(len(points))
     for start in range(0, len(by), BLOCK):

@@ -1,4 +1,4 @@
-"""Values over one or two variables: straight between, constant outside."""
+"""Tables of values over one or two variables, with linear interpolation."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from vstatics.core.numerics.arrays import Floats, Integers
 
 
 class LookupTable(NamedTuple):
-    """Straight between rows, and between columns; constant outside.
+    """Lookup table: linear between the points, constant outside.
 
     Parameters
     ----------
     x : sequence of float
-        Of the rows, ascending. Where a table of one variable has one twice it jumps: the later
-        value holds from there.
+        Variable of the rows, ascending. A table of one variable jumps at an x that appears twice:
+        the later value is valid from there.
     values : sequence of sequence of float
-        Rows of as many values as there are columns.
+        Rows of values, one for each column.
     columns : sequence of float
-        Ascending; with one alone it is a table of one variable.
+        Variable of the columns, ascending. A single column makes a table of one variable.
 
     Examples
     --------
@@ -39,39 +39,39 @@ class LookupTable(NamedTuple):
 
     @property
     def variables(self) -> int:
-        """Of how many variables it is."""
+        """Number of variables, 1 or 2."""
         return 1 if len(self.columns) == 1 else 2
 
     def at(self, x: float, y: float = 0.0) -> float:
-        """The value at a place."""
+        """Return the value at a point."""
         row, part = _place(self.x, x)
         if len(self.columns) == 1:
             first, last = self.values[row][0], self.values[row + (part > 0)][0]
             return first + part * (last - first)
         column, share = _place(self.columns, y)
-        beside = column + (share > 0)
-        made = [
-            one[column] + share * (one[beside] - one[column])
-            for one in (self.values[row], self.values[row + (part > 0)])
+        next_column = column + (share > 0)
+        ends = [
+            row_values[column] + share * (row_values[next_column] - row_values[column])
+            for row_values in (self.values[row], self.values[row + (part > 0)])
         ]
-        return made[0] + part * (made[1] - made[0])
+        return ends[0] + part * (ends[1] - ends[0])
 
     def along(self, x: Any, y: Any = 0.0) -> Floats:
-        """The values at several places."""
+        """Return the values at several points."""
         (row, part), values = _places(self.x, np.asarray(x, float)), np.array(self.values)
         behind = row + (part > 0)
         if len(self.columns) == 1:
             return np.asarray(values[row, 0] + part * (values[behind, 0] - values[row, 0]))
         column, share = _places(self.columns, np.asarray(y, float))
-        beside = column + (share > 0)
+        next_column = column + (share > 0)
         first, last = (
-            values[one, column] + share * (values[one, beside] - values[one, column])
-            for one in (row, behind)
+            values[index, column] + share * (values[index, next_column] - values[index, column])
+            for index in (row, behind)
         )
         return np.asarray(first + part * (last - first))
 
     def line_at(self, x: float) -> tuple[float, float]:
-        """Value at 0 and slope of a table of one variable, near a place."""
+        """Return the value at 0 and the slope of the line near a point, for a single variable."""
         row, part = _place(self.x, x)
         if not part:
             return self.values[row][0], 0.0
@@ -80,7 +80,7 @@ class LookupTable(NamedTuple):
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
-    """Behind which step a place is, and by what part of the way to the next."""
+    """Return the index of the point before x, and the part of the way to the next point."""
     behind = bisect_right(steps, x)
     if behind in (0, len(steps)):
         return max(0, behind - 1), 0.0
@@ -89,7 +89,7 @@ def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
 
 
 def _places(steps: Sequence[float], x: Floats) -> tuple[Integers, Floats]:
-    """The same of several places."""
+    """Return the results of `_place` for several x."""
     at = np.array(steps)
     behind = np.searchsorted(at, x, side="right")
     inside = (behind > 0) & (behind < len(at))

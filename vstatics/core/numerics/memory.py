@@ -1,9 +1,9 @@
-"""Memory for the tables of results, used again when they are gone.
+"""Memory for the tables of results, reused when the tables are gone.
 
-Fresh memory costs more time than the calculation that fills it: the system clears each
-page, and values that are the same for all variants are written again and again. So a
-block that nobody looks at any more is kept for the next results of the same shape, with
-a note of what it holds. For that nobody else may write to it.
+Fresh memory costs more time than the calculation that fills it: the system clears each page, and
+values that are equal for all variants are written again and again. So a block that is no longer
+referenced is stored for the next results of the same shape, with a note of its contents. For that
+reason tables are read-only for everybody else.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 KEPT_BYTES = 2**27
-"""So many bytes are kept at most for results to come."""
+"""Most bytes of blocks that are stored for later results."""
 
 
 class Form(NamedTuple):
@@ -26,24 +26,24 @@ class Form(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """Which rows vary, and what the others hold for every variant."""
+    """Rows that vary, and the values of all other rows for every variant."""
 
     varied: Sequence[int]
     constants: Sequence[tuple[int, Any]]
 
 
 class Rows:
-    """The rows of all tables of one gear, each over the variants."""
+    """Rows of all tables of a gear, each over the variants."""
 
     def __init__(self, arrays: Sequence[Any]) -> None:
         self.arrays = arrays
         self.holds: dict[int, Any] = {}
-        """Row -> the value that it is known to hold for every variant."""
+        """Values that rows are known to hold for every variant, by row."""
         self._layout: Layout | None = None
-        """What all rows are known to have."""
+        """Layout that all rows are known to have."""
 
     def lay_out(self, layout: Layout) -> list[Any]:
-        """Fill the rows that do not vary; the arrays of those that do, to be written to."""
+        """Fill the rows that do not vary, and return the arrays of the varying rows for writing."""
         if self._layout is not layout:
             for row, value in layout.constants:
                 if not self._holds(row, value):
@@ -59,28 +59,28 @@ class Rows:
         return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
 
     def alike(self, variants: int, layout: Layout) -> Rows:
-        """Rows of the same types, for so many variants; those that do not vary are not filled."""
-        own = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
-        own._layout = layout
-        return own
+        """Return empty rows of equal types for other variants; constants are not filled in."""
+        rows = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
+        rows._layout = layout
+        return rows
 
-    def put(self, places: Any, own: Rows, chosen: Any, layout: Layout) -> None:
-        """Write the chosen variants of other rows to their places among these."""
+    def put(self, places: Any, rows: Rows, chosen: Any, layout: Layout) -> None:
+        """Copy the chosen variants of other rows to the given places."""
         for row in layout.varied:
-            self.vary(row)[places] = own.arrays[row][chosen]
+            self.vary(row)[places] = rows.arrays[row][chosen]
         for row, value in layout.constants:
             if not self._holds(row, value):
                 self.vary(row)[places] = value
 
     def vary(self, row: int) -> Any:
-        """The array of a row, to be written to."""
+        """Return the array of a row for writing."""
         self.holds.pop(row, None)
         self._layout = None
         return self.arrays[row]
 
 
 class Block:
-    """Memory for some tables: the tables, and the same by gears."""
+    """Memory for tables, by table and by gear."""
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
         self.forms = dict(forms)
@@ -92,7 +92,7 @@ class Block:
         ]
 
     def tables(self, memory: Any) -> dict[str, Any]:
-        """The tables in memory of this form."""
+        """Return the tables of the block in the given memory."""
         tables, start = {}, 0
         for name, form in self.forms.items():
             tables[name] = np.ndarray(form.shape, form.kind, memory, start)
@@ -106,7 +106,10 @@ def _size(form: Form) -> int:
 
 
 class _Lent:
-    """Owner of a block in use: the base of all arrays that show it, gone when they are."""
+    """Owner of a block in use: the base of all arrays that show the block.
+
+    When the last such array is gone, the block is free again.
+    """
 
     def __init__(self, block: Block) -> None:
         self.block = block
@@ -117,23 +120,23 @@ class _Lent:
         }
 
     def __del__(self) -> None:
-        # The collector may call this at any moment, so nothing is locked here.
+        # The garbage collector can call this at any moment, so nothing is locked here.
         while (
             sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT_BYTES
         ):
             try:
                 _free.popleft()
             except IndexError:
-                return  # too large to be kept
+                return  # too large to be stored
         _free.append(self.block)
 
 
 _free: deque[Block] = deque()
-"""Blocks to be used again, the oldest first."""
+"""Blocks for reuse, the oldest first."""
 
 
 def block(forms: Mapping[str, Form]) -> Block:
-    """A block for tables of this form; those of the largest type first.
+    """Return a block for tables of the given forms, largest type first.
 
     >>> made = block({"ratio": Form((6, 1, 100), np.float64)})
     >>> made.gears[0].lay_out(Layout([], [(0, 1.0)]))
@@ -146,11 +149,11 @@ def block(forms: Mapping[str, Form]) -> Block:
             try:
                 _free.remove(free)
             except ValueError:
-                continue  # somebody else has just taken it
+                continue  # another thread has just taken the block
             return free
     return Block(forms)
 
 
 def shown(block: Block) -> dict[str, Any]:
-    """The tables of a block for everybody, to read; the block is free again without them."""
+    """Return the read-only tables of a block, which is freed with the last table."""
     return block.tables(np.asarray(_Lent(block)))

@@ -1,8 +1,8 @@
-"""What homogeneous equations leave free: all their solutions, each unknown by those left free.
+"""Free motions: all solutions of homogeneous equations, in terms of free unknowns.
 
-It knows nothing of transmissions. Equations of two unknowns, as shafts and gear pairs give
-them, are followed along a tree, in time proportional to their number; the rest is eliminated
-as elsewhere, with entries that tell by themselves when they are zero.
+Equations of two unknowns, from shafts and gear pairs, are followed along a tree, in time
+proportional to their number. The other equations are eliminated by `elimination`, whose entries
+decide when they are zero.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import in_free_unknowns
 
 Form = Mapping[int, float]
-"""Index of an unknown -> coefficient."""
+"""Coefficients by index of the unknown."""
 
 
 def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
-    """All solutions of homogeneous equations, as columns.
+    """Return all solutions of homogeneous equations, as columns.
 
     Returns
     -------
     ndarray, shape (unknowns, free)
-        In each column one of the unknowns that are left free is 1, the others of these 0.
+        In each column one free unknown is 1 and the other free unknowns are 0.
 
     Examples
     --------
-    Two wheels of ratio -2, and a third body by itself:
+    Two gears of ratio -2, and a separate third body:
 
     >>> free_motions([{0: 1.0, 1: 2.0}], 3)
     array([[ 1. ,  0. ],
@@ -36,9 +36,9 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
            [ 0. ,  1. ]])
     """
     tree = _Tree(unknowns)
-    left = [one for one in equations if not tree.takes(one)]
+    left = [equation for equation in equations if not tree.takes(equation)]
     roots, by_root = tree.followed()
-    reduced = [_by_roots(one, by_root) for one in left]
+    reduced = [_by_roots(equation, by_root) for equation in left]
     of_roots = in_free_unknowns(reduced, len(roots))
     free = sorted({column for row in of_roots for column in row})
     place = {column: index for index, column in enumerate(free)}
@@ -50,7 +50,7 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
 
 
 def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
-    """Forms as rows of a matrix of shape (forms, unknowns)."""
+    """Return forms as rows of a matrix of shape (forms, unknowns)."""
     rows = np.zeros((len(forms), unknowns))
     for row, form in zip(rows, forms, strict=True):
         for unknown, coefficient in form.items():
@@ -59,28 +59,28 @@ def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
 
 
 class _Tree:
-    """Unknowns joined by equations of two of them; what an equation of one holds is 0."""
+    """Unknowns joined by equations of two unknowns; equations of a single unknown give 0."""
 
     def __init__(self, unknowns: int) -> None:
         self.parent: list[int] = list(range(unknowns))
         self.factor: list[float] = [1.0] * unknowns
-        """By its parent."""
+        """Each unknown divided by its parent."""
         self.still: set[int] = set()
         """Roots that are 0."""
 
     def root(self, unknown: int) -> tuple[int, float]:
-        """The root of an unknown, and the unknown by it."""
+        """Return the root of an unknown, and the unknown divided by the root."""
         path, factor = [], 1.0
         while self.parent[unknown] != unknown:
             path.append(unknown)
             unknown = self.parent[unknown]
-        for one in reversed(path):
-            factor *= self.factor[one]
-            self.parent[one], self.factor[one] = unknown, factor
+        for passed in reversed(path):
+            factor *= self.factor[passed]
+            self.parent[passed], self.factor[passed] = unknown, factor
         return unknown, factor
 
     def takes(self, form: Form) -> bool:
-        """Whether an equation is followed here; one that closes a circle is not."""
+        """Add an equation to the tree; return False for a loop, which is left to elimination."""
         terms = [(unknown, part) for unknown, part in form.items() if part]
         if len(terms) == 1:
             root, _ = self.root(terms[0][0])
@@ -98,18 +98,20 @@ class _Tree:
         return True
 
     def followed(self) -> tuple[list[int], list[tuple[int, float]]]:
-        """The roots that may move, and of each unknown the place of its root and its factor.
+        """Return the roots that can move, and the root index and factor of each unknown.
 
-        The place is -1 for what is 0.
+        The index is -1 for unknowns that are 0.
         """
         by_root = [self.root(unknown) for unknown in range(len(self.parent))]
-        roots = [one for one in dict.fromkeys(root for root, _ in by_root) if one not in self.still]
+        roots = [
+            root for root in dict.fromkeys(root for root, _ in by_root) if root not in self.still
+        ]
         place = {root: index for index, root in enumerate(roots)}
         return roots, [(place.get(root, -1), factor) for root, factor in by_root]
 
 
 def _by_roots(form: Form, by_root: Sequence[tuple[int, float]]) -> dict[int, tuple[float, ...]]:
-    """A form in the roots; terms of one root stay apart, so that their rounding is seen."""
+    """Return a form in the roots; terms of a root stay separate, so that rounding is visible."""
     terms: dict[int, tuple[float, ...]] = {}
     for unknown, part in form.items():
         root, factor = by_root[unknown]

@@ -1,14 +1,14 @@
-"""A calculation for many variants: planned once, run again on all that are like the first.
+"""Plans: a calculation recorded once, and run again on all variants that are like the first.
 
-A plan is made from the calculation for one variant (`Plan`). It is run on all variants;
-those that fail a guard get a plan that one of them makes, and so on. The few that are left,
-and special cases that can stand for no other, are calculated by themselves. So every variant
-gets the numbers that it would get alone: to the last bit by plans of one sign, to rounding
-by plans of any sign, which may take the pivots in another order.
+A plan is recorded while a variant is calculated (`Plan`), then run on all variants. Variants that
+fail a guard get a plan recorded for one of them, and so on. The few remaining variants, and special
+cases that cannot represent others, are calculated alone. So every variant gets the numbers that it
+would get alone: to the last bit with plans of fixed sign, to rounding with plans of any sign, which
+can choose the pivots in another order.
 
-There are two sorts. A plan of one sign takes magnitudes: signs cost no step, and all of its
-variants have those of the one that made it. A plan of any sign costs up to twice the steps
-and serves all variants of its structure.
+There are two kinds. A plan of fixed sign calculates magnitudes: signs cost no step, and all of its
+variants have the signs of its first variant. A plan of any sign takes up to twice as many steps and
+serves all variants of a structure.
 """
 
 from __future__ import annotations
@@ -28,61 +28,63 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""So many variants are not worth a plan; more of them, when plans were made in vain."""
+"""Number of variants that are not worth a plan; more after plans were made in vain."""
 WORTH = 12
-"""A plan costs about as much as so many variants that are calculated by themselves."""
+"""Cost of a plan, in variants that are calculated alone."""
 STEPS_LIKE_ONE_VARIANT = 250
-"""So many steps of a plan on few variants cost about as much as one variant by itself."""
+"""Steps of a plan that cost as much as a variant calculated alone."""
 LEAST_SHARE = 1 / 64
-"""A plan may serve so many again, even if it did not when it was last run."""
+"""Least share of variants that a plan is expected to serve in the next run."""
 MOST_PLANS = 256
-"""Plans of one calculation; variants that fit none of them are calculated by themselves."""
+"""Most plans of a calculation; variants without a plan are calculated alone."""
 TRIALS = 6
-"""After so many plans in turn that were not worth making all that are left go alone."""
+"""Number of successive plans without worth after which the other variants are calculated alone."""
 WIDENING = (1.05, 1.25, 2.0)
-"""The bounds of a plan of one sign are so much wider than the numbers it is made for; more for
-later plans, so that numbers that wander do not need a new one again and again."""
+"""Factors by which the bounds of a plan of fixed sign exceed the given numbers.
+
+Later plans have wider bounds, so that drifting numbers do not need a new plan every time.
+"""
 SERVED_PART = 0.5
-"""A plan of one sign is run where it serves more than this part, if others serve any sign, ..."""
+"""Share of variants that a plan of fixed sign must serve if a plan of any sign exists."""
 SAMPLE_VARIANTS = 64
-"""... which so many variants tell, ..."""
+"""Number of variants from which that share is estimated."""
 SAMPLED = 8
-"""... one call in so many."""
+"""Number of calls between two estimates of the share of a plan of fixed sign."""
 
 
 class Plans:
-    """All plans of a calculation; it makes them as variants come that need them."""
+    """Plans of a calculation, made on demand."""
 
     def __init__(self, function: Function) -> None:
         self.function = function
         self.plans: Sequence[Plan] = ()
-        """Those of one sign first, as they take fewer steps; then those that served most."""
+        """Plans of fixed sign first, as they take fewer steps; then the most used plans."""
         self.calls = 0
         self.alone = 0
-        """Variants that were calculated by themselves so far."""
+        """Number of variants that were calculated alone."""
         self.special = 0
-        """Those among them of which no plan could be made."""
+        """Number of variants for which no plan could be made."""
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, into a row for each result."""
         total = inputs.values.shape[1]
-        mine = [plan for plan in self.plans if not plan.signed or total > 1]
-        if total == 1 and any(plan.run_one(inputs, rows) for plan in mine):
+        usable = [plan for plan in self.plans if not plan.signed or total > 1]
+        if total == 1 and any(plan.run_one(inputs, rows) for plan in usable):
             return
         self.calls += 1
         left = np.arange(total)
-        for plan in mine:
+        for plan in usable:
             plan.served = 0
             if left.size and self._promises(plan, inputs, rows, left):
                 left = self._run(plan, inputs, rows, left)
         left = self._with_new_plans(inputs, rows, left)
         self._alone(inputs, rows, left)
-        # a new one, as another thread may be at the old one
+        # a new list, because another thread can be using the old list
         self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
 
     def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
-        """Make plans for variants that are left as long as that is worth it; who is left then."""
+        """Make plans for remaining variants while worthwhile; return variants without a plan."""
         trials, total = TRIALS, inputs.values.shape[1]
         while trials and len(self.plans) < MOST_PLANS and self._worth(left.size, inputs):
             place = (TRIALS - trials) * left.size // TRIALS  # neighbours are special together
@@ -92,7 +94,7 @@ class Plans:
                 plan = self._new(prepared(inputs.values[:, left]), place, alike=alike)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
-            if variant in left:  # it does not even stand for itself
+            if variant in left:  # the plan does not even serve its own variant
                 self._alone(inputs, rows, np.array([variant]))
                 self.special += 1
                 left = left[left != variant]
@@ -104,7 +106,11 @@ class Plans:
         return left
 
     def _new(self, inputs: Inputs, place: int, *, alike: bool) -> Plan:
-        """The plan of a variant: of its sign, where that may serve all or there is but one."""
+        """Return the plan of a variant.
+
+        The plan has a fixed sign if it can serve all variants, or if there is only a single
+        variant.
+        """
         alike &= all(low >= 0 or high <= 0 for low, high in inputs.ranges)
         if inputs.values.shape[1] > 1 and not alike:
             with contextlib.suppress(Untraceable):
@@ -114,14 +120,13 @@ class Plans:
         return plan_of_one_sign(self.function, inputs, place, widening)
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
-        """Whether a plan is worth making: for many now, or for few that come often."""
         often = (
             left == inputs.values.shape[1] and self.alone > FEW_VARIANTS and self.special < TRIALS
         )
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
-        """Whether a plan is worth running on those that are left."""
+        """Return whether a plan is worth running on the remaining variants."""
         if not max(plan.share, LEAST_SHARE) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
             return False
         if plan.signed or plan.share > SERVED_PART or not self.plans[-1].signed:
@@ -135,19 +140,20 @@ class Plans:
         return bool(passed.mean() > SERVED_PART)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
-        """Run a plan on those of the chosen variants that suit; give back the others."""
+        """Run a plan on suitable variants among the chosen, and return all others."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
         count = int(np.count_nonzero(passed))
-        if everybody and 2 * count > chosen.size:  # most of them, straight to their place
+        # most variants are suitable: write the results to their final place
+        if everybody and 2 * count > chosen.size:
             passed &= plan.run(inputs, rows)
         elif count:
             suited = chosen[passed]
             layout = plan.replay.layout
-            own = rows.alike(count, layout)
-            stands = plan.run(prepared(part.values[:, passed]), own)
-            rows.put(suited[stands], own, stands, layout)
+            suited_rows = rows.alike(count, layout)
+            stands = plan.run(prepared(part.values[:, passed]), suited_rows)
+            rows.put(suited[stands], suited_rows, stands, layout)
             passed[passed] = stands
         left = chosen[~passed]
         plan.served = chosen.size - left.size
@@ -155,7 +161,6 @@ class Plans:
         return left
 
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
-        """Calculate each of the chosen variants by itself."""
         self.alone += chosen.size
         for variant in chosen.tolist():
             results = self.function(inputs.values[:, variant].tolist())
@@ -164,15 +169,16 @@ class Plans:
 
 
 SPREAD = 64.0
-"""The bounds of a plan of one sign reach no further than this factor from the variant that made
-it."""
+"""Largest factor between the bounds of a plan of fixed sign and the first variant."""
 SIGNED_WIDENING = (1.005, 2.0)
-"""The bounds of a plan of any sign are so much wider than the numbers that it is made for: less
-for the first one and numbers of one sign, so that efficiencies stay below 1."""
+"""Factors by which the bounds of a plan of any sign exceed the given numbers.
+
+The first plan, for numbers of a single sign, has closer bounds, so that efficiencies stay below 1.
+"""
 
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
-"""The calculation for one variant: its numbers -> its results."""
+"""Calculation of a variant, from numbers to results."""
 
 
 class Range(NamedTuple):
@@ -183,7 +189,7 @@ class Range(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """The numbers that vary, (inputs, variants), and what plans need to know of them."""
+    """Numbers that vary, (inputs, variants), with magnitudes and ranges for plans."""
 
     values: Floats
     magnitudes: Floats
@@ -191,7 +197,7 @@ class Inputs(NamedTuple):
 
 
 def prepared(values: Floats) -> Inputs:
-    """Inputs of shape (inputs, variants) for plans."""
+    """Return the inputs for plans from an array of shape (inputs, variants)."""
     if values.shape[1] == 1:
         lows = highs = values[:, 0]
     else:
@@ -200,35 +206,35 @@ def prepared(values: Floats) -> Inputs:
 
 
 class Plan:
-    """The replay of a calculation, the ranges of the inputs that it is good for, its worth."""
+    """Recorded calculation with the valid ranges of the inputs."""
 
     def __init__(self, ranges: Sequence[Range], replay: Replay, *, signed: bool) -> None:
         self.ranges = ranges
         self.replay = replay
         self.signed = signed
-        """It is of any sign."""
+        """True if the plan is of any sign."""
         self.served = 0
-        """Variants, when it was last run."""
+        """Number of variants served in the last run."""
         self.share = 1.0
-        """The part of those that it was run on."""
+        """Share of the variants of the last run that were served."""
 
     @property
     def steps(self) -> int:
-        """How many steps it takes."""
+        """Number of steps."""
         return len(self.replay.steps)
 
     def numbers(self, inputs: Inputs) -> Floats:
-        """The inputs as they stand on its tape."""
+        """Return the inputs in the form that the tape uses."""
         return inputs.values if self.signed else inputs.magnitudes
 
     def suits(self, inputs: Inputs) -> Booleans:
-        """Which variants lie in the ranges."""
+        """Return marks of variants within the ranges."""
         inside = np.ones(inputs.values.shape[1], dtype=np.bool_)
-        for own, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
-            if own.high < low or own.low > high:
+        for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
+            if given.high < low or given.low > high:
                 return ~inside
-        for place, (own, (low, high)) in enumerate(zip(inputs.ranges, self.ranges, strict=True)):
-            if not low <= own.low <= own.high <= high:
+        for place, (given, (low, high)) in enumerate(zip(inputs.ranges, self.ranges, strict=True)):
+            if not low <= given.low <= given.high <= high:
                 values = inputs.values[place]
                 inside &= (values >= low) & (values <= high)
             if low < 0 < high:
@@ -236,15 +242,15 @@ class Plan:
         return inside
 
     def run(self, inputs: Inputs, rows: Rows) -> Booleans:
-        """Write the results of all variants; mark those that pass the guards."""
+        """Write the results of all variants, and return marks of variants that pass the guards."""
         passed = np.ones(inputs.values.shape[1], dtype=np.bool_)
         self.replay.run(self.numbers(inputs), rows, passed)
         return passed
 
     def run_one(self, inputs: Inputs, rows: Rows) -> bool:
-        """Write the results of a single variant, if it is one of those that the plan is for."""
-        for own, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
-            if not low <= own.low <= high:
+        """Write the results of a single variant, and return whether the plan is valid."""
+        for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
+            if not low <= given.low <= high:
                 return False
         with contextlib.suppress(ZeroDivisionError):  # after an underflow
             return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)
@@ -252,17 +258,17 @@ class Plan:
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:
-    """The plan that one variant makes, for inputs like the others'; all of its sign.
+    """Return the plan recorded for a variant, valid for inputs of equal signs.
 
     Raises
     ------
     Untraceable
-        If it is a special case.
+        If the variant is a special case.
     """
     firsts = inputs.values[:, place].tolist()
     ranges = [
-        _bounds(value, values, own, widening)
-        for value, values, own in zip(firsts, inputs.values, inputs.ranges, strict=True)
+        _bounds(value, values, given, widening)
+        for value, values, given in zip(firsts, inputs.values, inputs.ranges, strict=True)
     ]
     tape = Tape(len(firsts))
     traced = []
@@ -273,15 +279,15 @@ def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: f
 
 
 def plan_of_any_sign(function: Function, inputs: Inputs, place: int, *, again: bool) -> Plan:
-    """The plan that one variant makes, for inputs of any size and sign.
+    """Return the plan recorded for a variant, valid for inputs of any sign.
 
     Raises
     ------
     Untraceable
-        If it is a special case.
+        If the variant is a special case.
     """
     firsts = inputs.values[:, place].tolist()
-    ranges = [_wide(own, again=again) for own in inputs.ranges]
+    ranges = [_wide(given, again=again) for given in inputs.ranges]
     tape = Tape(len(firsts))
     numbers = [
         Signed(tape, slot, value, *bounds)
@@ -290,9 +296,8 @@ def plan_of_any_sign(function: Function, inputs: Inputs, place: int, *, again: b
     return Plan(ranges, replay(tape, function(numbers)), signed=True)
 
 
-def _wide(own: Range, *, again: bool) -> Range:
-    """Bounds of numbers, and some room."""
-    low, high = own
+def _wide(given: Range, *, again: bool) -> Range:
+    low, high = given
     more = SIGNED_WIDENING[again or low < 0 < high]
     less, most = 1 / more, 1 / LEAST_INPUT
     low = max(low * more, -most) if low < 0 else max(low * less, LEAST_INPUT)
@@ -300,11 +305,11 @@ def _wide(own: Range, *, again: bool) -> Range:
     return Range(low, high)
 
 
-def _bounds(value: float, values: Floats, own: Range, widening: float) -> Range:
-    """Bounds for numbers that are not too far from one of them, on its side of 0."""
-    if own.low < 0 < own.high:
+def _bounds(value: float, values: Floats, given: Range, widening: float) -> Range:
+    """Return the bounds of a plan of fixed sign around a value, within `SPREAD`."""
+    if given.low < 0 < given.high:
         values = values[(values > 0) == (value > 0)]
-        own = Range(float(values.min()), float(values.max()))
-    size, (low, high) = abs(value), sorted(map(abs, own))
+        given = Range(float(values.min()), float(values.max()))
+    size, (low, high) = abs(value), sorted(map(abs, given))
     low, high = max(low / widening, size / SPREAD), min(high * widening, size * SPREAD)
     return Range(low, high) if value > 0 else Range(-high, -low)

@@ -1,4 +1,4 @@
-"""A tape run again on arrays: which steps are needed, and where their results stand."""
+"""Replay: the steps that repeat the operations of a tape on arrays, and their memory."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.core.numerics.traced import Number, Traced
 
 CHUNK = 8192
-"""Variants that run through the steps together: so that their numbers stay in the cache."""
+"""Number of variants that pass the steps together, few enough for the cache."""
 
 
-def _absolute(one: Floats, _: Floats, result: Floats) -> None:
-    np.absolute(one, result)
+def _absolute(operand: Floats, _: Floats, result: Floats) -> None:
+    np.absolute(operand, result)
 
 
 def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
@@ -28,17 +28,17 @@ def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
     np.copyto(result, yes, where=margin > 0)
 
 
-def _store(one: Floats, factor: float, result: Any) -> None:
-    """A result times +1 or -1, to a row of its type."""
-    np.multiply(one, factor, result, casting="unsafe")
+def _store(value: Floats, factor: float, result: Any) -> None:
+    """Write a result times +1 or -1 to a row of any type."""
+    np.multiply(value, factor, result, casting="unsafe")
 
 
-def _minimum(one: Floats, other: Floats, result: Floats) -> None:
-    np.minimum(one, other, out=result)
+def _minimum(first: Floats, second: Floats, result: Floats) -> None:
+    np.minimum(first, second, out=result)
 
 
-def _of_arrays(one: float, other: float) -> float:
-    """Stands for functions of plans of any sign, which single variants do not take."""
+def _of_arrays(first: float, second: float) -> float:
+    """Refuse functions that only occur in plans of any sign, which single variants do not use."""
     raise NotImplementedError
 
 
@@ -47,7 +47,7 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
     "choose": _choose,
     "minimum": _minimum,
 }
-"""Functions of tapes that are no functions of NumPy by this name."""
+"""Functions of tapes that NumPy does not have under the name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
     "add": operator.add,
@@ -59,45 +59,46 @@ PLAIN: Mapping[str, Callable[..., float]] = {
     "equal": operator.eq,
     "not_equal": operator.ne,
 }
+"""Functions of tapes for plain numbers."""
 
 
-class _Own(threading.local):
+class _WorkingMemory(threading.local):
     """Memory of a thread for working arrays; fresh memory costs more time than the steps."""
 
     numbers: Floats = np.empty(0)
     holds: Booleans = np.empty(0, dtype=np.bool_)
 
 
-_own = _Own()
+_memory = _WorkingMemory()
 
 
 def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Booleans]:
-    """Arrays over the variants, for numbers and for guards; they are full of what was there."""
-    if _own.numbers.size < count * variants:
-        _own.numbers = np.empty(count * variants)
-    if _own.holds.size < guards * variants:
-        _own.holds = np.empty(guards * variants, dtype=np.bool_)
-    numbers, holds = _own.numbers[: count * variants], _own.holds[: guards * variants]
+    """Return uninitialised arrays over the variants, for numbers and for guards."""
+    if _memory.numbers.size < count * variants:
+        _memory.numbers = np.empty(count * variants)
+    if _memory.holds.size < guards * variants:
+        _memory.holds = np.empty(guards * variants, dtype=np.bool_)
+    numbers, holds = _memory.numbers[: count * variants], _memory.holds[: guards * variants]
     return numbers.reshape(count, variants), holds.reshape(guards, variants)
 
 
 class Step(NamedTuple):
-    """A function of arrays and its like for plain numbers, the cells of operands and result."""
+    """Function for arrays and for plain numbers, with the cells of operands and result."""
 
     function: Callable[..., Any]
     plain: Callable[..., float]
-    one: int
-    other: int
+    first: int
+    second: int
     result: int | None
-    """None: a guard."""
+    """Cell of the result; absent for a guard."""
     third: int | None = None
-    """Of a function of three operands."""
+    """Cell of the third operand of a choice."""
 
 
 class Replay(NamedTuple):
-    """The steps that lead from the inputs of a tape to its results.
+    """Steps from the inputs of a tape to the results.
 
-    Cells are numbered: inputs, results that vary, working arrays; plain numbers are
+    Cells are numbered in the order inputs, varying results, working arrays; plain numbers are
     counted from the end.
     """
 
@@ -107,10 +108,10 @@ class Replay(NamedTuple):
     """Number of working arrays."""
     plain: Sequence[float]
     layout: Layout
-    """Of the results."""
+    """Layout of the results."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
-        """Write the results of all variants; those that do not pass the guards are unmarked.
+        """Write the results of all variants, and unmark variants that do not pass the guards.
 
         Parameters
         ----------
@@ -132,24 +133,24 @@ class Replay(NamedTuple):
                 *plain,
             ]
             held = iter(holds[:, :size])
-            for function, _, one, other, result, third in self.steps:
+            for function, _, first, second, result, third in self.steps:
                 if result is None:
-                    function(cells[one], cells[other], next(held))
+                    function(cells[first], cells[second], next(held))
                 elif third is None:
-                    function(cells[one], cells[other], cells[result])
+                    function(cells[first], cells[second], cells[result])
                 else:
-                    function(cells[one], cells[other], cells[third], cells[result])
+                    function(cells[first], cells[second], cells[third], cells[result])
             passed[part] &= holds[:, :size].all(axis=0)
 
     def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
-        """Write the results of a single variant of one sign; tell whether it passes the guards.
+        """Write the results of a single variant of fixed sign, and return whether the guards pass.
 
-        Plain numbers take a quarter of the time that arrays of one number take.
+        Plain numbers take a quarter of the time of arrays with a single number.
         """
         none = [0.0] * (len(self.layout.varied) + self.working)
         cells = [*magnitudes, *none, *self.plain[::-1]]
-        for _, function, one, other, result, _ in self.steps:
-            number = function(cells[one], cells[other])
+        for _, function, first, second, result, _ in self.steps:
+            number = function(cells[first], cells[second])
             if result is not None:
                 cells[result] = number
             elif not number:
@@ -160,7 +161,7 @@ class Replay(NamedTuple):
 
 
 def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
-    """Arrange the operations of a tape that its guards and some results need."""
+    """Arrange the operations of a tape that guards and results need."""
     varied: list[int] = []
     copies: dict[int, list[tuple[int, float]]] = {}
     for row, result in enumerate(results):
@@ -175,14 +176,14 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
         steps += cells.copied(slot, copies)
     for slot, operation in enumerate(tape.operations, tape.inputs):
         if slot in last:
-            name, one, other, third = operation
-            operands = cells.of(one), cells.of(other)
+            name, first, second, third = operation
+            operands = cells.of(first), cells.of(second)
             more = None if third is None else cells.of(third)
             released = [used for used in operation.slots if last[used] == slot]
             if third is None:
                 cells.release(released)
             cell = None if name in GUARDS else cells.taken(slot, copies)
-            if third is not None:  # its result is written while its operands are still read
+            if third is not None:  # a choice writes its result while its operands are still read
                 cells.release(released)
             function = ARRAYS.get(name) or getattr(np, name)
             steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
@@ -199,7 +200,6 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
 
 
 def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
-    """Where a result stands on its tape, and its sign."""
     if isinstance(result, Residual):
         return result.slot, 1.0
     if isinstance(result, Truth):
@@ -212,9 +212,9 @@ def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
 
 
 def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
-    """Slot -> the last operation that uses it, or its own where a result alone does.
+    """Return the last operation that uses each slot, as a slot.
 
-    Guards stand for themselves; what is not in it nobody needs.
+    A slot that only a result uses has itself, and so has a guard. Unused slots are missing.
     """
     last = {slot: slot for slot in copies}
     for index in reversed(range(len(tape.operations))):
@@ -229,7 +229,7 @@ def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
 
 
 class _Cells:
-    """Which cell holds what, while the steps are arranged."""
+    """Cells of slots and numbers while the steps are arranged."""
 
     def __init__(self, inputs: int, varied: int) -> None:
         self.plain: list[Plain] = []
@@ -239,7 +239,7 @@ class _Cells:
         self._free: list[int] = []
 
     def of(self, operand: Operand) -> int:
-        """The cell of a slot, or of a plain number."""
+        """Return the cell of a slot or a plain number."""
         if isinstance(operand, int):
             return self._cells[operand]
         if operand not in self.plain:
@@ -247,7 +247,7 @@ class _Cells:
         return -1 - self.plain.index(operand)
 
     def taken(self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]) -> int:
-        """A cell for a new slot: that of a result, a free one, or one more."""
+        """Return a cell for a new slot: of a result, a free cell, or a new cell."""
         result = next((cell for cell, sign in copies.get(slot, ()) if sign > 0), None)
         if result is None and not self._free:
             self._free.append(self._first_working + self.working)
@@ -256,13 +256,13 @@ class _Cells:
         return self._cells[slot]
 
     def release(self, slots: Iterable[int]) -> None:
-        """The working arrays of slots that nobody needs any more are free again."""
+        """Free the working arrays of slots that are no longer needed."""
         self._free += [self._cells[s] for s in slots if self._cells[s] >= self._first_working]
 
     def copied(
         self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]
     ) -> Iterator[Step]:
-        """Steps that copy a slot to the other results that it is."""
+        """Yield steps that copy a slot to further results."""
         for cell, sign in copies.get(slot, ()):
             if cell != self._cells[slot]:
                 yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

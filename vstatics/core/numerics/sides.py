@@ -1,4 +1,4 @@
-"""Where a function of one variable is on another side of 0 than before."""
+"""Changes of sign of a function of one variable."""
 
 from __future__ import annotations
 
@@ -10,20 +10,24 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 
 Sided: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Values at places, and of each the size up to which it is 0."""
+"""Function that returns values at places, and the sizes up to which values count as 0."""
 
 _PLACES = 2**15 + 1
+"""Number of places at which a function is evaluated first."""
 _CLOSER = np.linspace(0.0, 1.0, 9)
+"""Parts of an interval at which a function is evaluated to find an extremum."""
 _TIMES_CLOSER = 24
-"""Each a fourth as long."""
+"""Number of refinements near an extremum; each makes the interval four times shorter."""
 _HALVES = 100
+"""Number of bisections."""
 
 
 def changes_of_side(of: Sided, low: float, high: float) -> Floats:
-    """Places between two at which a function passes 0, by a jump or a pole too, or touches it.
+    """Return the places where a function crosses or touches 0, even by a jump or a pole.
 
-    It is looked at at 32,769 places, and closer where it is nearest to 0: between these it is
-    found if it turns smoothly. Each place is the first float behind the change.
+    The function is evaluated at 32,769 places, and more closely where it is nearest to 0: a zero
+    between two places is found if the function is smooth there. Each place is the first float after
+    the change.
 
     Examples
     --------
@@ -44,7 +48,7 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
         at, places, sides = places[touches], np.delete(places, touches), np.delete(sides, touches)
         changes = np.flatnonzero(sides[1:] != sides[:-1])
         before, behind, side = places[changes], places[changes + 1], sides[changes]
-        passes = side * sides[changes + 1] == -1  # no place is on neither side then
+        passes = side * sides[changes + 1] == -1  # at these changes 0 does not count as a side
         for _ in range(_HALVES):
             middle = before / 2 + behind / 2
             same = _sides(of, middle, may_be_0=~passes) == side
@@ -53,17 +57,19 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
 
 
 def _sides(of: Sided, places: Floats, *, may_be_0: Booleans | bool = True) -> Floats:
-    """+1, -1, or 0; 2 of what is no number."""
+    """Return the sign of a function at places: +1, -1 or 0, and 2 for NaN."""
     values, zero = of(places)
     is_0 = may_be_0 & (np.abs(values) <= zero)
     return np.where(np.isnan(values), 2.0, np.where(is_0, 0.0, np.sign(values)))
 
 
 def _nearest_to_0(of: Sided, places: Floats) -> Floats:
-    """Where a function that seems to stay on a side is nearest to the other one, or beyond."""
+    """Return the places where a function without a change of sign is nearest to 0, or beyond."""
     values, sides = of(places)[0], _sides(of, places)
     stays = (sides[:-2] == sides[1:-1]) & (sides[1:-1] == sides[2:]) & (abs(sides[1:-1]) == 1)
-    ahead, behind = (sides[1:-1] * (values[1:-1] - one) for one in (values[:-2], values[2:]))
+    ahead, behind = (
+        sides[1:-1] * (values[1:-1] - neighbours) for neighbours in (values[:-2], values[2:])
+    )
     turns = np.flatnonzero(stays & (ahead <= 0) & (behind <= 0) & (ahead + behind < 0))
     first, last, side = places[turns], places[turns + 2], sides[turns + 1, None]
     rows = np.arange(len(turns))

@@ -1,64 +1,66 @@
-"""The operations of a calculation in their order, and the guards of its decisions."""
+"""Tape of a calculation: its operations in order, and the guards of its decisions."""
 
 from __future__ import annotations
 
 from typing import NamedTuple, Never
 
 MOST_OPERATIONS = 20_000
-"""Operations on a tape; a calculation that needs more is not worth its tape."""
+"""Most operations on a tape; a longer calculation is not worth recording."""
 GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
-"""Operations that compare: the tape is right for the variants for which all of them hold."""
+"""Operations that compare; a tape is valid for variants that pass all comparisons."""
 
 
 class Untraceable(Exception):  # noqa: N818
-    """The first variant is a special case, that does not stand for others."""
+    """Exception for a first variant that is a special case."""
 
 
 class Plain(NamedTuple):
-    """A plain number as operand; a number by itself is a slot of the tape."""
+    """Plain number as an operand; an int is the number of a slot."""
 
     number: float
 
 
 Operand = int | Plain
+"""Slot of the tape, or a plain number."""
 
 HUGE = 1e100
-"""A first variant with a magnitude above it, or below its inverse, is a special case."""
+"""Largest magnitude in the first variant; the smallest magnitude is the inverse."""
 NEGATIONS = {"less": "less_equal", "less_equal": "less"}
+"""Comparison that is true, with exchanged operands, where the key is false."""
 
 
-def ordered(one: Operand, other: Operand) -> tuple[Operand, Operand]:
-    """Operands that can change places, in an order of their own, slots first."""
-    if isinstance(other, int) and (isinstance(one, Plain) or other < one):
-        return other, one
-    return one, other
+def ordered(first: Operand, second: Operand) -> tuple[Operand, Operand]:
+    """Return commutative operands in a canonical order, slots first."""
+    if isinstance(second, int) and (isinstance(first, Plain) or second < first):
+        return second, first
+    return first, second
 
 
 class Operation(NamedTuple):
-    """A step of a tape: the name of a function of two operands, or of three."""
+    """Step of a tape: a named function of two or three operands."""
 
     name: str
-    one: Operand
-    other: Operand
+    first: Operand
+    second: Operand
     third: Operand | None = None
 
     @property
     def slots(self) -> list[int]:
-        """The slots that it takes."""
-        operands = {self.one, self.other, self.third}
+        """Slots that the operation reads."""
+        operands = {self.first, self.second, self.third}
         return [operand for operand in operands if isinstance(operand, int)]
 
 
 class Tape:
-    """Operations and guards in their order; the first slots are the inputs."""
+    """Operations and guards in order; the first slots are the inputs."""
 
     def __init__(self, inputs: int) -> None:
         self.inputs = inputs
         self.operations: list[Operation] = []
         self._slots: dict[Operation, int] = {}
 
-    def note(self, name: str, one: Operand, other: Operand, third: Operand | None = None) -> int:
-        """The slot of an operation's result; the same operation is noted once.
+    def note(self, name: str, first: Operand, second: Operand, third: Operand | None = None) -> int:
+        """Record an operation, unless recorded before, and return the slot of the result.
 
         Raises
         ------
@@ -71,7 +73,7 @@ class Tape:
         >>> tape.note("add", 0, 1), tape.note("multiply", 2, Plain(0.5)), tape.note("add", 0, 1)
         (2, 3, 2)
         """
-        operation = Operation(name, one, other, third)
+        operation = Operation(name, first, second, third)
         slot = self._slots.get(operation)
         if slot is None:
             slot = self._slots[operation] = self.inputs + len(self.operations)
@@ -82,7 +84,7 @@ class Tape:
 
 
 class Residual:
-    """What is left of a sum, near 0 and of any sign: a result, with which nothing is done."""
+    """Difference of nearly equal sums, near 0, of any sign: a result that is not used further."""
 
     __slots__ = ("slot", "tape", "value")
 

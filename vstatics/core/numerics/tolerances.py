@@ -1,69 +1,79 @@
-"""Tolerances of the calculation: when a difference is nothing, when rounding is too large.
+"""Tolerances of the calculation: when a difference is zero, when rounding is too large.
 
-Those of the arithmetic are in units of the last place; those of a gear are parts of what
-they are compared with, so that a train of any ratios is measured by its own numbers.
+Tolerances of the arithmetic are in units of the last place. Tolerances of a gear are relative to
+the compared numbers, so that a train of any ratios is judged by its own numbers.
 """
 
 from __future__ import annotations
 
 EPSILON = 2.0**-52
-"""A unit in the last place of 1."""
+"""Unit in the last place of 1."""
 
 # arithmetic of linear systems
 ZERO = EPSILON
-"""A difference is zero when it is at most this part of its size, which bounds its rounding, ..."""
+"""Largest zero difference relative to the size, which bounds the rounding error.
+
+A zero difference must also be below `TRACED_REAL`.
+"""
 TRACED_REAL = 2.0**-20
-"""... and this part of the larger of its terms."""
+"""Largest zero difference relative to the larger term."""
 TRACED_SAME = 32 * EPSILON
-"""Traced: what is zero leaves at most this part of its larger term; so do all variants."""
+"""Fixed sign: largest zero difference of any variant, relative to the larger term."""
 TRACED_DIFFERENCE = 1 / 64
-"""Traced: a difference is at least this part of its larger term for all variants, or a
-sixteenth of the part that the first variant has, but more than `REAL`."""
+"""Fixed sign: smallest nonzero difference of any variant, relative to the larger term.
+
+A sixteenth of the first variant's part is enough if smaller, but more than `TRACED_REAL`.
+"""
 SIGNED_LEAST = 2.0**-16
-"""Signed: the same; so rounding grows by this factor at most where terms cancel."""
+"""Any sign: smallest nonzero difference of any variant, relative to the terms.
+
+So rounding grows at most by the inverse of this factor where terms cancel.
+"""
 SIGNED_SAME = 2.0**-36
-"""Signed: what leaves more than this part is not zero for certain, whatever its size."""
+"""Any sign: relative difference above which terms certainly differ, at any size."""
 PIVOT = 0.1
-"""A pivot is at least this part of the largest entry in its row: so rows can't grow."""
+"""Smallest pivot relative to the largest entry of the row, so that rows cannot grow."""
 SIGNED_PIVOT = 1 / 256
-"""Signed: the same, in the first variant; other sums are watched besides."""
+"""Any sign: smallest relative pivot of the first variant; other sums are guarded as well."""
 
 # a gear
 TIE = 1e-9
-"""Speeds, or torques on a link, that differ by less than this part are the same."""
+"""Relative difference below which speeds, or torques on a link, are equal."""
 UNCERTAIN = 1e-6
-"""Speeds and torques that disagree by this part are told of."""
+"""Relative disagreement of speeds and torques that a message reports."""
 NEAR_ONE = 1e-4
-"""A ratio that differs from 1 by less makes a train that is nearly singular."""
+"""Difference of a ratio from 1 below which a train is nearly singular."""
 CLOSED = 1e-9
-"""Powers agree to this part of the input power, or rounding is too large for a plan."""
+"""Error of a power balance, relative to the input power, above which a plan is not used."""
 NO_POWER = 1e-12
-"""Power below this part of the largest one of the gear is rounding; so is a speed or torque
-below this part of the input's, where digits are counted."""
+"""Power, relative to the largest of the gear, that counts as rounding.
+
+Where digits are counted, the same limit applies to speeds and torques relative to the input.
+"""
 CYCLE = 1e-9
-"""A cycle of power with less than this part of the largest power of the gear is rounding."""
+"""Power of a cycle, relative to the largest of the gear, that counts as rounding."""
 STANDS_STILL = 1e-13
-"""An efficiency that moves by no more from pass to pass stands still."""
+"""Change of an efficiency per pass below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
-"""Efficiencies that differ by no more are one solution: passes that stand still are nearer."""
+"""Difference below which two efficiencies are equal; converged passes are closer."""
 BALANCED = 1e-9
-"""A battery that gets what it is to have to this part of all powers is balanced."""
+"""Error of a battery's power, relative to all powers, that counts as balanced."""
 
 # results side by side
 SAME_RATIO = 1e-9
-"""Numbers of gears, or rays of a plan, that differ by no more than this part are the same."""
+"""Relative difference below which numbers of gears, or rays of a plan, are equal."""
 TIP_CLEARANCE = 1e-9
-"""Room between wheels, in modules, that is lost in rounding."""
+"""Clearance between toothed gears, in modules, that counts as rounding."""
 
 # arrays of variants
 LAST_BITS = 1e-12
-"""Numbers that differ by this part may differ by the processor alone."""
+"""Relative difference that can come from the processor alone."""
 LEAST_INPUT = 1e-20
-"""A plan of any sign is for no smaller magnitudes, nor for larger ones than its inverse."""
+"""Smallest magnitude for a plan of any sign, and the inverse of the largest."""
 SURE_BOUNDS = 1e-9
-"""Bounds settle a comparison only beyond this part of them, their own rounding."""
+"""Relative margin by which bounds must differ to settle a comparison, due to rounding."""
 SURE_MAGNITUDES = 1 + 1e-9
-"""Bounds settle a comparison only beyond their own rounding."""
+"""Factor by which bounds of magnitudes must differ to settle a comparison."""
 
 # printed and compared numbers
 ROUNDED_COEFFICIENT = 1e-13

@@ -1,16 +1,14 @@
-"""Arithmetic written down once, to be run again on arrays; choices and residuals of numbers.
+"""Arithmetic that is recorded once, to be run again on arrays; choices and residuals.
 
-A calculation with `Traced` numbers in place of floats goes as it does with the floats
-of one variant, the first; a `Tape` notes every operation. Where the calculation
-decides something by a comparison the tape notes a guard. For the variants that pass
-all guards the operations on the tape are those that the calculation itself would make,
-so the results agree to the last bit.
+A calculation with `Traced` numbers instead of floats proceeds as with the floats of one variant,
+the first; a `Tape` records every operation. Where a comparison decides, the tape records a guard.
+For the variants that pass all guards, the recorded operations are the operations that the
+calculation itself would perform, so the results agree to the last bit.
 
-A traced number is never 0. It is a positive magnitude on the tape with a known sign,
-so signs cost no operation, and it has bounds for its magnitude, which settle most
-comparisons without a guard.
+A traced number is never 0. It is a positive magnitude on the tape with a known sign, so signs cost
+no operation. Bounds of the magnitude settle most comparisons without a guard.
 
-For plain numbers each of these is what Python has for it.
+For plain numbers each function here is the equivalent in Python.
 """
 
 from __future__ import annotations
@@ -34,7 +32,7 @@ from vstatics.core.numerics.tolerances import SURE_MAGNITUDES
 
 
 class Magnitude(NamedTuple):
-    """Where a magnitude stands, its value in the first variant, its bounds in all."""
+    """Operand of a magnitude, the value in the first variant, and the bounds in all variants."""
 
     operand: Operand
     value: float
@@ -43,7 +41,7 @@ class Magnitude(NamedTuple):
 
 
 class Traced:
-    """A number per variant: a sign, +1 or -1 for all of them, and a magnitude."""
+    """Number in each variant: a sign, +1 or -1 for all variants, and a magnitude."""
 
     __slots__ = ("magnitude", "sign", "tape")
     __hash__ = None  # type: ignore[assignment]
@@ -68,8 +66,8 @@ class Traced:
             return self if other > 0 else -self
         a, b = self.magnitude, _magnitude(other)
         slot = self.tape.note("multiply", *ordered(a.operand, b.operand))
-        made = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
-        return Traced(self.tape, self.sign * _sign(other), made)
+        product = Magnitude(slot, a.value * b.value, a.low * b.low, a.high * b.high)
+        return Traced(self.tape, self.sign * _sign(other), product)
 
     __rmul__ = __mul__
 
@@ -110,24 +108,25 @@ class Traced:
 
 
 Number = float | Traced | Signed
-"""A float, or a number that stands for all variants: the operators are the same."""
+"""A float, or a number that represents all variants; all have the same operators."""
 
 
 def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
-    """Whether it stands for all variants."""
+    """Return whether a number represents all variants."""
     return number.__class__ is Traced or number.__class__ is Signed
 
 
 def is_exact(number: object) -> bool:
-    """Whether it is a fraction, of one variant: what is 0 then is exactly 0."""
+    """Return whether a number is a fraction, so that a zero is exact."""
     return number.__class__ is not float and not isinstance(number, _ROUNDED)
 
 
 _ROUNDED = float, int, Traced, Signed
+"""Types of numbers with rounding errors."""
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Whether a magnitude is no more than a part of another one; of fractions: whether it is 0.
+    """Return whether a magnitude is at most a part of a second one; a fraction must be 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)
@@ -136,7 +135,7 @@ def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
 
 
 def may_lie(number: Number, low: float, high: float) -> bool:
-    """Whether a number lies between two others, in one of the variants as far as bounds tell.
+    """Return whether a number can lie between two limits in a variant, according to bounds.
 
     >>> may_lie(0.5, 0.0, 1.0), may_lie(0.5, 0.0, 0.25)
     (True, False)
@@ -152,17 +151,17 @@ def may_lie(number: Number, low: float, high: float) -> bool:
 
 
 def absolute(number: Number) -> Number:
-    """Its magnitude; `abs`, whose type is lost on a union."""
+    """Return the magnitude of a number; `abs` would lose the type of a union."""
     return abs(number)  # type: ignore[return-value]
 
 
 def plain(number: Number | Residual) -> float:
-    """A number of a single variant, which is not traced.
+    """Return a number of a single variant unchanged.
 
     Raises
     ------
     TypeError
-        If it is.
+        If the number is traced.
     """
     if isinstance(number, Traced | Signed | Residual):
         raise TypeError("a traced number stands for many variants")
@@ -170,7 +169,7 @@ def plain(number: Number | Residual) -> float:
 
 
 def first(number: Number) -> float:
-    """The magnitude in the first variant."""
+    """Return the magnitude in the first variant."""
     return _magnitude(number).value
 
 
@@ -188,19 +187,18 @@ def _sign(number: Number) -> int:
 
 
 def _is_nothing(number: Number) -> bool:
-    """Whether it is a plain 0 or NaN, with which there is nothing to calculate."""
     return not isinstance(number, Traced) and not absolute(number) > 0
 
 
-def _quotient(tape: Tape, one: Number, other: Number) -> Number:
-    if _is_nothing(one):
-        return one
-    if _is_nothing(other):
+def _quotient(tape: Tape, dividend: Number, divisor: Number) -> Number:
+    if _is_nothing(dividend):
+        return dividend
+    if _is_nothing(divisor):
         raise Untraceable
-    a, b = _magnitude(one), _magnitude(other)
-    sign = _sign(one) * _sign(other)
+    a, b = _magnitude(dividend), _magnitude(divisor)
+    sign = _sign(dividend) * _sign(divisor)
     if b.operand == Plain(1.0):
-        return one * other
+        return dividend * divisor
     if a.operand == b.operand:
         return float(sign)
     slot = tape.note("divide", a.operand, b.operand)
@@ -208,59 +206,58 @@ def _quotient(tape: Tape, one: Number, other: Number) -> Number:
     return Traced(tape, sign, Magnitude(slot, a.value / b.value, a.low / b.high, high))
 
 
-def _total(tape: Tape, one: Number, other: Number) -> Number:
-    """A sum; where magnitudes are subtracted the larger one is guarded to be larger."""
-    for number, left in ((one, other), (other, one)):
+def _total(tape: Tape, left: Number, right: Number) -> Number:
+    """Return a sum; a guard ensures which of two subtracted magnitudes is larger."""
+    for number, remaining in ((left, right), (right, left)):
         if _is_nothing(number):
-            return number if number != number else left  # noqa: PLR0124 - NaN
-    a, b = _magnitude(one), _magnitude(other)
-    if _sign(one) == _sign(other):
+            return number if number != number else remaining  # noqa: PLR0124 - NaN
+    a, b = _magnitude(left), _magnitude(right)
+    if _sign(left) == _sign(right):
         slot = tape.note("add", *ordered(a.operand, b.operand))
-        made = Magnitude(slot, a.value + b.value, a.low + b.low, a.high + b.high)
-        return Traced(tape, _sign(one), made)
-    larger, smaller = (one, other) if a.value >= b.value else (other, one)
+        magnitude = Magnitude(slot, a.value + b.value, a.low + b.low, a.high + b.high)
+        return Traced(tape, _sign(left), magnitude)
+    larger, smaller = (left, right) if a.value >= b.value else (right, left)
     return 0.0 if larger == -smaller else difference(larger, smaller)
 
 
 def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
-    """The sum of numbers of unlike sign, that leaves more than the part `least` of the larger.
+    """Return the sum of numbers of unlike sign that leaves more than `least` of the larger.
 
-    At least one of them is traced. Guards see to it for all variants.
+    At least one number is traced. Guards ensure the condition for all variants.
     """
     tape = _tape(larger, smaller)
     a, b = _magnitude(larger), _magnitude(smaller)
-    left = a.low - b.high * SURE_MAGNITUDES
-    if not left > least * a.high:  # also where there is no upper bound
+    low = a.low - b.high * SURE_MAGNITUDES
+    if not low > least * a.high:  # this includes an infinite upper bound
         _compare(tape, "less", absolute(smaller), absolute(larger) * (1 - least))
-        left = max(least * a.low / SURE_MAGNITUDES, 0.0)
+        low = max(least * a.low / SURE_MAGNITUDES, 0.0)
     slot = tape.note("subtract", a.operand, b.operand)
-    made = Magnitude(slot, a.value - b.value, left, a.high - b.low / SURE_MAGNITUDES)
-    return Traced(tape, _sign(larger), made)
+    magnitude = Magnitude(slot, a.value - b.value, low, a.high - b.low / SURE_MAGNITUDES)
+    return Traced(tape, _sign(larger), magnitude)
 
 
-def _tape(one: Number, other: Number) -> Tape:
-    """The tape of two numbers, one of which is traced."""
-    traced = one if isinstance(one, Traced) else other
+def _tape(first_number: Number, second_number: Number) -> Tape:
+    traced = first_number if isinstance(first_number, Traced) else second_number
     assert isinstance(traced, Traced)  # noqa: S101
     return traced.tape
 
 
-def guard_same(one: Number, other: Number, part: float) -> None:
-    """Guard that two numbers above 0, one of them traced, differ by no more than a part."""
-    tape = _tape(one, other)
-    if _magnitude(one).operand != _magnitude(other).operand:
-        _compare(tape, "less_equal", one, other * (1 + part))
-        _compare(tape, "less_equal", other * (1 - part), one)
+def guard_same(number: Number, reference: Number, part: float) -> None:
+    """Guard that two numbers above 0, at least one of them traced, differ by a part at most."""
+    tape = _tape(number, reference)
+    if _magnitude(number).operand != _magnitude(reference).operand:
+        _compare(tape, "less_equal", number, reference * (1 + part))
+        _compare(tape, "less_equal", reference * (1 - part), number)
 
 
-def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
+def _compare(tape: Tape, name: str, left: Number, right: Number) -> bool:
     """Decide a comparison by sign, by bounds, or by the first variant with a guard."""
-    if _is_nothing(one) or _is_nothing(other) or math.inf in (first(one), first(other)):
-        return _stand_in(one) < _stand_in(other)
-    if _sign(one) != _sign(other):
-        return _sign(one) < 0
-    a, b = _magnitude(one), _magnitude(other)
-    if _sign(one) < 0:
+    if _is_nothing(left) or _is_nothing(right) or math.inf in (first(left), first(right)):
+        return _stand_in(left) < _stand_in(right)
+    if _sign(left) != _sign(right):
+        return _sign(left) < 0
+    a, b = _magnitude(left), _magnitude(right)
+    if _sign(left) < 0:
         a, b = b, a
     if a.high * SURE_MAGNITUDES < b.low:
         return True
@@ -274,15 +271,14 @@ def _compare(tape: Tape, name: str, one: Number, other: Number) -> bool:
 
 
 def _stand_in(number: Number) -> float:
-    """A number to compare with 0, infinity or NaN, for all variants alike."""
+    """Return a number for comparison with 0, infinity or NaN, valid for all variants."""
     return float(number.sign if isinstance(number, Traced) else plain(number))
 
 
-def _equal(tape: Tape, one: Number, other: Any) -> bool:
-    """Whether two numbers are the same."""
-    if _is_nothing(other) or first(other) == math.inf or _sign(one) != _sign(other):
+def _equal(tape: Tape, left: Number, right: Any) -> bool:
+    if _is_nothing(right) or first(right) == math.inf or _sign(left) != _sign(right):
         return False
-    a, b = _magnitude(one), _magnitude(other)
+    a, b = _magnitude(left), _magnitude(right)
     if a.operand == b.operand:
         return True
     if a.high * SURE_MAGNITUDES < b.low or b.high * SURE_MAGNITUDES < a.low:
@@ -292,14 +288,14 @@ def _equal(tape: Tape, one: Number, other: Any) -> bool:
 
 
 def operand_of(number: Number) -> tuple[Operand, int, float]:
-    """What of a number stands on the tape, its sign there, its value in the first variant."""
+    """Return operand, sign on the tape, and value in the first variant of a number."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
     return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
 
 
 def sign(number: Number) -> Number:
-    """+1, -1 or 0, or NaN; of numbers of any sign one for each variant.
+    """Return +1, -1, 0 or NaN; for a number of any sign, the sign in each variant.
 
     >>> [sign(number) for number in (-2.5, 0.0, 3.0)]
     [-1.0, 0.0, 1.0]
@@ -314,17 +310,17 @@ def sign(number: Number) -> Number:
 
 
 def is_nan(number: Number) -> bool:
-    """Whether there is no number."""
+    """Return whether a number is a plain NaN."""
     return not isinstance(number, Traced | Signed) and math.isnan(number)
 
 
 def of_any_sign(number: Number) -> float | Signed:
-    """A number that is not traced with a sign.
+    """Return a number that is plain or of any sign.
 
     Raises
     ------
     Untraceable
-        If it is: a plan of any sign knows none.
+        If the number has a fixed sign, which a plan of any sign cannot use.
     """
     if isinstance(number, Traced):
         raise Untraceable
@@ -332,7 +328,7 @@ def of_any_sign(number: Number) -> float | Signed:
 
 
 def chosen(condition: Condition, yes: Number, no: Number) -> Number:
-    """One number where something holds, another one where it does not.
+    """Return `yes` where a condition is true, else `no`.
 
     >>> chosen(2.0 > 1.0, 0.5, 0.25)
     0.5
@@ -351,7 +347,7 @@ def chosen(condition: Condition, yes: Number, no: Number) -> Number:
 
 
 def where(condition: Condition, number: Number) -> Number | Residual:
-    """A number where something holds, else NaN: a result, with which nothing is done.
+    """Return a number where a condition is true, else NaN: a result that is not used further.
 
     >>> where(False, 2.5)
     nan
@@ -364,12 +360,12 @@ def where(condition: Condition, number: Number) -> Number | Residual:
 
 
 def opposite(condition: Condition) -> Condition:
-    """Whether it does not hold."""
+    """Return the negation of a condition."""
     return ~condition if isinstance(condition, Truth) else not condition
 
 
 def counted(conditions: Collection[Condition]) -> int:
-    """How many hold; variants in which it is another number do not pass the guard.
+    """Return the number of true conditions; a guard excludes variants with other numbers.
 
     >>> counted([True, False, True])
     2
@@ -384,20 +380,20 @@ def counted(conditions: Collection[Condition]) -> int:
 
 
 def residual(terms: Sequence[Number]) -> Number | Residual:
-    """The sum of terms that should cancel, from left to right.
+    """Return the sum of terms that should cancel, added from left to right.
 
     >>> residual([1.0, 0.5, -1.5])
     0.0
     """
     exact: Any = [term for term in terms if is_exact(term)]
-    if exact:  # the large ones; they cancel without rounding
+    if exact:  # fractions are the large terms; they cancel without rounding
         return sum(exact) + sum(term for term in terms if not is_exact(term))  # type: ignore[no-any-return]
     plain, value = 0.0, 0.0
     total: Operand | None = None
     tape: Tape | None = None
     for term in terms:
-        operand, sign, own = operand_of(term)
-        value += own
+        operand, sign, value_of_term = operand_of(term)
+        value += value_of_term
         if is_traced(term):
             tape = term.tape
         if tape is None or math.isnan(value):
@@ -413,12 +409,12 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
 
 
 def guard_within(number: Traced | Signed | Residual, low: float, high: float) -> None:
-    """Guard that a number lies between bounds.
+    """Guard that a number is between bounds.
 
     Raises
     ------
     Untraceable
-        If it does not in the first variant.
+        If the number of the first variant is not.
     """
     if isinstance(number, Traced | Signed):
         held = bool(low <= number <= high)

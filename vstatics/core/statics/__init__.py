@@ -1,6 +1,6 @@
 """The solver: speeds, torques, losses and power flow of every gear.
 
-A `Transmission` goes in, `Results` come out: arrays over all gears, and the state of each
+`solve` takes a `Transmission` and returns `Results`: arrays over all gears, and the state of each
 gear as an object.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
@@ -11,9 +11,8 @@ gear as an object.
 (array([1. , 3.5]), [0.0, -2.5, 1.0, 3.5])
 
 The modules follow docs/method.md: `matrix`, `speeds`, `torques` (with drag), `ideal` (a gear
-without losses), `efficiency`, `losses`, `signs` (first without losses, then searched for),
-`freewheels`, `state` (all of it as one object and as numbers, with `power`, `bodies` and
-`status`), `variants` (arrays of it), `result_arrays`, `results`, `solve`. In the
-room `points` any number varies, in SI. `diagnosis`, `idling`
-and `digits` say what is to be noticed.
+without losses), `efficiency`, `losses`, `signs` (first without losses, then by a search),
+`freewheels`, `state` (a gear as one object and as numbers, with `power`, `bodies` and `status`),
+`variants` (arrays of states), `result_arrays`, `results`, `solve`. The room `points` lets any
+number vary, in SI units. `diagnosis`, `idling` and `digits` find what a message should report.
 """

@@ -1,4 +1,7 @@
-"""Links that turn as one piece: joined by engaged elements, shafts, mechanisms that can't turn."""
+"""Bodies of a gear: groups of links that rotate together.
+
+Links are joined by engaged shift elements, by shafts, and by mechanisms that are locked up.
+"""
 
 from __future__ import annotations
 
@@ -15,14 +18,14 @@ from vstatics.core.statics.speeds import is_tie
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
-    """The bodies of a gear by its speeds.
+    """Return the bodies of a gear from the speeds of links.
 
-    Engaged elements join links, and devices and springs in which nothing moves; what stands
-    joins none.
+    Engaged shift elements join their links, and so do devices and springs without internal motion.
+    A link that is held to the housing is not joined.
     """
     bodies = list(range(case.links + 1))
     joined: list[tuple[int, ...]] = [case.shift_elements[number - 1][:2] for number in gear.engaged]
-    joined += [tuple(one.form) for one in case.springs if turns_as_one(one, speeds)]
+    joined += [tuple(spring.form) for spring in case.springs if turns_as_one(spring, speeds)]
     joined += [_links(device) for device in case.own_devices if is_one_piece(device, speeds)]
     for links in joined:
         if HOUSING not in links:
@@ -31,7 +34,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
 
 
 def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
-    """Whether all members of a device turn alike, so that nothing in it moves."""
+    """Return whether all members of a device rotate at equal speeds."""
     with_housing = [0.0, *speeds]
     first, *others = (with_housing[link] for link in _links(device))
     size = absolute(first)
@@ -39,7 +42,7 @@ def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
-    """Whether all links of a spring turn alike, and would not twist it at any speed.
+    """Return whether a spring rotates as a block, untwisted at any common speed.
 
     >>> between_three = Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=1)
     >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])
@@ -60,50 +63,50 @@ def _links(device: OwnDevice) -> tuple[int, ...]:
 
 
 def held_as_one(case: Transmission, gear: Gear) -> set[int]:
-    """Indices of mechanisms that turn as one piece whatever their losses, as far as plain to see.
+    """Return the indices of mechanisms that are locked up whatever the losses.
 
-    An engaged element makes two links one body. Where two links of a mechanism are one,
-    so is the third; and two mechanisms of different ratios that join the same three
-    bodies leave them one.
+    An engaged shift element makes two links one body. A mechanism of which two links are one body
+    is locked up; so are two mechanisms of different ratios between the same three bodies. Other
+    causes are not searched for.
     """
     bodies = case.bodies(gear)
     held: set[int] = set()
     while free := [index for index in range(len(case.mechanisms)) if index not in held]:
-        found = _held(case, free, bodies)
-        if not found:
+        locked_up = _locked_up(case, free, bodies)
+        if not locked_up:
             break
-        for index in found:
+        for index in locked_up:
             join(bodies, *case.mechanisms[index].links)
-        held.update(found)
+        held.update(locked_up)
     return held
 
 
-def _held(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
-    """Those of some mechanisms whose links are one body."""
-    found: set[int] = set()
+def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
+    """Return the indices of the given mechanisms whose links form a single body."""
+    locked_up: set[int] = set()
     apart: dict[frozenset[int], list[int]] = {}
-    """Mechanisms by the three bodies that they join."""
+    """Indices of mechanisms by the set of three bodies that they join."""
     for index in mechanisms:
-        one = case.mechanisms[index]
-        if one.kind:  # its ratio is the gear's
+        mechanism = case.mechanisms[index]
+        if mechanism.kind:  # the ratio depends on the gear
             continue
-        own = bodies[one.first], bodies[one.second], bodies[one.third]
-        joined = frozenset(own)
-        if len(joined) == 3:
-            apart.setdefault(joined, []).append(index)
-        elif own[0] != own[1] or one.ratio != 1:  # with ratio 1 the third link is loose
-            found.add(index)
+        ends = bodies[mechanism.first], bodies[mechanism.second], bodies[mechanism.third]
+        bodies_joined = frozenset(ends)
+        if len(bodies_joined) == 3:
+            apart.setdefault(bodies_joined, []).append(index)
+        elif ends[0] != ends[1] or mechanism.ratio != 1:  # with a ratio of 1 the third link is free
+            locked_up.add(index)
     for first, *others in apart.values():
         for other in others:
-            ours, theirs = (_torques(case.mechanisms[n], bodies) for n in (first, other))
+            ours, theirs = (_torques_on_bodies(case.mechanisms[n], bodies) for n in (first, other))
             left, right = ours[0] * theirs[1], ours[1] * theirs[0]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
-                found |= {first, other}
-    return found
+                locked_up |= {first, other}
+    return locked_up
 
 
-def _torques(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
-    """The torques of a mechanism on the three bodies that it joins, in the order of these."""
+def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
+    """Return the torques of a mechanism on three bodies, sorted by body."""
     joined = (bodies[link] for link in mechanism.links)
     torques = map(value, row_of(mechanism, mechanism.ratio))
     return [torque for _, torque in sorted(zip(joined, torques, strict=True))]

@@ -1,4 +1,4 @@
-"""What shift elements and converters carry by the loads of their gears, and whether they can."""
+"""Torques carried by shift elements and converters, compared with what they can carry."""
 
 from __future__ import annotations
 
@@ -18,13 +18,14 @@ if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
 
 SAME_TORQUE = 0.05
-"""So much a converter's torque may be off, of the larger one: points are read from diagrams."""
+"""Tolerance of a converter's torque, relative to the larger: points are read from diagrams."""
 
 
 def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
-    """What elements are taken to carry: the larger of torques without and with losses.
+    """Return the larger magnitude of the torques without and with losses.
 
-    Losses are not known exactly, and the torque is nearest to one or the other.
+    Capacities are compared with the larger torque, because losses are not known exactly: the torque
+    is near one of the two values.
 
     >>> larger_torques(np.array([2.0, -3.0]), np.array([-2.5, np.nan])).tolist()
     [2.5, 3.0]
@@ -34,9 +35,10 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """(gears, shift elements) of one case: torques by a common one, and whether there are any.
+    """Return the torques on the shift elements of a case, and marks of loaded elements.
 
-    `common` is an input torque [N*m]; 0 where none is told, then that of each gear is the unit.
+    Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
+    torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
@@ -49,24 +51,26 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     count = len(case.shift_elements)
     both = [results.in_own_unit(name)[:, :count] for name in ("torques", "lossy_torques")]
     sizes = larger_torques(*both)
-    own = (case.gear_load(gear).torque_size for gear in case.gears)
-    units = [abs(torque / common) if torque and common else 1.0 for torque in own]
+    loads = (case.gear_load(gear).torque_size for gear in case.gears)
+    units = [abs(torque / common) if torque and common else 1.0 for torque in loads]
     torques = sizes * np.array(units)[:, np.newaxis]
     carrying = results.holds & (sizes > SAME_RATIO)  # relative to the input torque
     return torques, carrying
 
 
 def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, speed: float) -> float:
-    """``lambda w |w|`` that a converter takes, straight between its points, constant outside.
+    """Return the torque that the pump of a converter takes, ``lambda w |w|``.
+
+    lambda is interpolated linearly between the points and constant outside them.
 
     Parameters
     ----------
     points : sequence of (float, float, float)
         i [-], K [-], lambda [N*m*s^2]; i ascends.
     speed_ratio : float
-        [-]
+        Speed ratio, turbine to pump. [-]
     speed : float
-        Of the pump. [rad/s]
+        Speed of the pump. [rad/s]
 
     Returns
     -------
@@ -87,9 +91,10 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
-    """Of one case each gear's index, and what a converter can't take at its speed ratio.
+    """Yield the gears whose load a converter cannot take at the speed ratio.
 
-    That is known where its points have lambda, and the load has a speed and a torque.
+    Each item is the index of a gear and the text of a message. A converter is checked if its points
+    contain lambda and the load has a speed and a torque.
     """
     case = results.case
     for index, given in enumerate(case.gears):
@@ -98,25 +103,25 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
             continue
         state = results.gear_at(index)
         bypassed, ratios = case.bypassed(state.gear), state.ideal.variant.ratios
-        for place, one in enumerate(case.mechanisms):
-            if not one.can_be_open or place in bypassed:
+        for place, mechanism in enumerate(case.mechanisms):
+            if not mechanism.can_be_open or place in bypassed:
                 continue
-            speed = plain(state.speeds[one.first - 1]) * load.speed * RAD_PER_RPM
-            able = torque_of_pump(one.points, plain(ratios[place]), speed)
+            speed = plain(state.speeds[mechanism.first - 1]) * load.speed * RAD_PER_RPM
+            taken = torque_of_pump(mechanism.points, plain(ratios[place]), speed)
             on_pump = state.lossy_torques.on_first_link[len(case.shift_elements) + place]
             brought = plain(on_pump) * load.torque
-            if disagree(brought, able):
+            if disagree(brought, taken):
                 at = plain(ratios[place]), speed
-                yield index, disagreement(one.name, brought, able, at)
+                yield index, disagreement(mechanism.name, brought, taken, at)
 
 
 def disagree(brought: float, able: float) -> bool:
-    """Whether the torque that comes to a pump differs from the torque that the pump takes."""
+    """Return whether the torque on a pump differs from the torque that the pump takes."""
     return abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able))
 
 
 def disagreement(name: str, brought: float, able: float, at: tuple[float, float]) -> str:
-    """Text about a converter that cannot take the torque of the load.
+    """Return the text about a converter that cannot take the torque of the load.
 
     Parameters
     ----------
@@ -127,46 +132,49 @@ def disagreement(name: str, brought: float, able: float, at: tuple[float, float]
     """
     ratio, speed = at
     return (
-        f"the load brings {_told(brought)} N*m to the pump of {name}, which at the speed ratio "
-        f"{ratio:.4g} and {speed / RAD_PER_RPM:.5g} rpm takes {_told(able)} N*m: give the speed "
+        f"the load brings {_text(brought)} N*m to the pump of {name}, which at the speed ratio "
+        f"{ratio:.4g} and {speed / RAD_PER_RPM:.5g} rpm takes {_text(able)} N*m: give the speed "
         "ratio or the load at which they agree"
     )
 
 
 def overloads(results: Results) -> Iterator[tuple[int, str]]:
-    """Of one case each gear's index, and what an engaged element carries above its capacity."""
+    """Yield the overloaded shift elements of a case.
+
+    Each item is the index of a gear and the text of a message.
+    """
     case = results.case
-    able = [(number, one) for number, one in enumerate(case.shift_elements) if one.capacity]
-    if not able:
+    rated = [(n, element) for n, element in enumerate(case.shift_elements) if element.capacity]
+    if not rated:
         return
     common = case.load.torque_size if case.load else 0.0
     torques, carrying = carried_torques(results, common)
     unit, of = (common, "N*m") if common else (1.0, "times the input torque")
-    for number, element in able:
+    for number, element in rated:
         capacity = float(element.capacity or 0.0)
         above = carrying[:, number] & (torques[:, number] > capacity * (1 + VISIBLE_EXCESS))
         for gear in np.flatnonzero(above).tolist():
-            has, can = (_told(one * unit) for one in (torques[gear, number], capacity))
+            has, can = map(_text, (torques[gear, number] * unit, capacity * unit))
             yield gear, f"{element.name} carries {has} of {can} {of}, more than its capacity"
 
 
 def overloads_at_points(
     case: Transmission, torques: Floats, of: str, where: Callable[[int], str]
 ) -> Iterator[Message]:
-    """What elements carry above their capacities over points of load.
+    """Yield messages about shift elements that are overloaded at operating points.
 
-    A capacity that is relative to whatever the input torque is says nothing of these.
+    Nothing is yielded without an input torque: capacities are then relative to any input torque.
 
     Parameters
     ----------
     case : Transmission
-        With the load by which capacities are told.
+        With the load to which relative capacities refer.
     torques : array
-        (points, shift elements), NaN or 0 where one carries nothing [N*m].
+        (points, shift elements), NaN or 0 where an element carries nothing [N*m].
     of : str
-        What the points are, `rows`.
+        Plural noun for the points in the text, such as `rows`.
     where : callable
-        Says of the index of a point where it is.
+        Returns the place of a point in words, from its index.
     """
     common = case.load.torque_size if case.load else 0.0
     sizes = np.abs(np.nan_to_num(torques))
@@ -175,7 +183,7 @@ def overloads_at_points(
         above = sizes[:, number] > capacity * (1 + VISIBLE_EXCESS)
         if above.any():
             row = int(sizes[:, number].argmax())
-            has, can = _told(sizes[row, number]), _told(capacity)
+            has, can = _text(sizes[row, number]), _text(capacity)
             text = (
                 f"in {int(above.sum())} of {len(above)} {of} {element.name} carries up to {has} of "
                 f"{can} N*m, more than its capacity, most {where(row)}"
@@ -183,5 +191,5 @@ def overloads_at_points(
             yield Message("W430", text)
 
 
-def _told(torque: float) -> str:
+def _text(torque: float) -> str:
     return f"{torque:.5g}" if torque < 99999 else f"{torque:.0f}"

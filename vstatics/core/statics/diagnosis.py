@@ -1,7 +1,7 @@
-"""What to say about a gear that is not regular: why a value does not exist, and what to do.
+"""Messages about irregular gears: why a value does not exist, and what to do.
 
-`freedom` and `given_conditions` count the conditions for the speeds, `messages` speaks
-of what `Results` show. All look at one case, not at arrays of variants.
+`freedom` and `given_conditions` count the conditions for the speeds; `messages` reads the
+`Results`. All functions apply to one case, not to arrays of variants.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ NOTHING_HOLDS = "nothing holds the torque of the input"
 
 
 class Said(NamedTuple):
-    """The id and the text of a message about a gear."""
+    """Identifier and text of a message about a gear."""
 
     id: str
     text: str
 
 
 def freedom(case: Transmission) -> int:
-    """Degrees of freedom of the train without its shift elements.
+    """Return the degrees of freedom of the train without shift elements.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> freedom(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -48,12 +48,12 @@ def freedom(case: Transmission) -> int:
 
 
 def given_conditions(gear: Gear) -> int:
-    """Conditions that a gear gives: engaged elements, input speed, further given speeds."""
+    """Return the number of engaged shift elements and given speeds, the input's included."""
     return len(gear.engaged) + 1 + len(gear.speeds)
 
 
 def messages(results: Results) -> list[Message]:
-    """What is worth saying about the results of one case, but for what it allows."""
+    """Return the messages about the results of a case, except suppressed messages."""
     return not_allowed(_messages(results), results.case.untold)
 
 
@@ -61,36 +61,39 @@ def _messages(results: Results) -> Iterator[Message]:
     case = results.case
     for problem in doubts(case):
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
-    if case.heavy and (untold := torques.without_load(case)):
-        text = f"the drag of {spoken(untold)} has a unit, but the case no load: it is left out"
+    if case.heavy and (without_unit := torques.without_load(case)):
+        text = (
+            f"the drag of {spoken(without_unit)} has a unit, but the case no load: it is left out"
+        )
         yield Message("W401", text)
     wheels = case.freewheels
-    above = list(carried.overloads(results))
-    off = list(carried.out_of_balance(results))
+    overloaded = list(carried.overloads(results))
+    unbalanced = list(carried.out_of_balance(results))
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):
         held = [element for element in wheels if results.holds[number, element - 1]]
         gear = freewheels.with_engaged(given, held)
-        lost = tuple(_digit_messages(results, number)) if results.exact[number] else ()
-        said = (
-            *(_conflict(case, gear) if results.conflict[number] else ()),
+        lost = tuple(_lost_digit_messages(results, number)) if results.exact[number] else ()
+        remarks = (
+            *(_conflict_messages(case, gear) if results.conflict[number] else ()),
             *(_further_outputs(results, number, gear) if case.outputs else ()),
             *(lost if is_usual else _of_irregular_gear(results, number, gear, lost)),
             *_idle_messages(results, number, gear),
-            *(_shared(case, given, held) if held else ()),
+            *(_sharing_freewheels(case, given, held) if held else ()),
             *(() if is_usual else _drag_messages(results, number, gear)),
             *_outside_messages(results, number, gear),
-            *(Said("W430", text) for index, text in above if index == number),
-            *(Said("W431", text) for index, text in off if index == number),
+            *(Said("W430", text) for index, text in overloaded if index == number),
+            *(Said("W431", text) for index, text in unbalanced if index == number),
             *_open_converters(case, given),
         )
-        for identity, text in dict.fromkeys(said):  # conditions may contradict in many ways
+        # a gear can contain several contradictions with one and the same text
+        for identity, text in dict.fromkeys(remarks):
             yield Message(identity, text, gear.name)
 
 
 def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
-    """Those that a gear does not bypass, each with its speed ratio [-]."""
+    """Yield the converters that a gear does not bypass, with speed ratios [-]."""
     bypassed = case.bypassed(gear)
     for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
         if pair[0].kind == "converter" and place not in bypassed:
@@ -98,29 +101,32 @@ def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, flo
 
 
 def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
-    """Speed ratios of a gear that are those of `converters`, which are open in statics."""
+    """Note speed ratios that a gear gives to entries of `converters`, which are open in statics."""
     last = len(case.mechanisms[case.own_mechanisms])
     bodies = case.bodies(gear)
     for number, ratio in gear.speed_ratios.items():
-        one = case.converters[number - last - 1] if number > last else None
-        if one and bodies[one.pump] != bodies[one.turbine]:
+        converter = case.converters[number - last - 1] if number > last else None
+        if converter and bodies[converter.pump] != bodies[converter.turbine]:
             yield Said(
                 "N415",
-                f"converter {one.name} is open here, its speed ratio {ratio:g} counts in `torsion` "
-                "only: what statics is to take stands under `mechanisms`, as `kind: converter` "
-                "with `first` and `second`",
+                f"converter {converter.name} is open here, its speed ratio {ratio:g} counts in "
+                "`torsion` only: what statics is to take stands under `mechanisms`, as `kind: "
+                "converter` with `first` and `second`",
             )
 
 
 def outside_message(names: Sequence[str]) -> Message:
-    """That what these have was asked outside its points."""
+    """Return the note about laws evaluated outside the given points."""
     return Message("N414", f"outside the points of {spoken(names)} the last one counts")
 
 
 def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """That converters and laws are asked outside their points."""
     case = results.case
-    names = [one.name for one, ratio in _converters(case, gear) if one.is_outside(ratio)]
+    names = [
+        mechanism.name
+        for mechanism, ratio in _converters(case, gear)
+        if mechanism.is_outside(ratio)
+    ]
     laws = results.points.outside if results.points else {}
     names += [name for name, at in laws.items() if at[number]]
     if names:
@@ -130,32 +136,31 @@ def _outside_messages(results: Results, number: int, gear: Gear) -> Iterator[Sai
 def _of_irregular_gear(
     results: Results, number: int, gear: Gear, lost: Sequence[Said]
 ) -> Iterator[Said]:
-    """What does not exist or does not agree; `lost` are the messages on lost digits."""
     yield from _speed_messages(results, number, gear)
     yield from lost
     yield from _torque_messages(results, number, gear, is_told=bool(lost))
     yield from _loss_messages(results, number)
 
 
-def _shared(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
-    """Freewheels that could hold as well as those that do."""
+def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> Iterator[Said]:
     others = freewheels.alternatives(case, gear, held)
     if others:
-        ones, twos = (
+        holding, able_to_hold = (
             [case.shift_elements[number - 1].name for number in numbers]
             for numbers in (held, others)
         )
         yield Said(
             "W411",
-            f"freewheel{_s(len(twos))} {spoken(twos)} could hold in place of {spoken(ones)}: the "
-            f"torques that they share are not determined, those with {spoken(ones)} are given",
+            f"freewheel{_s(len(able_to_hold))} {spoken(able_to_hold)} could hold in place of "
+            f"{spoken(holding)}: the torques that they share are not determined, those with "
+            f"{spoken(holding)} are given",
         )
 
 
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Warn of what would drag, but with an unknown speed.
+    """Warn of drag at links or shift elements whose speed is unknown.
 
-    A single drag on links that nothing else loads brings them to rest, so it takes no power.
+    A single drag on otherwise unloaded links brings them to rest, so no power is lost.
     """
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = torques.unknown_drag(results.case, gear, speeds, slips)
@@ -175,7 +180,6 @@ def _named(case: Transmission, path: str, text: str) -> str:
 
 
 def _rows(case: Transmission, gear: Gear) -> list[matrix.Column]:
-    """The equations for speeds, with the speed ratios of a gear."""
     return matrix.rows(case, case.gear_ratios(gear))
 
 
@@ -187,8 +191,7 @@ def _without_value(names: Sequence[str], values: Sequence[Number]) -> list[str]:
     return [name for name, value in zip(names, values, strict=True) if math.isnan(plain(value))]
 
 
-def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
-    """Freewheels that the engaged elements drive backward."""
+def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
     speeds = solve_speeds(case, gear, _rows(case, gear))
     for number in freewheels.driven_backward(case, gear, speeds):
         name, slip = case.shift_elements[number - 1].name, speeds.slips[number - 1]
@@ -202,8 +205,8 @@ def _conflict(case: Transmission, gear: Gear) -> Iterator[Said]:
         )
 
 
-def _missed(results: Results, number: int, gear: Gear) -> list[int]:
-    """Return the numbers of freewheels that would make the output turn if they held."""
+def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
+    """Return the numbers of freewheels that could drive the output by holding."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
@@ -217,7 +220,7 @@ def _missed(results: Results, number: int, gear: Gear) -> list[int]:
 
 
 def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Outputs of which nothing is given, so that they give no torque, or whose torque drives."""
+    """Report outputs without a given speed or torque, and outputs where power enters."""
     case = results.case
     given = {*gear.speeds, *gear.torques}
     driving = [
@@ -242,7 +245,8 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
     names = [case.link_name(link) for link in idle]
     first, same = names[0], case.speed_text(SpeedOf(case.gear_output(gear)))
     expected = f"a given speed or torque, such as `speeds: {{{first}: {same}}}`"
-    if not np.isnan(results.speeds[number, idle[0] - 1]):  # another condition would be too much
+    # a further given speed would be a condition in excess
+    if not np.isnan(results.speeds[number, idle[0] - 1]):
         side, torque = _taking(case, gear, float(results.speeds[number, idle[0] - 1]))
         example = f"`torques: {{{first}: {torque}}}`"
         expected = f"a given torque, {side} 0 where it takes some, such as {example}"
@@ -253,10 +257,10 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
 
 
 def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
-    """On which side of 0 a torque takes power at a link of a speed [-], and one that does.
+    """Return the side of 0 on which a torque takes power at a link, and an example.
 
-    It is a part of the input's, which in coasting is against its speed; where that is none it is
-    in N*m.
+    The torque is a part of the input torque, which acts against its speed when coasting. Without an
+    input torque it is in N*m.
     """
     if case.input_torque(gear):
         way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
@@ -266,10 +270,10 @@ def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
 
 
 def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Too few conditions, too many, contradictions, an output that stands."""
+    """Report missing, redundant and contradictory conditions, and an output at rest."""
     case = results.case
     if results.conflict[number]:
-        return  # said as an error already
+        return  # reported as an error already
     missing, excess = int(results.missing[number]), int(results.excess[number])
     if results.tied_up[number] or excess:
         yield from _excess(results, number, gear)
@@ -290,20 +294,20 @@ def _speed_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]
 
 
 def _is_for_motion(case: Transmission, gear: Gear) -> bool:
-    """Whether a case has bodies and only the gear that a case without `gears` has."""
+    """Return whether a case has inertias or masses, but no `gears` and no load."""
     alone = len(case.gears) == 1 and gear == Gear(name="1")
     return alone and case.load is None and bool(case.inertias or case.masses)
 
 
 def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
-    """Say that a shift element is missing: the gear is neutral, or a loaded link is free."""
+    """Warn of a missing shift element: the gear is neutral, or a loaded link is free."""
     case = results.case
     free = _without_value(case.link_names, results.gear_at(number).speeds)
     named = f"; free: link{_s(len(free))} {spoken(free)}" if free else ""
     links = "" if results.tied_up[number] else named
     neutral = np.isnan(results.ratio[number]) and not results.tied_up[number]
     unheld = f": {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
-    over = _missed(results, number, gear) if neutral else []
+    over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
     advice = "; engage another shift element or give a speed" if neutral else ""
     return Said(
@@ -314,7 +318,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause on freewheels that overrun, and advice where their links are exchanged."""
+    """Return a clause on freewheels that overrun, and advice on exchanged links."""
     if not numbers:
         return "", ""
     names = [case.shift_elements[number - 1].name for number in numbers]
@@ -334,7 +338,7 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
 
 
 def _is_adrift(results: Results, number: int) -> bool:
-    """Whether a gear is neutral, and so without torques, too."""
+    """Return whether a gear is neutral, with torques out of balance."""
     return bool(
         results.missing[number]
         and np.isnan(results.ratio[number])
@@ -344,12 +348,12 @@ def _is_adrift(results: Results, number: int) -> bool:
 
 
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """What is said of sets of conditions that repeat or contradict each other."""
+    """Report conditions for the speeds that repeat or contradict each other."""
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_loaded(case, gear))
-    at_ratios = _at_speed_ratios(case, gear)
+    at_ratios = _speed_ratios_by_name(case, gear)
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
@@ -366,8 +370,8 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
                 f"give {spoken(free)} another speed ratio" * bool(free),
             ]
             if free:
-                told = [f"{name} at the speed ratio {at_ratios[name]:g}" for name in free]
-                conditions = spoken([*engaged, *springs, *told, *others])
+                free_at_ratio = [f"{name} at the speed ratio {at_ratios[name]:g}" for name in free]
+                conditions = spoken([*engaged, *springs, *free_at_ratio, *others])
             cure = " or ".join(filter(None, cures))
             if not cure:
                 conditions, cure = spoken(every), "check which links these join and their ratios"
@@ -391,17 +395,15 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     shared = f", the torque of {spoken(unknown)} is not determined" if unknown else ""
     for text in same:
         yield Said("W416", text + shared)
-        shared = ""  # once is enough
+        shared = ""  # the torques are named only in the first message
 
 
-def _at_speed_ratios(case: Transmission, gear: Gear) -> dict[str, float]:
-    """Variators and converters by their names, with the speed ratios of a gear [-]."""
+def _speed_ratios_by_name(case: Transmission, gear: Gear) -> dict[str, float]:
     pairs = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
-    return {one.name: ratio for one, ratio in pairs if one.kind}
+    return {mechanism.name: ratio for mechanism, ratio in pairs if mechanism.kind}
 
 
-def _digit_messages(results: Results, number: int) -> Iterator[Said]:
-    """What rounding shows in, near a singular train."""
+def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
     lost = None if results.conflict[number] else digits.lost_digits(results.gear_at(number))
     if lost is None:
         return
@@ -417,18 +419,18 @@ def _digit_messages(results: Results, number: int) -> Iterator[Said]:
 
 
 def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool) -> Iterator[Said]:
-    """Torques that do not exist, or are not determined by statics.
+    """Report torques that do not exist, are indeterminate or are uncertain.
 
-    And those that are not certain, unless it is told already.
+    Uncertain torques are left out if a message on lost digits covers them (`is_told`).
     """
     case = results.case
     if results.tied_up[number] or results.conflict[number]:
-        return  # said as an error already
+        return  # reported as an error already
     output = case.gear_output(gear)
     if not results.balanced[number]:
         if _is_adrift(results, number) and output not in gear.speeds:
-            return  # said with the speeds
-        advice = _gaining(results, number) or _unheld(results, number)
+            return  # reported with the speeds
+        advice = _gaining_converters(results, number) or _unheld_torques(results, number)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -443,7 +445,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             "the ratios are so close to a singular train that rounding shows: output torque "
             "times output speed is not 1; few digits are certain",
         )
-    elif not results.excess[number] and (  # else it is said already
+    elif not results.excess[number] and (  # an excess of conditions is reported with the speeds
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
@@ -451,8 +453,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             yield Said("W420", f"statics does not determine the torque of {spoken(unknown)}")
 
 
-def _gaining(results: Results, number: int) -> str:
-    """Converters that would gain power at the speed ratio of the gear."""
+def _gaining_converters(results: Results, number: int) -> str:
     if not results.case.has_converter:
         return ""
     state = results.gear_at(number)
@@ -462,18 +463,18 @@ def _gaining(results: Results, number: int) -> str:
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 
-def _unheld(results: Results, number: int) -> str:
-    """Which torques are not held; freewheels that overrun could hold them."""
+def _unheld_torques(results: Results, number: int) -> str:
+    """Name the external torques without a reaction, and freewheels that could react."""
     case, state = results.case, results.gear_at(number)
     gear, variant = state.gear, state.ideal.variant
-    own = case.gear_input(gear)
+    input_link = case.gear_input(gear)
 
     def is_held(link: int, columns: Sequence[matrix.Column]) -> bool:
         alone = gear._replace(input=link, torques={})
         return torques.solve_torques(case, alone, columns).consistent
 
-    unheld = [link for link in (own, *gear.torques) if not is_held(link, variant.columns)]
-    # a geared neutral: ratios of any losses do hold it
+    unheld = [link for link in (input_link, *gear.torques) if not is_held(link, variant.columns)]
+    # In a geared neutral, ratios with any losses hold the torques.
     factors = [0.98 - 0.01 / place for place, _ in enumerate(variant.ratios, 1)]
     lossy = [ratio * factor for ratio, factor in zip(variant.ratios, factors, strict=True)]
     if (
@@ -485,7 +486,7 @@ def _unheld(results: Results, number: int) -> str:
             "the output stands still and takes no power, so without losses torques have no bound; "
             "for those with losses look a little to each side of this ratio"
         )
-    links = ["the input" if link == own else case.link_name(link) for link in unheld]
+    links = ["the input" if link == input_link else case.link_name(link) for link in unheld]
     what = "torque of " if len(links) == 1 else "torques of "
     over = [n for n in case.freewheels if n not in gear.engaged]
     why, exchange = _overrunning(case, state, over)
@@ -493,7 +494,7 @@ def _unheld(results: Results, number: int) -> str:
 
 
 def _unknown_torques(results: Results, number: int) -> list[str]:
-    """What has no torque by statics in a gear that has torques in balance."""
+    """Return the devices without a determinate torque in a gear with torques in balance."""
     if not results.calculable[number]:
         return []
     torques = results.gear_at(number).torques
@@ -501,7 +502,6 @@ def _unknown_torques(results: Results, number: int) -> list[str]:
 
 
 def _loss_messages(results: Results, number: int) -> Iterator[Said]:
-    """Friction locks, and flows that losses turn round."""
     case = results.case
     if results.locked[number]:
         way = " when coasting" if case.coasts(case.gears[number]) else ""
@@ -533,7 +533,7 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
 
 
 def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Mechanisms without flow of power that matter."""
+    """Report idle mechanisms whose assumed direction of power affects the torques."""
     idle = coincidences(results, number, gear)
     if idle:
         what = "torques with losses and efficiency depend"
@@ -547,7 +547,7 @@ def _idle_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
-    """Whether idle mechanisms turn as one with differentials among them, as straight ahead."""
+    """Return whether idle mechanisms rotate with differentials, as when driving straight ahead."""
     speeds = [0.0, *results.speeds[number].tolist()]
     parts = [part for part in results.case.mechanisms if part.name in idle]
     of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
@@ -570,11 +570,11 @@ REGULAR = {
     "undecided": False,
     "choices": 1,
 }
-"""What the arrays say of such a gear."""
+"""Values of the arrays of `Results` in a regular gear."""
 
 
 def regular_gears(results: Results) -> Iterator[bool]:
-    """By gear of one case: whether speeds and torques exist, agree, and are the only ones.
+    """Yield for each gear whether speeds and torques exist, agree and are unique.
 
     >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
@@ -586,10 +586,10 @@ def regular_gears(results: Results) -> Iterator[bool]:
     marks = zip(*(getattr(results, name).tolist() for name in REGULAR), strict=True)
     turned, speeds = results.turned.tolist(), results.speeds.tolist()
     torques, of_meshes = results.torques.tolist(), results.mesh_torques.tolist()
-    for number, (gear, own) in enumerate(zip(case.gears, marks, strict=True)):
+    for number, (gear, marks_of_gear) in enumerate(zip(case.gears, marks, strict=True)):
         speed, torque = speeds[number][case.gear_output(gear) - 1], torques[number][-1]
         yield (
-            own == usual
+            marks_of_gear == usual
             and True not in turned[number]
             and not math.isnan(sum(torques[number]) + sum(of_meshes[number]))
             and speed != 0
@@ -598,7 +598,11 @@ def regular_gears(results: Results) -> Iterator[bool]:
 
 
 def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
-    """Whether speeds and torques, which check one another by ``Mx * w_output = 1``, do not."""
+    """Return whether the product of output torque and output speed differs from 1.
+
+    By equation (1) of docs/method.md, ``Mx * w_output = 1`` holds for gears without further speeds
+    and torques; a larger difference is due to rounding.
+    """
     if gear.speeds or gear.torques:
         return False
     return abs(output_torque * output_speed - 1) > UNCERTAIN

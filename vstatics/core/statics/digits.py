@@ -1,10 +1,10 @@
-"""How many digits rounding leaves of a gear whose ratios are nearly those of a singular train.
+"""Digits that rounding leaves of a gear whose ratios are close to a singular train.
 
-A mechanism of ratio u near 1 has differences u - 1 in its equations; where several meet,
-their product is soon as small as rounding. So such a gear is calculated in exact fractions,
-in which a ratio is what its float is; so is one whose elimination leaves too few digits. Here
-its systems are solved once more, with the decimals that the numbers show: what then differs is
-lost by the rounding of the numbers themselves.
+The equations of a mechanism of ratio u near 1 contain the difference u - 1. The product of several
+such differences soon is as small as rounding. Therefore the gear is calculated in exact fractions,
+in which a ratio is exactly its float; so is a gear whose elimination leaves too few digits. Here
+the systems of the gear are solved once more with ratios that are exactly the decimals shown: any
+difference is due to the rounding of the numbers themselves.
 """
 
 from __future__ import annotations
@@ -23,43 +23,43 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques
 
 MOST_EXACT_UNKNOWNS = 64
-"""Unknowns of a system that is solved exactly; fractions grow with each of them."""
+"""Most unknowns of a system that is solved in fractions, which grow with each unknown."""
 
 
 class LostDigits(NamedTuple):
-    """Speeds and torques of a gear that rounding leaves few digits of."""
+    """Links and devices of a gear whose speeds and torques keep few digits."""
 
     digits: int
-    """So many are certain in every one of them."""
+    """Number of certain digits of all speeds and torques listed."""
     links: list[str]
-    """Those with such speeds."""
+    """Names of the links with uncertain speeds."""
     devices: list[str]
-    """Those with such torques; `the output` is the output torque."""
+    """Names of the devices with uncertain torques; `the output` for the output torque."""
 
 
 def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
-    """Whether the ratio of a mechanism with three links is nearly 1, but is not.
+    """Return whether a mechanism with three links has a ratio close to 1, but not 1.
 
-    Then rounding may leave no digit. Of traced numbers the answer holds for all variants.
+    Rounding can then leave no digit at all. For traced numbers the answer holds for all variants.
     """
     return any(
-        one.third
+        mechanism.third
         and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
         and bool(0 < absolute(ratio - 1) < NEAR_ONE)
-        for one, ratio in zip(case.mechanisms, ratios, strict=True)
+        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
     )
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
-    """The speeds and torques of a gear that rounding makes uncertain; None if it makes none.
+    """Return the speeds and torques of a gear that rounding makes uncertain.
 
-    The gear is that of one case, not of arrays of variants. None for large systems, too.
+    The gear must belong to one case, not to arrays of variants. Large systems are not examined.
     """
     case, ideal = state.case, state.ideal
     if len(case.devices) + case.links > MOST_EXACT_UNKNOWNS:
         return None
-    speeds = _exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
-    by_link = _parts(state.speeds, speeds)
+    speeds = _solved_exactly(speed_rows(case, state.gear, ideal.variant.rows), case.links)
+    by_link = _relative_errors(state.speeds, speeds)
     by_device = _torque_parts(state, state.torques, ideal.variant.columns, lossy=False)
     if state.consistent and all(abs(plain(u)) < math.inf for u in state.lossy_ratios):
         lossy = _torque_parts(state, state.lossy_torques, columns(case, state.lossy_ratios))
@@ -81,35 +81,35 @@ def lost_digits(state: GearState) -> LostDigits | None:
 def _torque_parts(
     state: GearState, torques: Torques, by_column: Sequence[Column], *, lossy: bool = True
 ) -> list[float]:
-    """Of each device and the output: the part of its torque that is lost."""
+    """Return the relative error of the torque of each device and of the output."""
     case, gear = state.case, state.gear
     loaded = [*loaded_devices(case, gear), len(case.devices)]
     drag = state.drag.external if lossy else {}
-    exact = _exactly(torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding))
-    found = [torques.factors[device] for device in loaded]
+    exact = _solved_exactly(
+        torque_rows(case, gear, by_column, drag), len(loaded) + len(torques.holding)
+    )
+    rounded = [torques.factors[device] for device in loaded]
     parts = [0.0] * (len(case.devices) + 1)
-    for device, part in zip(loaded, _parts(found, exact[: len(loaded)]), strict=True):
+    for device, part in zip(loaded, _relative_errors(rounded, exact[: len(loaded)]), strict=True):
         parts[device] = part
     return parts
 
 
-def _exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
-    """The solution in exact fractions, rounded once; NaN as by `elimination.solve`."""
+def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
     from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
 
     solution = elimination.solve(rows, unknowns, arithmetic=elimination.EXACT)
     return list(map(rounded, solution.values))
 
 
-def _parts(found: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """The parts by which numbers differ, 1 where only one of them exists.
+def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
+    """Return relative errors; 1 where either the number or the exact value is NaN."""
+    return [
+        _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
+    ]
 
-    What is nothing beside the input's 1 is 0.
-    """
-    return [_part(plain(one), other) for one, other in zip(found, exact, strict=True)]
 
-
-def _part(one: float, other: float) -> float:
-    if math.isnan(one) or math.isnan(other):
-        return float(math.isnan(one) != math.isnan(other))
-    return abs(one - other) / max(abs(one), abs(other), NO_POWER)
+def _relative_error(number: float, exact: float) -> float:
+    if math.isnan(number) or math.isnan(exact):
+        return float(math.isnan(number) != math.isnan(exact))
+    return abs(number - exact) / max(abs(number), abs(exact), NO_POWER)

@@ -1,10 +1,9 @@
-"""Efficiency of a mechanism for each direction of power, and its ratio with losses.
+"""Efficiency of a mechanism for each direction of power, and the ratio with losses.
 
-With losses the internal ratio u of a mechanism becomes ``u * efficiency**x`` in the
-torque system; x is +1 where power enters by the first link, seen from the third, and
--1 where it leaves by it (equation (5) of docs/method.md). Some mechanisms, worm gears
-say, have another efficiency for x = -1. The speed ratio of a variator, which is that of the
-second link to the first, is divided by what the ratio of a mechanism is multiplied with.
+With losses the basic ratio u of a mechanism becomes ``u * efficiency**x`` in the torque system: x
+is +1 where power enters by the first link, seen from the third, and -1 where power leaves by it
+(equation (5) of docs/method.md). Some mechanisms, such as worm gears, have another efficiency for x
+= -1. The speed ratio of a variator is second link to first, so it is divided by ``efficiency**x``.
 """
 
 from __future__ import annotations
@@ -17,56 +16,57 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.traced import Number, chosen, is_nan
 
 Signs = tuple[Number, ...]
-"""By mechanism: the exponent x of its efficiency, +1, -1 or 0; NaN where it is open."""
+"""Exponent x of the efficiency of each mechanism: +1, -1 or 0; NaN if indeterminate."""
 
 
 class Efficiency(NamedTuple):
-    """The efficiency of a mechanism for each direction of power."""
+    """Efficiency of a mechanism for each direction of power."""
 
     forward: Number
-    """From the first link to the second."""
+    """Efficiency of power from the first link to the second."""
     back: Number
-    """0: power can't flow back."""
+    """Efficiency of power from the second link to the first; 0 for a self-locking mechanism."""
     divides: bool = False
-    """Whether losses divide the ratio, as of a variator."""
+    """True if losses divide the ratio, as in a variator."""
 
     @property
     def lossless(self) -> bool:
-        """Whether the direction does not matter."""
+        """True if neither direction has losses."""
         return bool(self.forward == 1 and self.back == 1)
 
     @property
     def lossy(self) -> bool:
-        """Whether there are losses in one of the directions."""
+        """True if at least one direction has losses."""
         return bool(self.forward < 1 or self.back < 1)
 
 
 def efficiencies_by_direction(
     case: Transmission, efficiencies: Sequence[Number | Efficiency] | None = None
 ) -> list[Efficiency]:
-    """The efficiencies of the mechanisms, where a case may give others for the way back.
+    """Return the efficiencies of the mechanisms for both directions of power.
 
     Parameters
     ----------
     efficiencies : sequence of Number or Efficiency, optional
-        Forward, or of both directions; the case's own when not given. [-]
+        Forward efficiency, to which the case can add another for the way back, or efficiencies of
+        both directions. Default: the numbers of the case. [-]
     """
     if efficiencies is None:
         efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
     return [
-        forward._replace(divides=one.kind == "variator")
+        forward._replace(divides=mechanism.kind == "variator")
         if isinstance(forward, Efficiency)
         else Efficiency(
             forward,
-            forward if one.back_efficiency is None else one.back_efficiency,
-            one.kind == "variator",
+            forward if mechanism.back_efficiency is None else mechanism.back_efficiency,
+            mechanism.kind == "variator",
         )
-        for forward, one in zip(efficiencies, case.mechanisms, strict=True)
+        for forward, mechanism in zip(efficiencies, case.mechanisms, strict=True)
     ]
 
 
 def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Number:
-    """``u * efficiency**x``; NaN where power can't flow back, or x is open.
+    """Return ``u * efficiency**x``; NaN if power cannot flow back or x is indeterminate.
 
     >>> [lossy_ratio(-2.0, Efficiency(0.5, 0.25), x) for x in (1.0, -1.0)]
     [-1.0, -8.0]
@@ -85,20 +85,20 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Numb
 
 
 def passed(efficiency: Efficiency, exponent: Number) -> Number:
-    """``efficiency**x``; a whole 1 keeps fractions exact."""
-    own = efficiency._replace(divides=False) if efficiency.divides else efficiency
-    return lossy_ratio(1, own, exponent)
+    """Return ``efficiency**x``; the integer 1 keeps fractions exact."""
+    multiplying = efficiency._replace(divides=False) if efficiency.divides else efficiency
+    return lossy_ratio(1, multiplying, exponent)
 
 
 def lossy_ratios(
     ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[Number]
 ) -> list[Number]:
-    """The ratios of all mechanisms with losses under given signs; see `lossy_ratio`."""
+    """Return the ratios of all mechanisms with losses under the given signs."""
     return list(map(lossy_ratio, ratios, efficiencies, signs))
 
 
 def is_possible(efficiencies: Sequence[Efficiency], signs: Signs) -> bool:
-    """Whether power flows back through no mechanism that is self-locking."""
+    """Return whether no self-locking mechanism passes power back."""
     return not any(
         efficiency.back == 0 and x < 0 for x, efficiency in zip(signs, efficiencies, strict=True)
     )

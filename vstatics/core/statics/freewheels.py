@@ -1,10 +1,9 @@
-"""Freewheels: which of them hold in a gear, found by trying.
+"""Freewheels: find by trial which of them hold in a gear.
 
-A freewheel keeps its first link from turning backward against the second. It holds,
-like an engaged element, with a torque on its first link that is not above 0, or it
-overruns, with a slip that is not below 0. Both are turned where the unit of speed or of
-torque is below 0: that of speed with an input that turns backward; that of torque too,
-and also when coasting.
+A freewheel keeps its first link from turning backward relative to the second. If it holds, the
+torque on its first link is not above 0; if it overruns, its slip is not below 0. Both signs are
+reversed where the unit is negative: the unit of speed for an input that turns backward, the unit of
+torque for such an input and when coasting.
 """
 
 from __future__ import annotations
@@ -28,41 +27,40 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import NO_DRAG, Torques
 
 Losses = Sequence[Number | Efficiency]
-"""Efficiencies: of one direction, where a mechanism has its own for the other; or of both."""
+"""Efficiency of each mechanism: forward only, or of both directions. [-]"""
 
 
 def find_state(
     case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
-    """The gear with its freewheels where they belong.
+    """Return the state of a gear in which every freewheel holds or overruns.
 
-    All sets of freewheels that may hold are tried, the smallest first. The first is
-    taken that is possible, determines the output speed and has torques in balance; if
-    there is none they all overrun, and the gear is neutral, or nothing holds. Where one of
-    them is driven backward while none holds, holding it would tie the gear up: a conflict,
-    without values.
+    All sets of freewheels that could hold are tried, smallest sets first. The first set is taken
+    that is possible, determines the output speed and has torques in balance. If no set does, all
+    freewheels overrun: the gear is neutral, or an external torque has no reaction. A freewheel that
+    is driven backward while none holds would tie the gear up if it held. This is a conflict, a
+    state without values.
 
     Parameters
     ----------
     ratios, efficiencies : sequence of Number
-        Of each mechanism: floats, or traced numbers, as those of the gear may be; its speed
-        ratios go before. [-]
+        Numbers of each mechanism: floats, or traced numbers. Speed ratios of the gear override
+        `ratios`. [-]
     """
     ratios = case.gear_ratios(gear, ratios)
     if not is_nearly_one(case, ratios):
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
             return state
-    if any(map(is_traced, _numbers(gear, ratios, efficiencies))):
+    if any(map(is_traced, _traceable_numbers(gear, ratios, efficiencies))):
         raise Untraceable
     return _exact_state(case, gear, ratios, efficiencies)
 
 
-def _numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:
-    """All numbers that may be traced."""
+def _traceable_numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:
     yield from ratios
-    for one in efficiencies:
-        yield from one if isinstance(one, Efficiency) else (one,)
+    for efficiency in efficiencies:
+        yield from efficiency if isinstance(efficiency, Efficiency) else (efficiency,)
     for by_part in (gear.speeds, gear.torques, gear.drag, gear.open_drag):
         yield from by_part.values()
 
@@ -70,23 +68,23 @@ def _numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iter
 def _exact_state(
     case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
-    """The state of a gear of which rounding leaves too few digits, calculated in fractions.
+    """Calculate a gear in fractions, because rounding leaves too few digits.
 
-    A ratio and an efficiency are what the float is, to its last bit.
+    Each ratio and efficiency is exactly the value of its float.
     """
-    from fractions import Fraction  # they cost start-up time
+    from fractions import Fraction  # fractions cost start-up time
 
     from vstatics.core.numerics.exact import rounded
 
-    def exactly(one: Number | Efficiency) -> Any:
-        if isinstance(one, Efficiency):
-            return one._replace(forward=exactly(one.forward), back=exactly(one.back))
-        return Fraction(plain(one))
+    def exactly(number: Number | Efficiency) -> Any:
+        if isinstance(number, Efficiency):
+            return number._replace(forward=exactly(number.forward), back=exactly(number.back))
+        return Fraction(plain(number))
 
     exact = [list(map(exactly, numbers)) for numbers in (ratios, efficiencies)]
     try:
         state: GearState = rounded(_find_state(case, gear, *exact))
-    except OverflowError:  # beyond any float, where the search asks for one
+    except OverflowError:  # an exact number is too large for the float that the search needs
         return _find_state(case, gear, ratios, efficiencies)
     return state._replace(exact=True)
 
@@ -94,24 +92,26 @@ def _exact_state(
 def _find_state(
     case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
-    """The state in the arithmetic of the given numbers."""
     variant = variant_of(case, ratios, efficiencies)
-    nobody = solve_speeds(case, gear, variant.rows)
-    if not case.freewheels or not nobody.consistent:  # tied up, whatever the freewheels do
-        return _state(variant, gear, nobody)
-    if driven_backward(case, gear, nobody):
-        return _conflict(variant, gear, nobody)
-    for held in _sets(case):
-        chosen = with_engaged(gear, held)
-        speeds = solve_speeds(case, chosen, variant.rows) if held else nobody
-        state = _possible(variant, chosen, speeds)
+    overrunning = solve_speeds(case, gear, variant.rows)
+    if not case.freewheels or not overrunning.consistent:  # tied up, whatever the freewheels do
+        return _state(variant, gear, overrunning)
+    if driven_backward(case, gear, overrunning):
+        return _state_without_values(variant, gear, overrunning)
+    for held in _sets_of_freewheels(case):
+        gear_held = with_engaged(gear, held)
+        speeds = solve_speeds(case, gear_held, variant.rows) if held else overrunning
+        state = _possible(variant, gear_held, speeds)
         if state is not None:
             return state
-    return _state(variant, gear, nobody)
+    return _state(variant, gear, overrunning)
 
 
 def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
-    """A gear with some freewheels engaged, if they can hold it and the others can overrun."""
+    """Return the state with some freewheels engaged, if possible.
+
+    The state is possible if the engaged freewheels can hold and the others can overrun.
+    """
     case = variant.case
     held = [number for number in case.freewheels if number in gear.engaged]
     drives = speeds.consistent and not is_nan(speeds.links[case.gear_output(gear) - 1])
@@ -123,9 +123,9 @@ def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
 
 
 def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
-    """Numbers of the freewheels that could hold in place of some of those that do.
+    """Return the numbers of freewheels that could hold instead of holding freewheels.
 
-    Then statics does not determine the torques that they share.
+    Statics does not determine the torques that such freewheels share.
 
     Parameters
     ----------
@@ -144,10 +144,10 @@ def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[in
 
 
 def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
-    """Return the numbers of freewheels whose links are to be exchanged for the gear to drive.
+    """Return the numbers of freewheels whose links must be exchanged for the gear to drive.
 
-    Each of them is exchanged alone, and then all together. The list is empty where that does not
-    help, and where the gear coasts, as a freewheel overruns there by design.
+    Each freewheel is exchanged alone, then all together. The list is empty if that does not help,
+    and when coasting, where freewheels overrun by design.
 
     Parameters
     ----------
@@ -174,43 +174,44 @@ def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
 
 
 def with_engaged(gear: Gear, held: Sequence[int]) -> Gear:
-    """The gear with some freewheels engaged."""
+    """Return the gear with some freewheels engaged."""
     return gear._replace(engaged=(*gear.engaged, *held)) if held else gear
 
 
 def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]:
-    """Numbers of the freewheels that do not hold and would have to overrun backward."""
+    """Return the numbers of freewheels that do not hold and would overrun backward."""
     by_link = [0.0, *map(absolute, speeds.links)]
     turns = input_direction(case, gear)
-    found = []
+    backward = []
     for number in case.freewheels:
         element, slip = case.shift_elements[number - 1], speeds.slips[number - 1]
         if number not in gear.engaged and slip * turns < 0:
             ends = by_link[element.first], by_link[element.second]
-            found += [number] * (not is_tie(absolute(slip), *ends))
-    return found
+            backward += [number] * (not is_tie(absolute(slip), *ends))
+    return backward
 
 
 def input_direction(case: Transmission, gear: Gear) -> int:
-    """+1, or -1 where the input turns backward: the sign of the unit of speed."""
+    """Return the sign of the unit of speed: -1 for an input that turns backward, else +1."""
     return -1 if case.input_turns(gear) == "backward" else 1
 
 
-def _sets(case: Transmission) -> Iterator[tuple[int, ...]]:
-    """All sets of freewheels, the smallest first."""
+def _sets_of_freewheels(case: Transmission) -> Iterator[tuple[int, ...]]:
     for size in range(len(case.freewheels) + 1):
         yield from combinations(case.freewheels, size)
 
 
 def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
-    """The gear with torques, for the elements that are engaged."""
     ideal = ideal_gear(variant, gear, speeds)
     moving = ideal.torques.consistent and speeds.consistent
     return GearState(ideal, find_signs(ideal, moving=moving))
 
 
 def _can_hold(state: GearState, number: int) -> bool:
-    """Whether a freewheel that holds has a torque of the right sign, with losses if they exist."""
+    """Return whether the torque of a holding freewheel has the right sign.
+
+    The torque with losses decides if it exists.
+    """
     ideal, lossy = state.ideal, state.search.lossy
     torques, columns = ideal.torques_with_drag, ideal.variant.columns
     if not is_nan(lossy.torques.on_first_link[number - 1]):
@@ -220,14 +221,13 @@ def _can_hold(state: GearState, number: int) -> bool:
     return bool(pull <= 0 or (pull > 0 and is_nothing(ideal, columns, torques, number)))
 
 
-def _conflict(variant: Variant, gear: Gear, nobody: Speeds) -> GearState:
-    """A gear without a state, and so without values."""
+def _state_without_values(variant: Variant, gear: Gear, overrunning: Speeds) -> GearState:
     case = variant.case
     nan = math.nan
-    speeds = nobody._replace(
-        links=[nan] * len(nobody.links),
-        relative_speeds=[nan] * len(nobody.relative_speeds),
-        slips=[nan] * len(nobody.slips),
+    speeds = overrunning._replace(
+        links=[nan] * len(overrunning.links),
+        relative_speeds=[nan] * len(overrunning.relative_speeds),
+        slips=[nan] * len(overrunning.slips),
     )
     torques = Torques(
         [nan] * (len(case.devices) + 1),

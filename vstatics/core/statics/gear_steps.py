@@ -1,4 +1,4 @@
-"""Steps between gears and the spread, of one case or of many variants."""
+"""Step ratios between gears, and the ratio spread, of one case or of many variants."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from vstatics.core.numerics.arrays import Floats
 
 
 def steps(case: Transmission, ratios: Floats) -> Floats:
-    """The ratio of each gear by that of the next one of its direction; NaN without one.
+    """Return the ratio of each gear divided by the ratio of the next gear.
 
-    The next has the next smaller ratio, without sign, with the same input and output; of
-    equal ones it is the later.
+    The next gear has the next smaller magnitude of the ratio, the same direction, and the same
+    input and output; of equal ratios the later gear follows. NaN marks a gear without a next gear.
 
     Parameters
     ----------
@@ -29,24 +29,24 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
            [2. , 2.5, nan]])
     """
     sizes = _comparable(case, ratios)
-    found = np.full(ratios.shape, np.nan)
+    step_ratios = np.full(ratios.shape, np.nan)
     for gear, others in enumerate(_alike(case)):
         following = np.full(ratios.shape[:-1], np.nan)
-        own = sizes[..., gear]
+        size_of_gear = sizes[..., gear]
         for other in others:
             size = sizes[..., other]
-            below = (size < own) | ((size == own) & (other > gear))
+            below = (size < size_of_gear) | ((size == size_of_gear) & (other > gear))
             same = below & (ratios[..., gear] * ratios[..., other] > 0)
             following = np.fmax(following, np.where(same, np.abs(ratios[..., other]), np.nan))
-        found[..., gear] = np.abs(ratios[..., gear]) / following
-    return found
+        step_ratios[..., gear] = np.abs(ratios[..., gear]) / following
+    return step_ratios
 
 
 def spread(case: Transmission, ratios: Floats) -> Floats:
-    """The largest by the smallest forward ratio, of shape (...); NaN without gears.
+    """Return the largest forward ratio divided by the smallest, shape ``(...)``.
 
-    Forward is the direction, input and output that most gears have; of equally many those of
-    the first gear.
+    Forward is the direction, input and output that most gears share, or else those of the first
+    gear. NaN is returned for a case without gears.
 
     Parameters
     ----------
@@ -55,36 +55,44 @@ def spread(case: Transmission, ratios: Floats) -> Floats:
     """
     sizes = _comparable(case, ratios)
     best = np.zeros(ratios.shape[:-1])
-    found = np.full(ratios.shape[:-1], np.nan)
+    spreads = np.full(ratios.shape[:-1], np.nan)
     for gear, others in enumerate(_alike(case)):
         members = [gear, *others]
-        own = np.where(ratios[..., members] * ratios[..., [gear]] > 0, sizes[..., members], np.nan)
-        count = np.isfinite(own).sum(axis=-1)
+        forward = np.where(
+            ratios[..., members] * ratios[..., [gear]] > 0, sizes[..., members], np.nan
+        )
+        count = np.isfinite(forward).sum(axis=-1)
         with np.errstate(all="ignore"):
-            whole = np.fmax.reduce(own, axis=-1) / np.fmin.reduce(own, axis=-1)
-        found = np.where(count > best, whole, found)
+            whole = np.fmax.reduce(forward, axis=-1) / np.fmin.reduce(forward, axis=-1)
+        spreads = np.where(count > best, whole, spreads)
         best = np.maximum(best, count)
-    return found
+    return spreads
 
 
 def _alike(case: Transmission) -> list[list[int]]:
-    """Of each gear the indices of all others with its input and output, operating points apart."""
-    ends = [(case.gear_input(one), case.gear_output(one)) for one in case.gears]
-    every = [index for index, one in enumerate(case.gears) if one.kind == "gear"]
+    """Return for each gear the indices of other gears with equal input and output.
+
+    Operating points are left out.
+    """
+    ends = [(case.gear_input(gear), case.gear_output(gear)) for gear in case.gears]
+    every = [index for index, gear in enumerate(case.gears) if gear.kind == "gear"]
     return [
-        [other for other in every if other != index and ends[other] == own]
+        [other for other in every if other != index and ends[other] == input_and_output]
         if index in every
         else []
-        for index, own in enumerate(ends)
+        for index, input_and_output in enumerate(ends)
     ]
 
 
 def _comparable(case: Transmission, ratios: Floats) -> Floats:
-    """Sizes of ratios to ten digits, so that rounding orders nothing; none of operating points."""
+    """Return the magnitudes of ratios, rounded to ten digits; NaN for operating points.
+
+    Rounding keeps equal ratios from being ordered by their last digits.
+    """
     sizes = np.abs(ratios)
     with np.errstate(all="ignore"):
         unit = 10.0 ** (np.floor(np.log10(sizes)) - 9)
         rounded: Floats = np.round(sizes / unit) * unit
     rounded[~np.isfinite(rounded)] = np.nan
-    rounded[..., [one.kind != "gear" for one in case.gears]] = np.nan
+    rounded[..., [gear.kind != "gear" for gear in case.gears]] = np.nan
     return rounded

@@ -1,4 +1,4 @@
-"""A gear with ideal mechanisms: what decides where power enters each of them."""
+"""A gear without losses: its speeds and torques decide where power enters each mechanism."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Stands for an external torque, where a device has its index."""
+"""Number of an external torque among the indices of devices."""
 
 
 class IdealGear(NamedTuple):
@@ -23,15 +23,15 @@ class IdealGear(NamedTuple):
 
     variant: Variant
     gear: Gear
-    """With the freewheels that hold among the engaged elements."""
+    """The gear, with the freewheels that hold among the engaged shift elements."""
     speeds: Speeds
     torques: Torques
-    """Without drag."""
+    """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Drag alone loads some mechanisms; the same where nothing drags."""
+    """Torques with drag, which alone loads some mechanisms; `torques` if nothing drags."""
     overcome: bool = False
-    """Whether drag may take more than the input gives, so that the output gives the rest."""
+    """True if the output may supply power to overcome drag above the input power."""
 
     @property
     def case(self) -> Transmission:
@@ -40,17 +40,17 @@ class IdealGear(NamedTuple):
 
     @property
     def direction(self) -> int:
-        """+1, or -1 when coasting: all flows turn."""
+        """+1, or -1 when coasting, where every flow of power is reversed."""
         return -1 if self.case.coasts(self.gear) else 1
 
     @property
     def without_drag(self) -> IdealGear:
-        """The same gear where nothing drags."""
+        """The gear with all drag left out."""
         return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
-    """Torques without losses, for the elements that are engaged and their speeds."""
+    """Return a gear without losses, from engaged shift elements and speeds."""
     case, columns = variant.case, variant.columns
     torques = solve_torques(case, gear, columns)
     if gaining(variant, gear, speeds, torques):
@@ -61,32 +61,35 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
 
 
 def gaining(variant: Variant, gear: Gear, speeds: Speeds, torques: Torques) -> list[str]:
-    """Names of converters that would gain power, as none does."""
+    """Return the names of converters that would gain power, which is impossible."""
     mechanisms = enumerate(variant.case.mechanisms)
-    way = -1 if variant.case.coasts(gear) else 1
-    return [one.name for n, one in mechanisms if _gains(variant, n, speeds, torques, way)]
+    direction = -1 if variant.case.coasts(gear) else 1
+    return [
+        mechanism.name
+        for n, mechanism in mechanisms
+        if _gains(variant, n, speeds, torques, direction)
+    ]
 
 
-def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, way: int) -> bool:
-    """Whether a mechanism is a converter, and would gain power; `way` is -1 when coasting."""
+def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direction: int) -> bool:
     if variant.case.mechanisms[place].kind != "converter":
         return False
     entering = times(
         torques.on_first_link[len(variant.case.shift_elements) + place],
         speeds.relative_speeds[place],
     )
-    return bool(times(entering, converter_slip(variant, place)) * way < 0)
+    return bool(times(entering, converter_slip(variant, place)) * direction < 0)
 
 
 def converter_slip(variant: Variant, place: int) -> Number:
-    """``1 - K i``: the part of its power that a converter loses [-]."""
+    """Return the share of power that a converter loses, ``1 - K i`` [-]."""
     ratio = variant.ratios[place]
     torque_ratio: Number = matrix.torque_ratio_of(variant.case.mechanisms[place], ratio)
     return 1 - torque_ratio * ratio
 
 
 def no_torques(torques: Torques) -> Torques:
-    """Those of a gear that has none."""
+    """Return NaN for all torques, without an equilibrium."""
     nan = math.nan
     return Torques(
         [nan] * len(torques.on_first_link), dict.fromkeys(torques.holding, nan), consistent=False
@@ -96,10 +99,10 @@ def no_torques(torques: Torques) -> Torques:
 def mechanism_torques(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[Number]:
-    """Torque on the first link of each mechanism, 0 where it is a tie.
+    """Return the torque on the first link of each mechanism, 0 if negligible.
 
-    It is a tie when on each of its links the mechanism's torque is nothing beside the
-    other torques there: so a stage of a large ratio is measured by its own links.
+    A torque is negligible if it is tiny relative to another torque on every link of the mechanism.
+    So a stage of a large ratio is compared only with the torques on its own links.
     """
     case = ideal.case
     elements = len(case.shift_elements)
@@ -111,19 +114,17 @@ def mechanism_torques(
 
 
 def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, number: int) -> bool:
-    """Whether the torque of a shift element, by its number, is a tie: see `mechanism_torques`."""
+    """Return whether the torque of a shift element is negligible, as in `mechanism_torques`."""
     element = ideal.case.shift_elements[number - 1]
     by_link = _torques_by_link(ideal, columns, torques)
     return _is_nothing(by_link, number - 1, (element.first, element.second))
 
 
 _OnLink = tuple[int, Number]
-"""The index of a device, or `OUTSIDE`, and the size of its torque on a link."""
+"""Index of a device, or `OUTSIDE`, and the magnitude of the torque on a link."""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:
-    """Whether a device's torque is nothing beside another one, on each of its links."""
-
     def on(link: int) -> bool:
         own = next(torque for other, torque in by_link[link] if other == device)
         others = [torque for other, torque in by_link[link] if other != device]
@@ -135,7 +136,6 @@ def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequen
 def _torques_by_link(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[list[_OnLink]]:
-    """All torques on each link, the housing first."""
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, column in enumerate(columns):

@@ -1,4 +1,4 @@
-"""Mechanisms that are idle by coincidence, whose direction of power is assumed."""
+"""Mechanisms that are idle by coincidence, so that a direction of power is assumed for them."""
 
 from __future__ import annotations
 
@@ -19,19 +19,18 @@ from vstatics.core.statics.torques import solve_torques
 
 
 def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
-    """Names of the idle mechanisms whose direction of power, which is assumed, matters.
+    """Return the idle mechanisms whose assumed direction of power affects the results.
 
-    And whether it matters for the efficiency too.
-
-    Where engaged elements hold a mechanism as one piece only the split of torque depends
-    on it. Otherwise a torque at the ports does, and so the efficiency.
+    Names of mechanisms are mapped to whether the efficiency depends on the assumption, too. If
+    engaged shift elements lock a mechanism up, only the split of torque depends on it, so such a
+    mechanism is left out. Otherwise a torque at the ports depends on it.
 
     Parameters
     ----------
     number : int
         Index of the gear in `results`.
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        The gear with the freewheels that hold among the engaged shift elements.
     """
     idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
     if not idle or idle <= held_as_one(results.case, gear):
@@ -40,17 +39,17 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
 
 
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
-    """Indices of mechanisms that may be idle and carry torque, as far as the arrays tell."""
+    """Yield the indices of mechanisms that, by the arrays, may be idle under torque."""
     case, is_idle = results.case, results.idle[number].tolist()
     if case.drawing is None and True not in is_idle:
         return
     behind = len(case.springs) + 1
-    on_own = results.lossy_torques[number, len(case.shift_elements) : -behind].tolist()
+    carried = results.lossy_torques[number, len(case.shift_elements) : -behind].tolist()
     if case.drawing is None:
-        marks = enumerate(zip(is_idle, on_own, strict=True))
+        marks = enumerate(zip(is_idle, carried, strict=True))
         yield from (index for index, (idle, torque) in marks if idle and torque != 0)
         return
-    torques = iter(on_own)
+    torques = iter(carried)
     meshes = zip(
         results.mesh_losses[number].tolist(),
         results.lossy_mesh_torques[number].tolist(),
@@ -68,7 +67,7 @@ def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
 
 
 def _that_matter(state: GearState) -> dict[str, bool]:
-    """The same, from the state of the gear."""
+    """Return the result of `coincidences`, from the state of the gear."""
     case, gear, ideal = state.case, state.gear, state.ideal
     elements = len(case.shift_elements)
     idle = [
@@ -84,7 +83,7 @@ def _that_matter(state: GearState) -> dict[str, bool]:
         return {}
 
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
-        """Torques that the ports have, and the power that enters by these."""
+        """Return the torques of the ports, and the power that enters."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
         ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
         torques = solve_torques(case, gear, columns(case, ratios), state.drag)
@@ -95,21 +94,23 @@ def _that_matter(state: GearState) -> dict[str, bool]:
         return [output, *torques.holding.values()], entering
 
     if not gear.speeds and not gear.torques:
-        # by virtual work the output torque depends on a ratio only where its mechanism
-        # moves in the train that has the ratios with losses
+        # By virtual work, the output torque depends on a ratio only if the mechanism moves in the
+        # train that has the ratios with losses.
         relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
-    found = {}
+    matters = {}
     for place in idle:
-        one, lost = at_ports(place, 1.0)
-        other, otherwise = at_ports(place, -1.0 if ideal.variant.efficiencies[place].back else 0.0)
-        if _differ(one, other):
-            found[case.mechanisms[place].name] = not absolute(lost - otherwise) <= TIE
-    return found
+        driving, power_driving = at_ports(place, 1.0)
+        driven, power_driven = at_ports(
+            place, -1.0 if ideal.variant.efficiencies[place].back else 0.0
+        )
+        if _differ(driving, driven):
+            matters[case.mechanisms[place].name] = not absolute(power_driving - power_driven) <= TIE
+    return matters
 
 
-def _differ(one: list[Number], other: list[Number]) -> bool:
-    """Whether torques are other ones; those that do not exist count for nothing."""
-    pairs = [(a, b) for a, b in zip(one, other, strict=True) if a == a and b == b]  # noqa: PLR0124
+def _differ(torques: list[Number], others: list[Number]) -> bool:
+    """Return whether two lists of torques differ; torques that do not exist are left out."""
+    pairs = [(a, b) for a, b in zip(torques, others, strict=True) if a == a and b == b]  # noqa: PLR0124
     largest = max((absolute(a) for a, _ in pairs), default=0.0)
     return any(absolute(a - b) > TIE * largest for a, b in pairs)

@@ -1,7 +1,7 @@
 """Losses of a gear under given signs of the power flow: torques, efficiency, balance.
 
-The torque system is solved with ``u * efficiency**x`` in place of u; the power lost in a
-mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of docs/method.md.
+The torque system is solved with ``u * efficiency**x`` instead of u. The power lost in a mechanism
+is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of docs/method.md.
 """
 
 from __future__ import annotations
@@ -21,26 +21,26 @@ from vstatics.core.statics.torques import Torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques of a gear with losses under one set of signs, and what follows from them."""
+    """Torques of a gear with losses under a set of signs, and the resulting losses."""
 
     signs: Signs
     torques: Torques
     directions: Signs
-    """By mechanism: sign of the power by the first link, +1, 0, -1 or NaN."""
+    """Sign of the power by the first link of each mechanism: +1, 0, -1 or NaN."""
     losses: Sequence[Number]
-    """By mechanism, power. [-]"""
+    """Power lost in each mechanism. [-]"""
     efficiency: Number
-    """[-]"""
+    """Efficiency by which sets of signs are compared. [-]"""
     drag_losses: Number
-    """Power that drag takes in all. [-]"""
+    """Total power lost to drag. [-]"""
     balance: Number | Residual
-    """External power less all losses. [-]"""
+    """External power minus all losses. [-]"""
     admissible: Condition
-    """The signs agree with the directions of power."""
+    """True if the signs are consistent with the directions of power."""
 
 
 def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
-    """Torques with losses under given signs, and whether the signs agree with the flow.
+    """Return the torques with losses under given signs, and whether the signs are admissible.
 
     Power that flows back through a self-locking mechanism is never admissible.
     """
@@ -55,11 +55,11 @@ def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def check_signs(
     ideal: IdealGear, signs: Signs, lossy_columns: Sequence[Column], torques: Torques
 ) -> LossyTorques:
-    """What torques with losses mean: losses, efficiency, and whether the signs agree.
+    """Return the losses and the efficiency of lossy torques, and whether the signs are admissible.
 
-    A set of signs is admissible when the sign of every mechanism with losses is that of its
-    flow, or one of the two is 0; and when the efficiency is above 0 (where there is one
-    without losses, and drag is not overcome from the output).
+    Signs are admissible if the sign of every mechanism with losses is the sign of its flow, or one
+    of the two is 0, and if the efficiency is above 0. The efficiency is not checked if drag may be
+    overcome from the output, or if it does not exist without losses.
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -68,14 +68,17 @@ def check_signs(
     efficiency = _efficiency(ideal, torques, entering)
     directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
     agrees: Condition = True
-    for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
-        if not (x == 0 or own.lossless):
+    for x, direction, efficiencies in zip(
+        signs, directions, ideal.variant.efficiencies, strict=True
+    ):
+        if not (x == 0 or efficiencies.lossless):
             agrees = agrees & (x * direction >= 0)
-    for one, loss in zip(ideal.case.mechanisms, losses, strict=True):
-        if one.kind == "converter":
+    for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
+        if mechanism.kind == "converter":
             agrees = agrees & (loss * ideal.direction >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
-    if passes is False:  # of one variant; those of a plan all pass power, or none of them does
+    # This is one variant; the variants of a plan agree on whether power passes.
+    if passes is False:
         passes = not _passes_power(ideal)
     return LossyTorques(
         signs=signs,
@@ -90,7 +93,7 @@ def check_signs(
 
 
 def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
-    """No lossy torques at all."""
+    """Return NaN for all torques with losses, with signs that are not admissible."""
     nan = math.nan
     return LossyTorques(
         signs=signs,
@@ -105,7 +108,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
 
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
-    """Power lost in each mechanism, from the power by its first link: equation (2)."""
+    """Yield the power lost in each mechanism, by equation (2), from the power by its first link."""
     variant = ideal.variant
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
         if ideal.case.mechanisms[place].kind == "converter":
@@ -119,16 +122,16 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Efficiency by which sets of signs are compared: the flow without losses divides the ports.
+    """Return the efficiency that ranks sets of signs; lossless flow separates the ports.
 
-    With one input and one output it is ``Mx_lossy/Mx``, or its inverse when coasting.
-    Otherwise power out by power in, each port on the side of its flow without losses;
-    a port without any counts on neither.
+    With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
+    Otherwise it is the output power divided by the input power. Each port counts on the side of its
+    flow without losses; a port without such flow counts on neither side.
     """
     if not ideal.gear.speeds and not ideal.gear.torques and not ideal.case.has_converter:
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
-        one, other = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
-        return math.nan if other == 0 else one / other
+        numerator, denominator = (lossy, lossless) if ideal.direction > 0 else (lossless, lossy)
+        return math.nan if denominator == 0 else numerator / denominator
     received: Number = 0.0
     given: Number = 0.0
     for flow, actual in zip(_entering(ideal, ideal.torques), entering, strict=True):
@@ -141,9 +144,10 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Efficiency as it is told: of several ports the power that leaves by that which enters.
+    """Return the reported efficiency: with several ports, power that leaves per power that enters.
 
-    Each port is on the side of its own flow with losses; signs are chosen by `_efficiency`.
+    Each port counts on the side of its flow with losses, unlike in `_efficiency`, which chooses the
+    signs.
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         return lossy.efficiency
@@ -159,6 +163,9 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Whether the gear has an efficiency without losses, 1 but for converters; 0 if one stalls."""
+    """Return whether a gear has an efficiency without losses: 1, or less with converters.
+
+    A converter that stalls has an efficiency of 0, so no power passes.
+    """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -1,17 +1,17 @@
-"""Structural-distribution matrix of a case or a variant, and the linear systems made from it.
+"""The structural-distribution matrix, and the linear systems for speeds and torques.
 
-Source: Algin, Schematization and calculation of mobile machine presented as
-multibody system (tables 1 and 3, figures 3 and 4).
+Source: Algin, Schematization and calculation of mobile machine presented as multibody system
+(tables 1 and 3, figures 3 and 4).
 
-Sign convention, here and everywhere: the column of a device holds the torques that
-its links give to it when the torque on its first link is 1. External torques act on
-a link, positive like the input's, which is 1; the output torque is the one that the
-train gives to its load. So with a ratio ``w_input/w_output`` above 0 and no losses
-the output torque equals the ratio.
+Sign convention, here and everywhere: the column of a device contains the torques that its links
+give to it when the torque on its first link is 1. External torques act on a link, with the sign of
+the input torque, which is 1; the output torque is given by the train to its load. So with a ratio
+``w_input/w_output`` above 0 and no losses the output torque equals the ratio.
 
-The column of a set or pair is its equation for speeds, too. A variator of the speed ratio x
-has the column (x, -1), which holds at 0 as well: there its second link stands, takes any torque,
-and the first has none. A converter has the row (i, -1) and the column (1, -K).
+The column of a gear set or gear pair is also its equation for the speeds. A variator of the speed
+ratio i has the column (i, -1), which is valid for i = 0 as well: its second link is then at rest
+under any torque, and its first link carries none. A converter of the torque ratio K has the row (i,
+-1) and the column (1, -K).
 """
 
 from __future__ import annotations
@@ -37,24 +37,26 @@ if TYPE_CHECKING:
 
 
 Column = Mapping[int, Coefficient]
-"""Link number -> torque on that link when the torque on the first link is 1."""
+"""Torque on each link, by link number, when the torque on the first link is 1."""
 
 ON_ELEMENT = (1, -1)
-"""Torques on the links of a shift element (a, b)."""
+"""Torques on the links (a, b) of a shift element."""
 
 INPUT_SPEED = "the input speed"
-"""How messages call this condition."""
+"""Name of the given input speed in messages."""
 GIVEN_SPEED = "the given speed of link "
-"""How they call that of another link, with its name."""
+"""Start of the name of a given speed in messages; the name of the link follows."""
 
 
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
-    """Torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
+    """Return the torques on the links (f, s, h) of a mechanism: 1, -u, and u - 1 as two terms."""
     return 1, -ratio, (ratio, -1)
 
 
 def column(ratio: Any) -> tuple[Any, Any, Any]:
-    """The same three as plain values: of a number, an array, or a symbol.
+    """Return the torques on the links (f, s, h) of a mechanism as plain values.
+
+    The ratio is a number, an array or a symbol.
 
     >>> column(-2.5)
     (1, 2.5, -3.5)
@@ -64,12 +66,12 @@ def column(ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def value(coefficient: Any) -> Any:
-    """A coefficient as one number."""
+    """Return the value of a coefficient, or the sum of two terms."""
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
 def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """The equation for the speeds of a mechanism's links, the last coefficient as two terms.
+    """Return the coefficients of a mechanism's link speeds, the last as two terms.
 
     >>> row_of(Mechanism(1, 2, 0, 0.4, kind="variator"), 0.4)
     (0.4, -1, (1, -0.4))
@@ -78,7 +80,7 @@ def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """The torques on a mechanism's links, the last as two terms.
+    """Return the torques on a mechanism's links, the last as two terms.
 
     >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
     (1, -1.7, (1.7, -1))
@@ -90,13 +92,16 @@ def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
-    """``M_second/M_first`` of a converter: straight between its points, constant outside [-]."""
+    """Return the torque ratio of a converter, second link to first, at a speed ratio [-].
+
+    The torque ratio is interpolated linearly between the points and constant outside them.
+    """
     points = tuple((point[0], point[1]) for point in converter.points)
     if isinstance(speed_ratio, np.ndarray):
         return np.interp(speed_ratio, *np.transpose(points))
     if is_exact(speed_ratio):
         exact = type(speed_ratio)
-        points = tuple((exact(one), exact(other)) for one, other in points)
+        points = tuple((exact(i), exact(K)) for i, K in points)
     if speed_ratio <= points[0][0]:
         return points[0][1]
     for (left, before), (right, after) in pairwise(points):
@@ -106,25 +111,24 @@ def torque_ratio_of(converter: Mechanism, speed_ratio: Any) -> Any:
 
 
 def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """The equations for speeds of shift elements, mechanisms, springs: see `columns`."""
+    """Return the speed equations of shift elements, mechanisms and springs, as in `columns`."""
     return _by_device(case, map(row_of, case.mechanisms, ratios))
 
 
 def columns(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
-    """Columns of the structural-distribution matrix: shift elements, mechanisms, springs.
+    """Return the columns of the matrix for shift elements, mechanisms and springs.
 
     The housing has no row.
 
     Parameters
     ----------
     ratios : sequence of Number
-        Internal ratio of each mechanism. [-]
+        Basic ratio of each mechanism. [-]
     """
     return _by_device(case, map(column_of, case.mechanisms, ratios))
 
 
 def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
-    """What shift elements, mechanisms and springs have for each of their links."""
     of_elements = [
         _without_housing((element.first, element.second), ON_ELEMENT)
         for element in case.shift_elements
@@ -142,13 +146,13 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 @refusing()
 def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Structural-distribution matrix AJK.
+    """Return the structural-distribution matrix AJK.
 
     Parameters
     ----------
     case : Transmission
     ratios : array_like, shape (..., mechanisms), optional
-        In place of the case's own internal ratios. [-]
+        Basic ratios. Default: the ratios of the case. [-]
 
     Returns
     -------
@@ -169,8 +173,8 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
            [ 1. ,  2.5],
            [ 0. , -3.5]])
     """
-    own = [mechanism.ratio for mechanism in case.mechanisms]
-    given = by_mechanism("ratios", own if ratios is None else ratios, len(own))
+    default = [mechanism.ratio for mechanism in case.mechanisms]
+    given = by_mechanism("ratios", default if ratios is None else ratios, len(default))
     elements = len(case.shift_elements)
     matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
     for number, element in enumerate(case.shift_elements):
@@ -180,21 +184,21 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
         for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
             matrix[..., link, elements + number] = value(torques)
-    for number, spring in enumerate(case.springs, elements + len(own)):
+    for number, spring in enumerate(case.springs, elements + len(default)):
         for link, coefficient in spring.form.items():
             matrix[..., link, number] = coefficient
     return matrix[..., 1:, :]
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
-    """An array with a last axis of mechanisms.
+    """Return an array with a last axis of mechanisms.
 
     Raises
     ------
     CaseError
-        If it is none of numbers; it is called `name`.
+        If the array contains something other than numbers; the message calls it `name`.
     ValueError
-        If it has another.
+        If the last axis has another length.
     """
     array = as_floats(name, given)
     if array.ndim == 0 or array.shape[-1] != mechanisms:
@@ -203,16 +207,17 @@ def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
 
 
 Quantity = Literal["ratio", "efficiency"]
-"""What of a mechanism can differ from variant to variant."""
+"""Number of a mechanism that can differ between variants."""
 
 EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
 }
+"""Phrase for the possible numbers of each quantity, in messages."""
 
 
 def expected_ratio(between: tuple[float, float]) -> str:
-    """What a ratio can be between two, in words.
+    """Return a phrase for the ratios that are possible between two bounds.
 
     >>> expected_ratio((-math.inf, -1.0)), expected_ratio((-math.inf, math.inf))
     ('a finite ratio below -1, as teeth give it', 'a finite ratio other than 0')
@@ -225,14 +230,14 @@ def expected_ratio(between: tuple[float, float]) -> str:
 def impossible(
     quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Which numbers can be no ratio, or no efficiency, of a mechanism.
+    """Return which numbers cannot be a ratio, or an efficiency, of a mechanism.
 
     Parameters
     ----------
     numbers : ndarray, shape (variants,)
-        [-]
+        Ratios or efficiencies. [-]
     between : (float, float)
-        Of ratios, as `Transmission.ratio_range` has them.
+        Bounds of ratios, as in `Transmission.ratio_range`.
 
     Examples
     --------
@@ -244,23 +249,23 @@ def impossible(
     low, high = numbers.min(initial=math.inf), numbers.max(initial=-math.inf)
     least, most = between
     if least < low <= high < min(most, 0.0) or max(least, 0.0) < low <= high < most:
-        return np.zeros_like(numbers, np.bool_)  # as it is nearly always
+        return np.zeros_like(numbers, np.bool_)  # nearly always all numbers are possible
     possible: Booleans = (least < numbers) & (numbers < most) & (numbers != 0)
     return ~possible
 
 
 def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
-    """Equations for the link speeds of a gear; unknown ``link - 1`` is the link's speed.
+    """Return the equations for the link speeds of a gear; unknown ``link - 1`` is a link's speed.
 
-    The row of a mechanism, of a spring, or of an engaged element, is its equation, ``w_f -
-    u w_s + (u - 1) w_h = 0`` and ``w_a - w_b = 0``: at mean speeds no twist grows. The input has
-    speed 1; then one equation for each further given speed (figure 3), a number or that of
-    another link. A bypassed converter has none.
+    Mechanisms, springs and engaged shift elements have one equation each, ``w_f - u w_s + (u - 1)
+    w_h = 0`` or ``w_a - w_b = 0``; a spring keeps its twist at mean speeds. Then follow ``w_input =
+    1`` and one equation for each further given speed, which is a number or a multiple of another
+    link's speed (figure 3). A bypassed converter has no equation.
 
     Parameters
     ----------
     rows : sequence of Column
-        See `rows`.
+        Speed equations of all devices, from `rows`.
     """
     devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
     equations: list[Equation] = [
@@ -272,14 +277,14 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
 
 
 def _given_speed(link: int, speed: float | SpeedOf) -> Equation:
-    """``w = number``, or ``w - factor w_other = 0``."""
+    """Return the equation ``w = number`` or ``w - factor w_other = 0``."""
     if isinstance(speed, SpeedOf):
         return {link - 1: 1.0, speed.link - 1: -speed.factor}
     return {link - 1: 1.0, RIGHT: speed}
 
 
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
-    """What each equation of `speed_rows` stands for."""
+    """Return the name of each equation of `speed_rows`, for messages."""
     return [
         *(case.devices[device] for device in always_loaded(case, gear)),
         *(case.shift_elements[number - 1].name for number in gear.engaged),
@@ -289,12 +294,18 @@ def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
 
 
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
-    """Indices of the devices that can carry torque: engaged elements, mechanisms, springs."""
+    """Return the indices of the devices that can carry torque.
+
+    These are the engaged shift elements, then the mechanisms and springs of `always_loaded`.
+    """
     return sorted(number - 1 for number in gear.engaged) + always_loaded(case, gear)
 
 
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:
-    """Those of mechanisms and springs, without bypassed converters and dampers alone."""
+    """Return the indices of mechanisms and springs that can carry torque.
+
+    Bypassed converters and mere dampers are left out.
+    """
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     left_out = case.bypassed(gear)
     left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
@@ -303,9 +314,9 @@ def always_loaded(case: Transmission, gear: Gear) -> list[int]:
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:
-    """Return the links with an unknown external torque, as it holds their given speed.
+    """Return the links whose given speed is held by an unknown external torque.
 
-    A speed given on the output adds no unknown: its torque is the output torque.
+    A speed given on the output adds no unknown: the torque there is the output torque.
     """
     holding = gear.speeds if gear.holding is None else gear.holding
     return [link for link in holding if link != case.gear_output(gear)]
@@ -317,16 +328,16 @@ def torque_rows(
     columns: Sequence[Column],
     drag: Mapping[int, Number] = MappingProxyType({}),
 ) -> list[Equation]:
-    """Equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
+    """Return the equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
 
-    Unknowns: the torque on the first link of each of `loaded_devices`, the output
-    torque, the holding torque of each of `held_links`. An element that is not engaged
-    carries none, so it is no unknown.
+    Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
+    the holding torque of each of `held_links`. A shift element that is not engaged carries no
+    torque, so it adds no unknown.
 
     Parameters
     ----------
     drag : mapping of int to float
-        Link -> external torque of drag. [-]
+        External torque of drag by link number. [-]
     """
     rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
     loaded = loaded_devices(case, gear)
@@ -345,9 +356,9 @@ def torque_rows(
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Known external torques by link [-]: 1 on the input, and the gear's further ones.
+    """Return the known external torques by link: the input torque of 1, and the gear's own [-].
 
-    Where the load gives no torque that on the input is 0, and the others are in N*m.
+    Without an input torque the input has 0, and the other torques are in N*m.
     """
     torques = {case.gear_input(gear): case.input_torque(gear)}
     for link, torque in gear.torques.items():
@@ -356,9 +367,10 @@ def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
 
 
 def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
-    """A given torque [-]: where the load gives none, 0 if it is a part of that.
+    """Return a given torque relative to the input torque [-].
 
-    One that varies, traced or an array, stands in the unit of the load as `OfLoad` does.
+    A part of the input torque is 0 if the load has no torque. A torque that varies, traced or an
+    array, and an `OfLoad` are in the unit of the load already.
     """
     if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
         return torque
@@ -366,16 +378,17 @@ def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
 
 
 class Variant(NamedTuple):
-    """A transmission with numbers of its mechanisms: floats, or traced for many variants."""
+    """Transmission with numbers of mechanisms: floats, or traced for many variants."""
 
     case: Transmission
     ratios: Sequence[Number]
-    """Internal ratio u of each mechanism. [-]"""
+    """Basic ratio u of each mechanism. [-]"""
     efficiencies: Sequence[Efficiency]
+    """Efficiency of each mechanism in both directions. [-]"""
     columns: Sequence[Column]
-    """Of the structural-distribution matrix, without losses."""
+    """Columns of the structural-distribution matrix without losses."""
     rows: Sequence[Column]
-    """The equations for speeds."""
+    """Speed equations of the devices."""
 
 
 def variant_of(
@@ -383,7 +396,7 @@ def variant_of(
     ratios: Sequence[Number] | None = None,
     efficiencies: Sequence[Number | Efficiency] | None = None,
 ) -> Variant:
-    """A variant; what is not given is the case's own."""
+    """Return a variant; the case provides default ratios and efficiencies."""
     if ratios is None:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)

@@ -1,4 +1,4 @@
-"""Results in rpm, N*m and kW, for a case that tells its load."""
+"""Results in rpm, N*m and kW, for a case with an input speed or torque."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ _NEEDED = {
     "Nm": ("torque", "torque: 300 N*m"),
     "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
 }
-"""By unit: what a load has to tell, and how a case says it."""
+"""Quantities that a unit needs of the load, and an example in YAML."""
 
 
 def scales(case: Transmission) -> dict[str, Floats]:
-    """By unit (rpm, Nm, kW): what a relative number of each gear is multiplied by.
+    """Return the factors of each gear from relative numbers to rpm, Nm and kW.
 
-    Arrays of shape (gears,), NaN where no load tells. Where it gives no torque the unit of
-    torque is 1 N*m.
+    The arrays have the shape (gears,), with NaN where the load lacks the quantity. The unit of
+    torque is 1 N*m if the load has no torque.
 
-    They are for arrays of `Results`, which are relative to an input that drives, coasting
-    too. Then really it is driven: the torque on it is against its speed, so the scales of
-    torque and power are below 0. For powers in their real direction see `gear_scales`.
+    The factors apply to arrays of `Results`, in which the input drives, also when coasting. In
+    reality a coasting input is driven: its torque acts against its speed, so the factors of torque
+    and power are negative. For powers in their real direction use `gear_scales`.
 
     >>> from vstatics.core.model.parts import Gear, Load, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
@@ -46,10 +46,10 @@ def scales(case: Transmission) -> dict[str, Floats]:
 
 
 def gear_scales(case: Transmission) -> list[dict[str, float]]:
-    """By gear and unit: `scales` for powers whose sign or words tell their real direction.
+    """Return the factors of `scales` for powers in real direction, by gear.
 
-    Such are those of `GearState.powers`, of ports and of flows: coasting has turned them
-    round already, so that of kW is above 0.
+    `GearState.powers`, ports and flows have reversed the powers of coasting already, so the factor
+    to kW is positive.
 
     >>> from vstatics.core.model.parts import Gear, Load, Mechanism
     >>> pair, load = Mechanism(1, 2, 0, -2.5), Load(2000, 300)
@@ -63,20 +63,20 @@ def gear_scales(case: Transmission) -> list[dict[str, float]]:
 
 
 def known_units(case: Transmission) -> set[str]:
-    """The units in which a case has numbers: in one gear at least the load tells what it needs."""
+    """Return the units in which a case has numbers in at least one gear."""
     if case.load is None and not any(gear.load for gear in case.gears):
         return set()
     return {unit for unit, scale in scales(case).items() if not np.isnan(scale).all()}
 
 
 def lacking_load(name: str, unit: str) -> str:
-    """What to say of a number in a unit if no gear has the load that it needs."""
+    """Return the text about a number in a unit for which no gear has the load."""
     what, given = _NEEDED[unit]
     return f"no load tells the {what} at the input, so there is no `{name}`: load: {{{given}}}"
 
 
 class _PhysicalArray:
-    """An array in the unit that ends its name."""
+    """Descriptor of an array in the unit at the end of the name."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")
@@ -86,10 +86,10 @@ class _PhysicalArray:
 
 
 class PhysicalResults(ResultFields):
-    """The arrays of `Results` in the units of the load, calculated when they are asked for.
+    """Arrays of `Results` in the units of the load, calculated on access.
 
-    Each has the axes of the array that it is made of. A gear without a load has NaN, and
-    without any the case has no such array: that is a `CaseError`.
+    Each array has the axes of its relative array. Gears without a load have NaN. If no gear has the
+    load that a unit needs, access raises a `CaseError`.
 
     Examples
     --------
@@ -137,26 +137,27 @@ class PhysicalResults(ResultFields):
 
     @property
     def input_power_kW(self) -> Floats:  # noqa: N802
-        """Of shape (..., gears): what enters by all links with external torques, lossy [kW]."""
+        """Power that enters by all external torques, with losses, shape ``(..., gears)`` [kW]."""
         power: Floats = np.maximum(self._port_powers("input_power"), 0.0).sum(axis=-1)
         return power
 
     @property
     def output_power_kW(self) -> Floats:  # noqa: N802
-        """Of shape (..., gears): what leaves by all links with external torques, lossy [kW].
+        """Power that leaves by all external torques, with losses, shape ``(..., gears)`` [kW].
 
-        Drag is no external torque: what enters and does not leave is lost, in meshes or to drag.
+        Drag does not count as an external torque: the difference from the input power is lost in
+        meshes or to drag.
         """
         power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
         return power
 
     @property
     def port_powers_kW(self) -> Floats:  # noqa: N802
-        """Of shape (..., gears, links): what enters by external torques on each, lossy [kW]."""
+        """Power that enters at each link, with losses, shape ``(..., gears, links)`` [kW]."""
         return self._port_powers("port_powers")
 
     def in_unit(self, unit: str, relative: Floats, name: str) -> Floats:
-        """An array in a unit."""
+        """Return an array in a unit."""
         if not self.points and unit not in known_units(self.case):
             raise CaseError("E414", lacking_load(f"{name}_{unit}", unit))
         scale = (self.points.scales if self.points else scales(self.case))[unit]
@@ -167,14 +168,13 @@ class PhysicalResults(ResultFields):
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
     def in_own_unit(self, name: str) -> Floats:
-        """An array as it was calculated: of gears whose load gives no torque relative to 1 N*m."""
+        """Return an array as calculated: relative to 1 N*m in gears without an input torque."""
         if name.endswith("output_torque"):
             return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
         array: Floats = ResultFields.__dict__[name].__get__(self)
         return array
 
     def _port_powers(self, name: str) -> Floats:
-        """(..., gears, links): what enters at each link by all external torque on it [kW]."""
         case = self.case
         power = np.zeros((*self.speeds.shape[:-1], case.links))
         for number, gear in enumerate(self.points.gears if self.points else case.gears):
@@ -189,7 +189,8 @@ class PhysicalResults(ResultFields):
                 torques[case.gear_input(gear)] = torques[case.gear_input(gear)] + change
             for link, torque in torques.items():
                 speed = self.speeds[..., number, link - 1]
-                at_rest = (torque == 0) | (speed == 0)  # then nothing flows, even if unknown
+                # at rest no power flows, even if the torque or speed is unknown
+                at_rest = (torque == 0) | (speed == 0)
                 with np.errstate(over="ignore", invalid="ignore"):
                     power[..., number, link - 1] = np.where(at_rest, 0.0, torque * speed)
         return self.in_unit("kW", power, name)
@@ -200,11 +201,11 @@ RELATIVE_TO_INPUT = (
     *("losses", "power_balance", "drag_losses"),
     *("mesh_torques", "lossy_mesh_torques", "mesh_losses"),
 )
-"""Arrays of torques and powers: they do not exist in gears whose load gives no torque."""
+"""Arrays of torques and powers that do not exist in gears without an input torque."""
 
 
 def _relative(name: str) -> property:
-    """An array of them, with NaN for such gears."""
+    """Return the property of an array that is NaN in gears without an input torque."""
 
     def by_input(results: PhysicalResults) -> Floats:
         array, case = results.in_own_unit(name), results.case

@@ -1,4 +1,4 @@
-"""Power: torque times speed; what ports and devices exchange with their links."""
+"""Power, torque times speed, that links exchange with ports and devices."""
 
 from __future__ import annotations
 
@@ -11,31 +11,34 @@ from vstatics.core.statics.matrix import external_torques, held_links
 from vstatics.core.statics.torques import Drag, Torques, times
 
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
-"""`element`: a shift element; `mechanism`: also a drawn element; `drag`: of a link."""
+"""Kind of a device; `mechanism` covers drawn gear sets, `drag` is the drag of a link."""
 
 
 class LinkPower(NamedTuple):
-    """The power that a link gives to a member of a device; below 0 where it takes."""
+    """Power that a link gives to a member of a device; negative if the link receives."""
 
     kind: DeviceKind
     number: int
-    """Of the shift element, mechanism or drawn element, spring, of the link of a port or drag."""
+    """Number of the shift element, mechanism, drawn gear set or spring, or of the port's link."""
     name: str
     member: str
-    """Nothing for ports and drag of links, which have one link only."""
+    """Name of the member; empty for ports and drag of links."""
     link: int
     power: Number
-    """NaN where it is not determined. [-]"""
+    """Power relative to the input power, NaN if indeterminate. [-]"""
 
 
 power = times
-"""Torque times speed, or power times a share."""
+"""Product of torque and speed, or of a power and a share."""
 
 
 def port_torques(
     case: Transmission, gear: Gear, holding: Mapping[int, Number], output_torque: Number
 ) -> dict[int, Number]:
-    """Link -> all external torque on it [-], also that of the load and of what holds a speed."""
+    """Return the total external torque on each link, by link number [-].
+
+    Torques of the load and torques that hold a given speed are included.
+    """
     external: dict[int, Number] = {**external_torques(case, gear), **holding}
     output = case.gear_output(gear)
     external[output] = external[output] - output_torque if output in external else -output_torque
@@ -45,9 +48,9 @@ def port_torques(
 def entering_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> list[Number]:
-    """By link of `port_torques`: the power of all that acts on it from outside [-].
+    """Return the power that enters by each link of `port_torques` [-].
 
-    A torque given at the output link counts with the load; for `port_powers` they are two.
+    A torque given at the output link counts with the load; `port_powers` counts it separately.
     """
     external = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
     return [power(torque, speeds[link - 1]) for link, torque in external.items()]
@@ -56,7 +59,7 @@ def entering_powers(
 def port_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> Iterator[LinkPower]:
-    """Of each link on which an external torque acts, the load apart; what enters is below 0."""
+    """Yield the power of each external torque and of the load; negative if power enters."""
     external: dict[int, Number] = {**external_torques(case, gear)}
     for link in held_links(case, gear):
         external[link] = external.get(link, 0.0) + torques.holding[link]
@@ -77,12 +80,14 @@ def device_powers(  # noqa: PLR0913
     members: Sequence[Mapping[str, Number]],
     drag: Drag,
 ) -> Iterator[LinkPower]:
-    """Of each member of engaged or dragging shift elements, of mechanisms, and of springs.
+    """Yield the power of members of shift elements, mechanisms and springs.
+
+    Shift elements are included if they are engaged or drag.
 
     Parameters
     ----------
     members : sequence of mapping
-        By mechanism or drawn element: the torques that links give to its members. [-]
+        Torques that links give to the members of each mechanism or drawn gear set. [-]
     """
     with_housing = [0.0, *speeds]
     for number, element in enumerate(case.shift_elements, 1):
@@ -90,16 +95,22 @@ def device_powers(  # noqa: PLR0913
         if number not in gear.engaged and dragging is None:
             continue
         torque = torques.on_first_link[number - 1] if dragging is None else dragging
-        for member, link, own in (
+        for member, link, torque_on_member in (
             ("first", element.first, torque),
             ("second", element.second, -torque),
         ):
-            given = 0.0 if link == HOUSING else power(own, with_housing[link])
+            given = 0.0 if link == HOUSING else power(torque_on_member, with_housing[link])
             yield LinkPower("element", number, element.name, member, link, given)
     for number, (device, own_torques) in enumerate(zip(case.own_devices, members, strict=True), 1):
-        for one in device.members:
-            given = power(own_torques[one.name], with_housing[one.link]) if one.link else 0.0
-            yield LinkPower("mechanism", number, device.name, one.name, one.link, given)
+        for joined_member in device.members:
+            given = (
+                power(own_torques[joined_member.name], with_housing[joined_member.link])
+                if joined_member.link
+                else 0.0
+            )
+            yield LinkPower(
+                "mechanism", number, device.name, joined_member.name, joined_member.link, given
+            )
     first = len(case.shift_elements) + len(case.mechanisms)
     for number, spring in enumerate(case.springs, 1):
         torque = torques.on_first_link[first + number - 1]
@@ -109,7 +120,7 @@ def device_powers(  # noqa: PLR0913
 
 
 def drag_powers(case: Transmission, speeds: Sequence[Number], drag: Drag) -> Iterator[LinkPower]:
-    """Of each link that is braked by its own drag."""
+    """Yield the power that each link loses to drag."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))

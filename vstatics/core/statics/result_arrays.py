@@ -1,4 +1,4 @@
-"""The arrays of `Results`: which there are, what their last axis stands for, their type."""
+"""The arrays of `Results`: their names, types, and the meaning of their last axis."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     @dataclass_transform(frozen_default=True)
     class _NamedFields:
-        """A named tuple, but for its subscripts: those of results are names.
+        """Named tuple whose subscripts are names.
 
-        A checker of types takes every subscript of a tuple for the number of an item.
+        A type checker takes every subscript of a tuple for the number of an item.
         """
 
         _fields: ClassVar[tuple[str, ...]]
@@ -32,7 +32,7 @@ else:
 
 
 class Message(NamedTuple):
-    """What was noticed in a gear; a gear with an error makes the case fail.
+    """Error, warning or note about a gear; an error makes the case fail.
 
     Examples
     --------
@@ -41,153 +41,155 @@ class Message(NamedTuple):
     """
 
     id: str
-    """As that of a `Problem`."""
+    """Identifier, as in a `Problem`."""
     text: str
     gear: str = ""
 
     @property
     def severity(self) -> Severity:
-        """Whether it is an error, a warning or a note."""
+        """Severity of the message, from the identifier."""
         return severity(self.id)
 
     def __str__(self) -> str:
-        """The message in one line, with the gear it speaks of."""
+        """Return the message in a single line, with the name of the gear."""
         gear = f"gear {self.gear}: " if self.gear else ""
         return f"{self.severity}: {gear}{self.text} [{self.id}]"
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""By the name of what has a law, (variants, gears): where it is asked outside its points."""
+"""Marks of laws evaluated outside the given points, (variants, gears), by name."""
 NOWHERE: Outside = MappingProxyType({})
 
 
 class OperatingPoints(NamedTuple):
-    """Loads that vary, and the gears with numbers that vary: arrays over the variants."""
+    """Loads that vary, and gears with numbers that vary, as arrays over the variants."""
 
     scales: Mapping[str, Floats]
-    """By unit (rpm, Nm, kW), (variants, gears): `scales` of `vstatics.core.statics.physical`."""
+    """Factors of `vstatics.core.statics.physical.scales` by unit, (variants, gears)."""
     loaded: Booleans
-    """(variants, gears): the load gives a torque, or does not tell it."""
+    """False where the load has a torque of 0, (variants, gears)."""
     gears: Sequence[Gear]
-    """With arrays, of shape (variants,), where torques vary; of one case with the drags that
-    follow from its speeds."""
+    """Gears with arrays, of shape (variants,), for torques that vary.
+
+    Gears of one case contain the drag that follows from their speeds.
+    """
     efficiencies: Sequence[Sequence[Any]] = ()
-    """Of one case, by gear and mechanism: where they depend on speed or torque. [-]"""
+    """Efficiencies that depend on speed or torque, by gear and mechanism. [-]"""
     open: Integers | None = None
-    """(variants, gears): 0, or 1 where no, 2 where several torques agree with efficiencies that
-    depend on them."""
+    """Solutions for load-dependent efficiencies: 0 unique, 1 missing, 2 several."""
     outside: Outside = NOWHERE
-    """Laws that were asked outside their points."""
+    """Laws evaluated outside the given points."""
 
 
 class ResultFields(_NamedFields):
-    """The fields of `Results`.
+    """Fields of `Results`.
 
-    The order of axes is the same everywhere: variants first (none for one case), then
-    gears, then what `row_names` of `vstatics.core.statics.result_arrays` names. Devices are
-    mechanisms and drawn elements as the case itself names them; a case that is drawn has other
-    mechanisms too, those that the solver made of its elements. NaN stands for what does
-    not exist. Speeds are relative to the input
-    speed, torques to the input torque, powers to the input power; signs as in
-    `vstatics.core.statics.matrix`.
+    Axes are always in the same order: variants (absent for one case), gears, and the rows that
+    `row_names` names. Devices are mechanisms and drawn gear sets with the names of the case; a
+    drawn case also has the mechanisms that the solver derives from its gear sets. NaN marks values
+    that do not exist. Speeds are relative to the input speed, torques to the input torque, powers
+    to the input power; signs follow `vstatics.core.statics.matrix`.
     """
 
     case: Transmission
-    """What was calculated, with the conventions that were used."""
+    """The transmission, with the conventions used."""
 
     speeds: Floats
-    """(..., gears, links). [-]"""
+    """Speeds of links, ``(..., gears, links)``. [-]"""
     planet_speeds: Floats
-    """(..., gears, planets), against the third link (carrier). [-]"""
+    """Speeds of planets relative to the third link (carrier), ``(..., gears, planets)``. [-]"""
     slip_speeds: Floats
-    """(..., gears, shift elements), first link against second. [-]"""
+    """Speed of the first link minus the second, ``(..., gears, shift elements)``. [-]"""
     ratio: Floats
-    """(..., gears), ``w_input/w_output``. [-]"""
+    """Ratio ``w_input/w_output``, ``(..., gears)``. [-]"""
 
     torques: Floats
-    """(..., gears, shift elements + mechanisms + springs + 1), on the first link of each; the
-    last is the output torque, given to the load; of a spring it is its own torque. In place of
-    a drawn element stand its members: what their links give to them. Without losses. [-]"""
+    """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
+
+    Torques act on the first link of each device; a spring has its own torque. The last is the
+    output torque, given to the load. A drawn gear set has a row for each member: the torque that
+    its links give to the member.
+    """
     holding_torques: Floats
-    """(..., gears, links), the external torque that holds a given speed. [-]"""
+    """External torques that hold given speeds, ``(..., gears, links)``. [-]"""
 
     lossy_torques: Floats
-    """As `torques`, with losses. [-]"""
+    """Torques with losses, in the layout of `torques`. [-]"""
     lossy_holding_torques: Floats
-    """As `holding_torques`, with losses. [-]"""
+    """Holding torques with losses, in the layout of `holding_torques`. [-]"""
     efficiency: Floats
-    """(..., gears). [-]"""
+    """Efficiency, ``(..., gears)``. [-]"""
     power_sign: Floats
-    """(..., gears, mechanisms): +1 the first link drives, -1 it is driven, 0 idle. [-]"""
+    """Sign of power: +1 first link drives, -1 driven, 0 idle, ``(..., gears, mechanisms)``. [-]"""
     idle: Booleans
-    """(..., gears, devices): carries no torque, or turns as one piece."""
+    """Marks of devices without torque or locked up, ``(..., gears, devices)``."""
     losses: Floats
-    """(..., gears, devices), power lost; below 0 when coasting, as the flow turns. [-]"""
+    """Power losses, negative when coasting (reversed flow), ``(..., gears, devices)``. [-]"""
     power_balance: Floats
-    """(..., gears), external power less all losses, with losses: 0 to rounding. [-]"""
+    """External power minus all losses, 0 but for rounding, ``(..., gears)``. [-]"""
     drag_losses: Floats
-    """(..., gears), power that drag takes in all; below 0 when coasting. [-]"""
+    """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
 
     consistent: Booleans
-    """(..., gears): the lossy torques stand, with signs that agree with their flow."""
+    """Lossy torques exist, with signs that agree with their flow, ``(..., gears)``."""
     locked: Booleans
-    """(..., gears): locked by friction."""
+    """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans
-    """(..., gears): drag takes more than the input gives, so power enters at the output."""
+    """Drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
     undecided: Booleans
-    """(..., gears): the search for signs was cut short, so `locked` is unknown."""
+    """The search for signs was cut short, so `locked` is unknown, ``(..., gears)``."""
     turned: Booleans
-    """(..., gears, mechanisms): losses turn the flow round."""
+    """Mechanisms whose flow is reversed by losses, ``(..., gears, mechanisms)``."""
     choices: Integers
-    """(..., gears): how many sets of signs agree with their flow."""
+    """Number of sets of signs that agree with their flow, ``(..., gears)``."""
 
     tied_up: Booleans
-    """(..., gears): the conditions for the speeds contradict each other."""
+    """Conditions for the speeds contradict each other, ``(..., gears)``."""
     missing: Integers
-    """(..., gears): conditions that the speeds lack."""
+    """Number of conditions that the speeds lack, ``(..., gears)``."""
     excess: Integers
-    """(..., gears): conditions for the speeds that others imply or contradict."""
+    """Number of conditions that others imply or contradict, ``(..., gears)``."""
     balanced: Booleans
-    """(..., gears): torques without losses exist."""
+    """Torques without losses exist, ``(..., gears)``."""
 
     holds: Booleans
-    """(..., gears, shift elements): is engaged, or a freewheel that holds."""
+    """Engaged shift elements and freewheels that hold, ``(..., gears, shift elements)``."""
     conflict: Booleans
-    """(..., gears): a freewheel can neither hold nor overrun."""
+    """A freewheel can neither hold nor overrun, ``(..., gears)``."""
     exact: Booleans
-    """(..., gears): calculated in fractions, as floats leave too few digits."""
+    """Gears calculated in fractions, as floats leave too few digits, ``(..., gears)``."""
 
     mesh_torques: Floats
-    """(..., gears, meshes), on the first wheel of each mesh of drawn elements. [-]"""
+    """Torque on the first gear of each mesh of drawn gear sets, ``(..., gears, meshes)``. [-]"""
     lossy_mesh_torques: Floats
-    """As `mesh_torques`, with losses. [-]"""
+    """Mesh torques with losses, in the layout of `mesh_torques`. [-]"""
     mesh_losses: Floats
-    """(..., gears, meshes), power lost. [-]"""
+    """Power lost in each mesh, ``(..., gears, meshes)``. [-]"""
 
     messages: Sequence[Message] = ()
-    """What was noticed; for one case only, not for arrays of variants."""
+    """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """The loads, and what else of the gears varies, if more than ratios and efficiencies do."""
+    """Loads, and numbers of gears that vary in addition to ratios and efficiencies."""
 
     @property
     def output_torque(self) -> Floats:
-        """Of shape (..., gears), given to the load, without losses [-]."""
+        """Output torque without losses, given to the load, shape ``(..., gears)`` [-]."""
         return self.torques[..., -1]
 
     @property
     def lossy_output_torque(self) -> Floats:
-        """Of shape (..., gears), with losses [-]."""
+        """Output torque with losses, given to the load, shape ``(..., gears)`` [-]."""
         return self.lossy_torques[..., -1]
 
 
 Rows = Literal["links", "planets", "elements", "devices", "mechanisms", "torques", "meshes", "one"]
-"""What the rows of an array or a table stand for.
+"""Meaning of the rows of an array or a table.
 
-`elements` are shift elements; `devices` mechanisms and drawn elements as the case names
-them; `mechanisms` those that the solver knows; `torques` shift elements, mechanisms or
-members of drawn elements, springs, and the output; `meshes` those of a case that is drawn, with
-planets as links; `one`: a value of the gear itself.
+`elements` are shift elements; `devices` are mechanisms and drawn gear sets with the names of the
+case; `mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or
+members of drawn gear sets, springs, and the output; `meshes` are those of a drawn case, with
+planets as links; `one` is a value of the gear itself.
 """
 
 
@@ -215,12 +217,15 @@ GearTable: TypeAlias = Literal[
     "missing",
     "excess",
 ]
-"""Tables of one value for each gear: for checkers of types, to whom a table and a gear are a
-number there, else a table and a row an array."""
+"""Tables with a single value for each gear.
+
+Type checkers learn from this list that such a table and a gear give a number; of any other table,
+two names give an array.
+"""
 
 
 class GearArray(NamedTuple):
-    """An array of `Results`."""
+    """Rows and type of an array of `Results`."""
 
     rows: Rows
     dtype: type = np.float64
@@ -258,14 +263,14 @@ ARRAYS: Mapping[str, GearArray] = {
     "lossy_mesh_torques": GearArray("meshes"),
     "mesh_losses": GearArray("meshes"),
 }
-"""By name, in the order of the fields of `Results`."""
+"""Arrays of `Results` by name, in the order of the fields."""
 
 OUTPUT = "Mx"
-"""The name of the row of the output torque."""
+"""Name of the row of the output torque."""
 
 
 def row_names(case: Transmission, rows: Rows) -> list[str]:
-    """The names of the rows of an array; none for a value of the gear itself.
+    """Return the names of the rows of an array; empty for a value of the whole gear.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
@@ -276,7 +281,9 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
 
 
 def first_rows(case: Transmission) -> dict[int, str]:
-    """Index of a mechanism -> the row of the torque on its first link alone, where there is one.
+    """Return the names of rows with the torque on a first link, by index of mechanism.
+
+    Mechanisms without a row for this torque alone are left out.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> first_rows(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
@@ -292,17 +299,23 @@ def first_rows(case: Transmission) -> dict[int, str]:
 
 
 def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
-    """The names of the rows of each kind."""
+    """Return the names of the rows of each kind."""
     elements = [element.name for element in case.shift_elements]
     mechanisms = [mechanism.name for mechanism in case.mechanisms]
     devices = planets = members = mechanisms
     meshes: list[str] = []
     if case.drawing is not None:
-        own = case.own_devices
-        devices = [device.name for device in own]
-        planets = [planet.name for device in own for planet in device.planets]
-        members = [f"{one.name}.{member.name}" for one in own for member in one.members]
-        meshes = [mechanisms[index] for one in own for index, _ in one.meshes_by_index]
+        devices_of_case = case.own_devices
+        devices = [device.name for device in devices_of_case]
+        planets = [planet.name for device in devices_of_case for planet in device.planets]
+        members = [
+            f"{device.name}.{member.name}"
+            for device in devices_of_case
+            for member in device.members
+        ]
+        meshes = [
+            mechanisms[index] for device in devices_of_case for index, _ in device.meshes_by_index
+        ]
     return {
         "links": list(case.link_names[: case.own_links]),
         "planets": planets,
@@ -316,7 +329,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
 
 
 def row_counts(case: Transmission) -> dict[str, int | None]:
-    """How many values a gear has in each array of `Results`; None for one of the gear itself."""
+    """Return the number of rows of each array of `Results`, if not a scalar per gear."""
     names = all_row_names(case)
     return {
         name: None if array.rows == "one" else len(names[array.rows])

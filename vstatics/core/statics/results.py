@@ -1,4 +1,4 @@
-"""Results: named arrays, and what was noticed."""
+"""`Results`: named arrays of a case or its variants, and the messages about a case."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 
 class Results(PhysicalResults):
-    """Everything that is calculated, for every gear.
+    """Speeds, torques, losses and status of every gear.
 
-    Its arrays, their axes and units are told in `ResultFields`; `PhysicalResults` has them in
-    rpm, N*m and kW.
+    The arrays, their axes and units are documented in `ResultFields`; `PhysicalResults` gives them
+    in rpm, N*m and kW.
 
     Examples
     --------
@@ -50,43 +50,42 @@ class Results(PhysicalResults):
     @overload
     def __getitem__(self, key: tuple[str, Any] | tuple[str, Any, Any]) -> Any: ...
     def __getitem__(self, key: Any) -> Any:
-        """An array, or a part of it, by names: ``results["speeds", "ring", "low"]``.
+        """Return an array, or a number, by names: ``results["speeds", "ring", "low"]``.
 
-        A number, too, is an array where there are variants; to checkers of types it is a float.
+        For variants a number is an array, too; type checkers see a float.
         """
         return higher("by_name")(self, key)
 
     def __eq__(self, other: object) -> bool:
-        """Whether these are the same numbers, to the last bit, of the same case."""
+        """Return whether two results of a case have equal numbers, to the last bit."""
         if not isinstance(other, Results):
             return NotImplemented
         points, others = self.points, other.points
         return (
             self.case == other.case
             and self.messages == other.messages
-            and _same(_own_arrays(self), _own_arrays(other))
-            and _same(points.scales if points else {}, others.scales if others else {})
+            and _equal_arrays(_arrays_as_calculated(self), _arrays_as_calculated(other))
+            and _equal_arrays(points.scales if points else {}, others.scales if others else {})
         )
 
     def __ne__(self, other: object) -> bool:
-        """As `==` says, where a tuple would compare its items."""
+        """Return the opposite of ``==``; a tuple would compare items."""
         return not self == other
 
-    __hash__ = None  # type: ignore[assignment] # what compares by its numbers, and has arrays
+    __hash__ = None  # type: ignore[assignment] # results hold arrays; == compares numbers
 
     def _repr_html_(self) -> str:
-        """The table of the gears, for a notebook."""
         shown: str = higher("results_html")(self)
         return shown
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A pandas table: one row per variant and gear, a column per table and row.
+        """Return a pandas table: a row per variant and gear, a column per table and row.
 
         Returns
         -------
         DataFrame
-            As of `vstatics.core.tables.dataframe.to_dataframe`: speeds, torques and powers relative
-            to the input [-], with a load also in rpm, N*m and kW.
+            Table of `vstatics.core.tables.dataframe.to_dataframe`: speeds, torques and powers
+            relative to the input [-], with a load also in rpm, N*m and kW.
 
         Raises
         ------
@@ -104,13 +103,13 @@ class Results(PhysicalResults):
         return table
 
     def to_xarray(self) -> xr.Dataset:
-        """All tables as a dataset of xarray, with names along their axes.
+        """Return all tables as an xarray dataset, with names along the axes.
 
         Returns
         -------
         Dataset
-            As of `vstatics.core.tables.dataset.to_xarray`: dimensions `gear`, and `link`, `device`
-            and others; relative to the input [-], with a load also in rpm, N*m and kW.
+            Dataset of `vstatics.core.tables.dataset.to_xarray`: dimensions `gear`, `link`, `device`
+            and others; values relative to the input [-], with a load also in rpm, N*m and kW.
 
         Raises
         ------
@@ -124,16 +123,16 @@ class Results(PhysicalResults):
         >>> solve(pair).to_xarray()["speeds"].sel(gear="drive", link="2").item()
         -0.4
         """
-        made: xr.Dataset = higher("to_xarray")(self)
-        return made
+        dataset: xr.Dataset = higher("to_xarray")(self)
+        return dataset
 
     def to_json(self, file: str = "") -> str:
-        """The text that `vstatics run -f json` writes of one case: a golden result.
+        """Return the JSON text of `vstatics run -f json` for a case, a golden result.
 
         Parameters
         ----------
         file : str
-            The file of the case, which stands in it without folders; without one it has none.
+            File of the case. Its name without folders appears in the text, unless it is empty.
 
         Examples
         --------
@@ -146,21 +145,21 @@ class Results(PhysicalResults):
         return text
 
     def plot(self, kind: str = "plan", **how: Any) -> AnyPicture:
-        """A picture, which a notebook shows: `vstatics.plot` of these results.
+        """Return a picture of the results, drawn by `vstatics.plot`, for a file or notebook.
 
         Parameters
         ----------
         kind : str
-            What is drawn: plan, lever, flow, stick and others, as of `vstatics.plot`.
+            Kind of picture: plan, lever, flow, stick and others, as in `vstatics.plot`.
         **how
-            As of `vstatics.plot`: `gear`, `width` [mm] and others.
+            Options of `vstatics.plot`: `gear`, `width` [mm] and others.
 
         Raises
         ------
         CaseError
-            If matplotlib is missing, or the case has nothing that could be drawn.
+            If matplotlib is missing, or the case lacks what the picture shows.
         ValueError
-            If there is no such kind or gear.
+            If the kind or gear does not exist.
 
         Examples
         --------
@@ -169,26 +168,26 @@ class Results(PhysicalResults):
         >>> solve(pair).plot("lever")
         <Picture lever of <Results: gears drive>>
         """
-        made: AnyPicture = higher("plot")(self, kind, **how)
-        return made
+        picture: AnyPicture = higher("plot")(self, kind, **how)
+        return picture
 
     def __repr__(self) -> str:
-        """What it has results of, not all its numbers."""
+        """Return a short description: case, gears and shape of variants."""
         case, axes = self.case, self.ratio.shape[:-1]
         variants = f", variants of shape {axes}" if axes else ""
         name = f" of {case.name!r}" if case.name else ""
-        return f"<Results{name}: gears {listed([one.name for one in case.gears], 12)}{variants}>"
+        return f"<Results{name}: gears {listed([gear.name for gear in case.gears], 12)}{variants}>"
 
     @property
     def calculable(self) -> Booleans:
-        """Of shape (..., gears): speeds and torques exist, so that losses can be asked for."""
+        """Gears with speeds and torques, so that losses can be found, shape ``(..., gears)``."""
         return self.balanced & ~self.tied_up & ~self.conflict
 
     def existing(self, name: str) -> Floats:
-        """An array by its name, with NaN where there is nothing to be said.
+        """Return an array by name, with NaN where the value has no meaning.
 
-        Whether a mechanism is idle, or a gear locked, is a question only for gears with
-        speeds and torques; elsewhere the marks are 0.
+        Marks such as idle or self-locking only make sense in gears with speeds and torques; in
+        other gears the array itself has 0.
 
         >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
         >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
@@ -203,44 +202,44 @@ class Results(PhysicalResults):
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 
     def gear(self, gear: int | str) -> GearState:
-        """The state of a gear of one case: its speeds, torques, powers and status as one object.
+        """Return the state of a gear of a single case: speeds, torques, powers and status.
 
         Parameters
         ----------
         gear : int or str
-            Its number from 1, in the order of the case, or its name.
+            Number of the gear from 1, in the order of the case, or its name.
 
         Raises
         ------
         ValueError
-            For arrays of variants, or if there is no such gear.
+            For arrays of variants, or if the gear does not exist.
         """
         if self.ratio.ndim != 1:
             raise ValueError(f"results of shape {self.ratio.shape}: a gear is one of a single case")
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """The same by the index of the gear."""
+        """Return the state of a gear of a single case by the index of the gear."""
         case = self.case
         gears = self.points.gears if self.points else case.gears
-        efficiencies: Sequence[Any] = [one.efficiency for one in case.mechanisms]
+        efficiencies: Sequence[Any] = [mechanism.efficiency for mechanism in case.mechanisms]
         if self.points and self.points.efficiencies:
             efficiencies = self.points.efficiencies[index]
-        ratios = [one.ratio for one in case.mechanisms]
+        ratios = [mechanism.ratio for mechanism in case.mechanisms]
         with np.errstate(all="ignore"):
             state = find_state(case, gears[index], ratios, efficiencies)
         if self.points and self.undecided[index] and not state.search.undecided:
-            # no torque of its own agrees with the efficiencies
+            # no torque of the gear agrees with the load-dependent efficiencies
             lossy = no_solution(state.ideal, (math.nan,) * len(ratios))
             search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
             return state._replace(search=search)
         return state
 
     def status(self, number: int) -> Status:
-        """What is to be said of a gear of one case as a whole; its number counts from 1."""
+        """Return the status of a gear of a single case, by number from 1."""
         index, case = number - 1, self.case
         output = case.gear_output(case.gears[index])
-        found = statuses(
+        all_statuses = statuses(
             tied_up=bool(self.tied_up[index]),
             conflict=bool(self.conflict[index]),
             output_speed=float(self.speeds[index, output - 1]),
@@ -249,13 +248,13 @@ class Results(PhysicalResults):
             locked=bool(self.locked[index]),
             undecided=bool(self.undecided[index]),
         )
-        return found[0] if found else OK
+        return all_statuses[0] if all_statuses else OK
 
     @property
     def with_freewheels_engaged(self) -> Transmission:
-        """The case with every freewheel engaged in the gears where it holds, as a plain element.
+        """Case with plain shift elements for freewheels, engaged in gears where they hold.
 
-        Of one case, not of arrays of variants.
+        The results must belong to one case, not to arrays of variants.
         """
         case = self.case
         if not case.freewheels:
@@ -271,9 +270,10 @@ class Results(PhysicalResults):
 
     @property
     def with_numbers_only(self) -> Transmission:
-        """The case as a deck can tell it: freewheels engaged, speeds of other links as numbers.
+        """Case for a deck, with freewheels engaged and speeds of other links as numbers.
 
-        A speed that is not determined is left out. Of one case, not of arrays of variants.
+        An indeterminate speed is left out. The results must belong to one case, not to arrays of
+        variants.
         """
         case = self.with_freewheels_engaged
         if not any(isinstance(v, SpeedOf) for gear in case.gears for v in gear.speeds.values()):
@@ -290,28 +290,27 @@ class Results(PhysicalResults):
 
     @property
     def failed(self) -> bool:
-        """Whether a gear is tied up, or its freewheels in conflict: then the case fails."""
+        """True if a gear is tied up or has a freewheel conflict, so that the case fails."""
         return bool(self.tied_up.any() or self.conflict.any())
 
 
-def _own_arrays(results: Results) -> dict[str, Any]:
-    """As they were calculated, by name."""
+def _arrays_as_calculated(results: Results) -> dict[str, Any]:
     return {name: results.in_own_unit(name) for name in ARRAYS}
 
 
-def _same(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
-    """Whether arrays by names are equal; NaN is equal to NaN."""
+def _equal_arrays(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
     return some.keys() == others.keys() and all(
         np.array_equal(array, others[name], equal_nan=True) for name, array in some.items()
     )
 
 
 def expect_one_case(given: Results, function: str) -> None:
-    """Refuse results of variants, in the words of the function that was given them.
+    """Refuse results of variants, with the name of the function that needs a single case.
 
     Raises
     ------
     ValueError
+        If the results have an axis of variants.
     """
     if given.ratio.ndim != 1:
         raise ValueError(f"{function} of results of shape {given.ratio.shape}: expected one case")

@@ -1,4 +1,4 @@
-"""What a mechanism does in a gear that is no transmission of power: the words for it."""
+"""Roles of a mechanism that transmits no power in a gear, and the words for them."""
 
 from __future__ import annotations
 
@@ -14,21 +14,22 @@ from vstatics.core.statics.state import GearState
 
 Role = Literal["", "idle", "one piece"]
 IDLE: Role = "idle"
-"""It carries no torque."""
+"""Role of a mechanism without torque."""
 ONE_PIECE: Role = "one piece"
-"""It carries torque, and nothing in it moves: it turns, or stands, as one piece."""
+"""Role of a mechanism under torque without internal motion: at rest, or rotating as a block."""
 MEANINGS = {ONE_PIECE: "carries torque, nothing in it moves", IDLE: "carries no torque"}
+"""Meaning of each role, in words."""
 
 
 def role(torques: Iterable[float], *, still: bool) -> Role:
-    """What a mechanism does, or nothing where it transmits power.
+    """Return the role of a mechanism; empty if power is transmitted.
 
     Parameters
     ----------
     torques : iterable of float
-        All that it carries, without and with losses; NaN is one that is not known. [-]
+        All torques that the mechanism carries, without and with losses; NaN if unknown. [-]
     still : bool
-        Whether nothing in it moves.
+        True if the mechanism has no internal motion.
 
     Examples
     --------
@@ -41,7 +42,9 @@ def role(torques: Iterable[float], *, still: bool) -> Role:
 
 
 def roles(results: Results, number: int) -> list[Role]:
-    """What each device of one case does in a gear, by its index; nothing where no flow exists.
+    """Return the role of each device in a gear, by index of the gear.
+
+    Roles are empty if no power flow exists.
 
     Examples
     --------
@@ -59,37 +62,37 @@ def roles(results: Results, number: int) -> list[Role]:
     if results.consistent[number]:
         lossy = results.in_own_unit("lossy_torques")[number].tolist()
         sides.append(device_torques(case, lossy))
-    found = []
+    device_roles = []
     for device, idle, *torques in zip(case.own_devices, results.idle[number], *sides, strict=True):
         links = [member.link for member in device.members]
-        # a shaft of ratio 1 turns alike, too, but against the housing
+        # A shaft of ratio 1 rotates as a block, too, but transmits power against the housing.
         still = _may_turn(links) and bool(idle) and is_one_piece(device, speeds)
-        found.append(role((torque for side in torques for torque in side), still=still))
-    return found
+        device_roles.append(role((torque for side in torques for torque in side), still=still))
+    return device_roles
 
 
 def mechanism_roles(state: GearState) -> list[Role]:
-    """The same of each mechanism that the solver knows, by the state of a gear."""
+    """Return the role of each mechanism of the solver, from the state of a gear."""
     places = state.case.among_devices
     if not state.calculable:
         return [""] * len(state.case.mechanisms)
     torques = [state.torques.on_first_link[places], state.lossy_torques.on_first_link[places]]
     by_mechanism = zip(*torques[: 1 + state.consistent], strict=True)
     return [
-        role(map(plain, carried), still=_may_turn(one.links) and bool(motion == 0))
-        for one, motion, carried in zip(
+        role(map(plain, carried), still=_may_turn(mechanism.links) and bool(motion == 0))
+        for mechanism, motion, carried in zip(
             state.case.mechanisms, state.relative_speeds, by_mechanism, strict=True
         )
     ]
 
 
 def _may_turn(links: Sequence[int]) -> bool:
-    """Whether a device is more than a support, which holds one link and never turns."""
+    """Return whether a device joins two links at least, unlike a support, which never turns."""
     return len({*links} - {HOUSING}) > 1
 
 
 def device_torques(case: Transmission, torques: Sequence[float]) -> Iterator[list[float]]:
-    """The torques of each device among those of an array: on its first link, or its members."""
-    rest = iter(torques[len(case.shift_elements) :])
+    """Yield the torques of each device in an array: on the first link, or on members."""
+    behind_elements = iter(torques[len(case.shift_elements) :])
     for device in case.own_devices:
-        yield list(islice(rest, 1 if case.drawing is None else len(device.members)))
+        yield list(islice(behind_elements, 1 if case.drawing is None else len(device.members)))

@@ -1,6 +1,7 @@
-"""Signs of the power flow: those without losses, then such as agree with their own torques.
+"""Signs of the power flow that agree with the torques they lead to.
 
-``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md.
+Without losses, ``x = sign(M (w_f - w_h))``: equation (5) of docs/method.md. If these signs do not
+agree with the flow with losses, others are searched for.
 """
 
 from __future__ import annotations
@@ -35,17 +36,17 @@ from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques
 
 SEARCHED = 12
-"""Up to so many mechanisms all sets of signs are tried."""
+"""Number of mechanisms up to which all sets of signs are tried."""
 SIGN_ROUNDS = 200
-"""So often the signs follow the flow, where there are too many sets to try them all."""
+"""Most iterations in which signs follow the flow, used above `SEARCHED` mechanisms."""
 
 
 class SignSearch(NamedTuple):
-    """What the search for admissible signs ended with; names as in `Results`."""
+    """Result of the search for admissible signs; names as in `Results`."""
 
     lossy: LossyTorques
     idle: list[bool]
-    """By mechanism, like `turned`."""
+    """Marks of idle mechanisms, in the order of `turned`."""
     dragged: bool
     locked: bool
     undecided: bool
@@ -57,40 +58,41 @@ class Admissible(NamedTuple):
     """Admissible signs of the largest efficiency."""
 
     lossy: LossyTorques | None = None
-    """None: there are none, and friction locks the gear; or the search was cut short."""
+    """Torques under the signs; missing if self-locking or if the search was cut short."""
     choices: int = 0
-    """How many sets of signs are admissible."""
+    """Number of admissible sets of signs."""
     cut_short: bool = False
 
 
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
-    """Find the signs that agree with the flow they lead to.
+    """Find the signs that agree with the resulting power flow.
 
-    The signs without losses are tried first, then all sets of signs, then both where the output
-    may overcome drag.
+    The signs without losses are tried first, then all sets of signs. If neither is admissible, both
+    are tried again with an output that may overcome drag.
 
     Parameters
     ----------
     moving : bool
-        Whether speeds, and torques without losses, exist.
+        True if speeds, and torques without losses, exist.
     """
     start = ideal_signs(ideal, moving=moving)
-    found = Admissible(no_solution(ideal, start.signs))
-    if moving and _open(ideal, start):
-        found = Admissible(_common(ideal, start))
+    admissible = Admissible(no_solution(ideal, start.signs))
+    if moving and _indeterminate(ideal, start):
+        admissible = Admissible(_common_values(ideal, start))
     elif moving:
-        found = _admissible(ideal, start)
-        if found.lossy is None and not found.cut_short and ideal.drag.losses:
+        admissible = _admissible(ideal, start)
+        if admissible.lossy is None and not admissible.cut_short and ideal.drag.losses:
             ideal = ideal._replace(overcome=True)
-            found = _overcome(ideal, start)
-    lossy = found.lossy or no_solution(ideal, start.signs)
+            admissible = _overcome(ideal, start)
+    lossy = admissible.lossy or no_solution(ideal, start.signs)
     dragged = lossy.admissible is True and _is_dragged(ideal, lossy)
     if dragged:
         lossy = lossy._replace(efficiency=math.nan)
     elif lossy.admissible is True:
         lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
-    # of an idle one the sign is a convention; one object stands for what no search has changed
+    # The sign of an idle mechanism is a convention. A sign that no search has changed is still one
+    # and the same object.
     turned = [
         lossy.admissible is True
         and not is_idle
@@ -101,12 +103,14 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
             idle, lossy.signs, start.signs, ideal.variant.efficiencies, strict=True
         )
     ]
-    locked = found.lossy is None and not found.cut_short
-    return SignSearch(lossy, idle, dragged, locked, found.cut_short, turned, found.choices)
+    locked = admissible.lossy is None and not admissible.cut_short
+    return SignSearch(
+        lossy, idle, dragged, locked, admissible.cut_short, turned, admissible.choices
+    )
 
 
 def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """The signs without losses if they agree with their flow, else the best that do."""
+    """Return the signs without losses if admissible, else the best admissible signs."""
     first = _follow_unloaded(ideal, start)
     if first.admissible:
         return Admissible(first._replace(admissible=True), 1)
@@ -114,14 +118,17 @@ def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Signs of a gear whose drag the output may overcome; none if friction alone locks it."""
+    """Return the signs of a gear whose output may overcome drag.
+
+    Without drag the gear must have admissible signs; otherwise friction alone locks it.
+    """
     bare = ideal.without_drag._replace(overcome=False)
-    alone = _admissible(bare, ideal_signs(bare, moving=True))
-    return _admissible(ideal, start) if alone.lossy else alone
+    without_drag = _admissible(bare, ideal_signs(bare, moving=True))
+    return _admissible(ideal, start) if without_drag.lossy else without_drag
 
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Whether power enters at the output to overcome drag, and none leaves at the input."""
+    """Return whether power enters at the output to overcome drag, without leaving at the input."""
     if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
@@ -132,8 +139,8 @@ def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
     return at_input * direction >= 0 and bool(entering * direction > NO_POWER * taken)
 
 
-def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
-    """Mechanisms with losses whose direction of power statics leaves open."""
+def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
+    """Return the mechanisms with losses whose direction of power is indeterminate."""
     return [
         place
         for place, x in enumerate(start.signs)
@@ -142,7 +149,10 @@ def _open(ideal: IdealGear, start: IdealSigns) -> list[int]:
 
 
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
-    """The signs without losses; unloaded mechanisms take the sign of their flow with losses."""
+    """Return the torques for the signs without losses.
+
+    Mechanisms without ideal torque take the sign of their flow with losses.
+    """
     signs = start.signs
     lossy = torques_for_signs(ideal, signs)
     for _ in signs:
@@ -155,7 +165,7 @@ def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 
 
 def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
-    """The signs with those of the flow where that is allowed and there is any."""
+    """Return the signs, replaced by the sign of the flow where allowed and not 0."""
     return tuple(
         direction if may and abs(direction) == 1 else x
         for x, direction, may in zip(signs, directions, allowed, strict=True)
@@ -163,7 +173,7 @@ def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
 
 
 def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Try all sets of signs of the mechanisms that move, or follow the flow if there are many."""
+    """Try all sets of signs of the moving mechanisms, or follow the flow if there are many."""
     moving = [
         not still and efficiency.lossy
         for still, efficiency in zip(start.still, ideal.variant.efficiencies, strict=True)
@@ -175,10 +185,10 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
         return _follow(ideal, start, moving)
     tried = list(_every_set(ideal, start, free))
     nothing: Condition = False
-    if reduce(or_, (one.admissible for one in tried), nothing):
+    if reduce(or_, (lossy.admissible for lossy in tried), nothing):
         return _best(ideal, tried, start)
     if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
-        # nothing moves that could lock: the convention for idle mechanisms does not suit
+        # No moving mechanism could lock, so the convention for idle mechanisms does not suit.
         signs = tuple(
             0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
         )
@@ -187,15 +197,18 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
-    """The admissible signs of the largest efficiency; those that turn nothing are as they were."""
-    possible = [one for one in tried if one.admissible is not False]
+    """Return the admissible signs of the largest efficiency.
+
+    Unloaded mechanisms without flow keep their sign.
+    """
+    possible = [lossy for lossy in tried if lossy.admissible is not False]
     flows: dict[tuple[float, ...], Condition] = {}
-    for one in possible:
-        flow = tuple(map(_flow, one.signs, one.directions))
-        flows[flow] = flows.get(flow, False) | one.admissible
+    for lossy in possible:
+        flow = tuple(map(_flow, lossy.signs, lossy.directions))
+        flows[flow] = flows.get(flow, False) | lossy.admissible
     choices = counted(flows.values())
     best = reduce(_better, possible)
-    if best.admissible is not True:  # one set of signs or another, by variant
+    if best.admissible is not True:  # the best set of signs differs between variants
         best = torques_for_signs(ideal, best.signs)
         if not best.admissible:
             raise Untraceable
@@ -209,33 +222,35 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
 
 
 def _flow(x: Number, turns: Number) -> float:
-    """What tells a flow from others: its sign, 0 where nothing flows, or what all of them have."""
+    """Return a number that distinguishes flows: the sign, 0 without flow, 1 if traced."""
     return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
 
 
-def _better(one: LossyTorques, other: LossyTorques) -> LossyTorques:
-    """The one with the larger efficiency, in each variant in which both are admissible."""
-    if one.admissible is True and other.admissible is True:
-        better = other.efficiency > one.efficiency or not one.efficiency < math.inf
-        return other if better else one
-    larger = opposite(one.admissible) | (other.efficiency > one.efficiency)
-    better_one = other.admissible & larger
-    return one._replace(
-        signs=tuple(chosen(better_one, y, x) for x, y in zip(one.signs, other.signs, strict=True)),
-        efficiency=chosen(better_one, other.efficiency, one.efficiency),
-        admissible=one.admissible | other.admissible,
+def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
+    """Return the result of larger efficiency, chosen in each variant where both are admissible."""
+    if first.admissible is True and second.admissible is True:
+        better = second.efficiency > first.efficiency or not first.efficiency < math.inf
+        return second if better else first
+    larger = opposite(first.admissible) | (second.efficiency > first.efficiency)
+    better_one = second.admissible & larger
+    return first._replace(
+        signs=tuple(
+            chosen(better_one, y, x) for x, y in zip(first.signs, second.signs, strict=True)
+        ),
+        efficiency=chosen(better_one, second.efficiency, first.efficiency),
+        admissible=first.admissible | second.admissible,
     )
 
 
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
-    """The torques for all possible sets of signs of the `free` mechanisms.
+    """Yield the torques for all possible sets of signs of the `free` mechanisms.
 
-    Of those in fractions, which take long, not such as floats refuse for certain.
+    Fractions take long, so sets of signs that floats refuse with certainty are left out.
     """
     rough = _in_floats(ideal)
-    for own in product((1.0, -1.0), repeat=len(free)):
+    for signs_of_free in product((1.0, -1.0), repeat=len(free)):
         signs: list[Number] = list(start.signs)
-        for place, x in zip(free, own, strict=True):
+        for place, x in zip(free, signs_of_free, strict=True):
             signs[place] = x
         possible = is_possible(ideal.variant.efficiencies, tuple(signs))
         if possible and not (rough and _is_refused(rough, tuple(signs))):
@@ -243,54 +258,61 @@ def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iter
 
 
 def _in_floats(ideal: IdealGear) -> IdealGear | None:
-    """A gear that is calculated in fractions, rounded; nothing for another one."""
     if not any(map(is_exact, ideal.variant.ratios)):
         return None
     from vstatics.core.numerics.exact import rounded  # fractions cost start-up time
 
-    made: IdealGear = rounded(ideal)
-    return made
+    in_floats: IdealGear = rounded(ideal)
+    return in_floats
 
 
 def _is_refused(rough: IdealGear, signs: Signs) -> bool:
-    """Whether signs do not agree with their flow, and rounding leaves no doubt of it."""
+    """Return whether signs contradict the flow beyond any doubt by rounding."""
     lossy = torques_for_signs(rough, signs)
     known = not any(map(is_nan, lossy.torques.on_first_link))
     return known and lossy.torques.certain and not lossy.admissible
 
 
-def _common(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
-    """What all sets of signs lead to, where statics leaves the flow through mechanisms open.
+def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
+    """Return the values that all sets of signs share, where the flow is indeterminate.
 
-    So a redundant part of a train does not hide what is determined in the rest of it.
+    So a redundant part of a train does not hide the determinate values of its other parts.
     """
     none = no_solution(ideal, start.signs)
-    open_ = _open(ideal, start)
+    open_ = _indeterminate(ideal, start)
     if len(open_) > SEARCHED:
         return none
     tried = list(_every_set(ideal, start, open_))
-    if not tried or any(one.efficiency <= 0 for one in tried):
+    if not tried or any(lossy.efficiency <= 0 for lossy in tried):
         return none
-    torques = [one.torques for one in tried]
+    torques = [lossy.torques for lossy in tried]
     return LossyTorques(
-        signs=tuple(map(_same_sign, zip(*(one.signs for one in tried), strict=True))),
+        signs=tuple(map(_common_sign, zip(*(lossy.signs for lossy in tried), strict=True))),
         torques=Torques(
-            list(map(_same, zip(*(one.on_first_link for one in torques), strict=True))),
-            {link: _same([one.holding[link] for one in torques]) for link in none.torques.holding},
+            list(
+                map(_common_number, zip(*(lossy.on_first_link for lossy in torques), strict=True))
+            ),
+            {
+                link: _common_number([lossy.holding[link] for lossy in torques])
+                for link in none.torques.holding
+            },
             consistent=True,
-            of_columns=list(map(_same, zip(*(one.factors for one in torques), strict=True))),
+            of_columns=list(
+                map(_common_number, zip(*(lossy.factors for lossy in torques), strict=True))
+            ),
         ),
-        directions=tuple(map(_same_sign, zip(*(one.directions for one in tried), strict=True))),
-        losses=list(map(_same, zip(*(one.losses for one in tried), strict=True))),
-        efficiency=_same([power_ratio(ideal, one) for one in tried]),
+        directions=tuple(
+            map(_common_sign, zip(*(lossy.directions for lossy in tried), strict=True))
+        ),
+        losses=list(map(_common_number, zip(*(lossy.losses for lossy in tried), strict=True))),
+        efficiency=_common_number([power_ratio(ideal, lossy) for lossy in tried]),
         drag_losses=tried[0].drag_losses,
-        balance=_same([one.balance for one in tried]),
+        balance=_common_number([lossy.balance for lossy in tried]),
         admissible=False,
     )
 
 
-def _same(values: Sequence[Number | Residual]) -> Number:
-    """The number that all of some are, to rounding; else NaN."""
+def _common_number(values: Sequence[Number | Residual]) -> Number:
     numbers = [value for value in values if not isinstance(value, Residual)]
     if len(numbers) < len(values):
         raise Untraceable
@@ -301,23 +323,22 @@ def _same(values: Sequence[Number | Residual]) -> Number:
     return first if agree else math.nan
 
 
-def _same_sign(values: Sequence[Number]) -> float:
-    """The sign that all of some are; else NaN."""
-    own = [_decided(value) for value in values]
-    return own[0] if len(set(own)) == 1 else math.nan
+def _common_sign(values: Sequence[Number]) -> float:
+    signs = [_decided(value) for value in values]
+    return signs[0] if len(set(signs)) == 1 else math.nan
 
 
 def _decided(x: Number) -> float:
-    """A sign, that of the first variant for all."""
+    """Return a sign as a float; the sign of the first variant if traced."""
     if is_traced(x):
         return 1.0 if x > 0 else -1.0
     return plain(x)
 
 
 def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admissible:
-    """Let the signs follow the flow until they agree.
+    """Let the signs follow the flow until both agree.
 
-    Where that runs in a circle only the sign that loses most is turned.
+    When the iteration repeats itself, only the sign with the largest gain of power is reversed.
     """
     signs = _possible(ideal, start.signs)
     seen: set[Signs] = set()
@@ -338,7 +359,7 @@ def _follow(ideal: IdealGear, start: IdealSigns, moving: Sequence[bool]) -> Admi
 
 
 def _possible(ideal: IdealGear, signs: Signs) -> Signs:
-    """The signs, but that no self-locking mechanism is driven back."""
+    """Return the signs with +1 for self-locking mechanisms, which cannot be driven back."""
     return tuple(
         1.0 if efficiency.back == 0 and x < 0 else _decided(x)
         for x, efficiency in zip(signs, ideal.variant.efficiencies, strict=True)
@@ -346,7 +367,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 
 
 def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTorques) -> Signs:
-    """Of the signs that should turn, only the one whose mechanism gains most."""
+    """Return the signs, reversed only for the mechanism that gains most power."""
     gains = [
         -loss * ideal.direction if x != y else -math.inf
         for x, y, loss in zip(signs, turned, lossy.losses, strict=True)
@@ -356,38 +377,38 @@ def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTor
 
 
 class IdealSigns(NamedTuple):
-    """By mechanism: the sign that the flow without losses gives, and why it may give none."""
+    """Sign of the flow without losses through each mechanism, and the reasons for no flow."""
 
     signs: Signs
-    """+1, -1 or 0; NaN where torque or motion is not determined."""
+    """+1, -1 or 0; NaN if torque or motion is indeterminate."""
     unloaded: Sequence[bool]
-    """It carries no torque."""
+    """Marks of mechanisms without torque."""
     still: Sequence[bool]
-    """It turns as one piece."""
+    """Marks of mechanisms that are locked up."""
 
     @property
     def idle(self) -> list[bool]:
-        """Whether there is no flow that could give a sign."""
+        """Marks of mechanisms without a flow that gives a sign."""
         return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
 
 
 def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Signs by the closed form, equation (5); ties by convention.
+    """Return the signs by the closed form, equation (5); idle mechanisms follow a convention.
 
     Parameters
     ----------
     moving : bool
-        Whether speeds, and torques without losses, exist.
+        True if speeds, and torques without losses, exist.
     """
     if not moving:
-        none = [False] * len(ideal.variant.ratios)
-        return IdealSigns((math.nan,) * len(none), none, none)
+        nowhere = [False] * len(ideal.variant.ratios)
+        return IdealSigns((math.nan,) * len(nowhere), nowhere, nowhere)
     torques = mechanism_torques(ideal, ideal.variant.columns, ideal.torques_with_drag)
     relative_speeds = ideal.speeds.relative_speeds
     unloaded = [bool(torque == 0) for torque in torques]
     still = [bool(speed == 0) for speed in relative_speeds]
     signs = [
-        _of_idle(ideal, place, is_unloaded=unloaded[place])
+        _sign_of_idle(ideal, place, is_unloaded=unloaded[place])
         if unloaded[place] or still[place]
         else sign(power(torques[place], relative_speeds[place])) * ideal.direction
         for place in range(len(torques))
@@ -395,8 +416,7 @@ def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
     return IdealSigns(tuple(signs), unloaded, still)
 
 
-def _of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
-    """The sign of an idle mechanism by the convention of the case."""
+def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
     if ideal.case.idle == "exact":
         return 0.0
     published = 1.0 if is_unloaded else sign(ideal.variant.ratios[place])

@@ -1,4 +1,4 @@
-"""Transmission -> Results: speeds, torques without and with losses, what is determined."""
+"""The function `solve`: results of a transmission, or of many variants of it."""
 
 from __future__ import annotations
 
@@ -39,35 +39,36 @@ def solve(  # noqa: PLR0913
     Parameters
     ----------
     case : Transmission
+        Links, shift elements, mechanisms and gears.
     ratios, efficiencies : array_like, shape (..., mechanisms), optional
-        In place of the case's own numbers; the leading axes are the variants. Planet
-        ratios that the case gives stay as they are. [-]
+        Numbers of the mechanisms; the leading axes are the variants. Planet ratios that the case
+        gives are not changed. Default: the numbers of the case. [-]
     coast : bool, optional
-        Power enters at the output; the case's own when not given.
+        True if power enters at the output. Default: the setting of the case.
     idle : {"exact", "published"}, optional
-        Convention for idle mechanisms; the case's own when not given.
+        Convention for idle mechanisms. Default: the convention of the case.
     vary : mapping of str to array_like, optional
         Other numbers by their paths, such as `load.torque`, `gears.low.speeds.motor` or
-        `P1.teeth.sun`; see `vstatics.core.statics.points`. In rad/s (also `load.speed`, where
-        `Load` has rpm) and N*m, without units for ratios and efficiencies. Arrays go together,
-        on one axis.
+        `P1.teeth.sun`; see `vstatics.core.statics.points`. Units are rad/s (also for `load.speed`,
+        which `Load` has in rpm) and N*m; ratios and efficiencies have none. The arrays share one
+        axis of variants.
 
     Returns
     -------
     Results
-        Arrays with the leading axes of `ratios` and `efficiencies`, or that of `vary`, then gears.
-        For arrays of variants there are no `messages`, and `case` is the one given.
+        Arrays with the leading axes of `ratios` and `efficiencies`, or the axis of `vary`, then
+        gears. For arrays of variants `messages` is empty, and `case` is the given case.
 
     Raises
     ------
     CaseError
-        If a ratio or an efficiency in the arrays is none, there is a text among the numbers, a
-        converter has no speed ratio, or a drag or efficiency depends on a load that is missing.
+        If an array contains an impossible ratio or efficiency, or text; if a converter has no speed
+        ratio; or if a drag or efficiency depends on a missing load.
     TypeError
-        If `case` is no transmission, such as the name of a file.
+        If `case` is not a transmission, such as a file name.
     ValueError
-        If the arrays do not have one number for each mechanism, those of `vary` do not go
-        together, `vary` stands beside `ratios` or `efficiencies`, or `idle` is no convention.
+        If the arrays do not have one number for each mechanism, the lengths in `vary` differ,
+        `vary` is combined with `ratios` or `efficiencies`, or `idle` is not a convention.
 
     Examples
     --------
@@ -94,7 +95,7 @@ def solve(  # noqa: PLR0913
     if problems := list(of_missing_ratios(case, open_too=True)):
         raise CaseError(problems)
     if case.depends:
-        from vstatics.core.model.laws import without_loads  # it costs start-up time
+        from vstatics.core.model.laws import without_loads  # the import costs start-up time
 
         if problems := list(without_loads(case)):
             raise CaseError(problems)
@@ -102,7 +103,7 @@ def solve(  # noqa: PLR0913
     if idle not in (None, case.idle):
         case = replace(case, idle=idle)
     if vary is not None:
-        from vstatics.core.statics.points import solve_varied  # it costs start-up time
+        from vstatics.core.statics.points import solve_varied  # the import costs start-up time
 
         if ratios is not None or efficiencies is not None:
             raise ValueError("solve: expected `vary`, or `ratios` and `efficiencies`, not both")
@@ -112,7 +113,7 @@ def solve(  # noqa: PLR0913
         case = _with_numbers(case, u, eta)
         u = eta = None
     if case.depends:
-        from vstatics.core.statics.points import solve_laws  # likewise
+        from vstatics.core.statics.points import solve_laws  # the import costs start-up time
 
         return solve_laws(case, axes, u, eta)
     with np.errstate(all="ignore"):
@@ -125,7 +126,6 @@ def solve(  # noqa: PLR0913
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
-    """The case with other ratios and efficiencies, of shape (1, mechanisms)."""
     mechanisms = list(case.mechanisms)
     for quantity, given in (("ratio", u), ("efficiency", eta)):
         if given is not None:
@@ -139,9 +139,9 @@ def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> T
 def _variants(
     case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
 ) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
-    """The axes of the variants, and what is given of ratios and efficiencies.
+    """Return the axes of the variants, and the given ratios and efficiencies.
 
-    Both of shape (variants, mechanisms).
+    Ratios and efficiencies have the shape (variants, mechanisms).
     """
     count = len(case.mechanisms)
     given = {
@@ -165,11 +165,11 @@ def _variants(
 
 
 def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
-    """The first wrong number in an array of variants, of shape (..., mechanisms)."""
+    """Return a problem for the first wrong number in an array ``(..., mechanisms)``."""
     for number in range(len(case.mechanisms) if given is not None else 0):
         column = np.asarray(given)[..., number]
-        own = float(getattr(case.mechanisms[number], quantity))
-        wrong = impossible(quantity, column) & ~np.isclose(column, own, 0, 0, equal_nan=True)
+        default = float(getattr(case.mechanisms[number], quantity))
+        wrong = impossible(quantity, column) & ~np.isclose(column, default, 0, 0, equal_nan=True)
         if wrong.any():
             variant = tuple(int(index) for index in np.argwhere(wrong)[0])
             where = f" in variant {', '.join(map(str, variant))}" if variant else ""

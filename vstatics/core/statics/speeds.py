@@ -1,4 +1,4 @@
-"""Speeds of a gear: of links, of mechanisms against their third link, of slip."""
+"""Speeds of a gear: of links, of mechanisms relative to their third link, and slip."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from vstatics.core.statics.matrix import Column, speed_rows
 
 
 class Speeds(NamedTuple):
-    """The speeds of a gear. NaN: not determined."""
+    """Speeds of a gear; NaN if indeterminate."""
 
     links: list[Number]
-    """By link. [-]"""
+    """Speed of each link. [-]"""
     relative_speeds: list[Number]
-    """By mechanism: ``w_f - w_h``, the first link against the third; 0 where it is a tie. [-]"""
+    """``w_f - w_h`` of each mechanism, first link minus third; 0 if negligible. [-]"""
     slips: list[Number]
-    """By shift element. [-]"""
+    """Slip speed of each shift element. [-]"""
     consistent: bool
     missing: int
     excess: int
     certain: bool
-    """Rounding leaves digits of what they are made from."""
+    """True if rounding leaves digits of the pivots."""
 
 
 def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) -> Speeds:
@@ -34,13 +34,13 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
     Parameters
     ----------
     by_device : sequence of Column
-        The equations of devices, `matrix.rows`.
+        Speed equations of the devices, from `matrix.rows`.
     """
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
     sums = [_difference(*pair) for pair in (*differences, *slips)]
     rows = speed_rows(case, gear, by_device)
-    solution, certain = elimination.solve_told(rows, case.links, sums)
+    solution, certain = elimination.solve_with_certainty(rows, case.links, sums)
     links = solution.values[: case.links]
     relative = solution.values[case.links : case.links + len(differences)]
     by_link = [0.0, *map(absolute, links)]
@@ -59,12 +59,11 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
 
 
 def _difference(first: int, second: int) -> dict[int, float]:
-    """The difference of two link speeds as a sum of unknowns."""
     terms = {first - 1: 1.0, second - 1: -1.0}
     terms.pop(HOUSING - 1, None)
     return terms
 
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:
-    """Whether a difference of speeds is nothing beside the speeds themselves; magnitudes all."""
+    """Return whether a difference of two speeds is negligible; all arguments are magnitudes."""
     return is_nothing_beside(difference, first, TIE) or is_nothing_beside(difference, third, TIE)

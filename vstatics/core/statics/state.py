@@ -1,4 +1,4 @@
-"""The state of a gear: all that holds of it at an instant, and what arrays have of it."""
+"""State of a gear: its speeds, torques and losses at an instant, and their rows in arrays."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
 
 
 class GearState(NamedTuple):
-    """A gear in which every freewheel either holds or overruns.
+    """Gear in which every freewheel either holds or overruns.
 
     Speeds are relative to the input speed, torques to the input torque, powers to the
     input power; signs as in `matrix`. NaN stands for what does not exist.
@@ -53,9 +53,9 @@ class GearState(NamedTuple):
     ideal: IdealGear
     search: SignSearch
     conflict: bool = False
-    """There is no such state: a freewheel can neither hold nor overrun."""
+    """True if no state exists, as a freewheel can neither hold nor overrun."""
     exact: bool = False
-    """Calculated in fractions, as floats leave too few digits."""
+    """True if calculated in fractions, as floats leave too few digits."""
 
     @property
     def case(self) -> Transmission:
@@ -64,12 +64,12 @@ class GearState(NamedTuple):
 
     @property
     def gear(self) -> Gear:
-        """The gear, with the freewheels that hold among the engaged elements."""
+        """The gear, with the freewheels that hold among the engaged shift elements."""
         return self.ideal.gear
 
     @property
     def engaged(self) -> Sequence[int]:
-        """Numbers of the shift elements that are engaged, freewheels that hold too."""
+        """Numbers of the engaged shift elements, including freewheels that hold."""
         return self.gear.engaged
 
     @property
@@ -79,53 +79,53 @@ class GearState(NamedTuple):
 
     @property
     def speeds(self) -> list[Number]:
-        """Of each link [-], planets that are links too."""
+        """Speed of each link, including planets that are links [-]."""
         return self.ideal.speeds.links
 
     @property
     def relative_speeds(self) -> list[Number]:
-        """Of each mechanism: ``w_f - w_h`` [-]."""
+        """``w_f - w_h`` of each mechanism [-]."""
         return self.ideal.speeds.relative_speeds
 
     @property
     def slip_speeds(self) -> list[Number]:
-        """Of each shift element: first link against second [-]."""
+        """Slip speed of each shift element, first link minus second [-]."""
         return self.ideal.speeds.slips
 
     @property
     def output_speed(self) -> Number:
-        """Of the gear's output link [-]."""
+        """Speed of the gear's output link [-]."""
         return self.speeds[self.case.gear_output(self.gear) - 1]
 
     @property
     def ratio(self) -> float:
-        """``w_input/w_output`` [-]; NaN where the output stands."""
+        """Ratio ``w_input/w_output`` [-]; NaN if the output is at rest."""
         ratio: Any = math.nan if self.output_speed == 0 else 1 / self.output_speed
-        return ratio  # type: ignore[no-any-return] # of variants it is traced, which users see not
+        return ratio  # type: ignore[no-any-return] # traced for variants, which users never see
 
     @property
     def drag(self) -> Drag:
-        """Of links and open elements."""
+        """Drag of links and open shift elements."""
         return self.ideal.drag
 
     @property
     def torques(self) -> Torques:
-        """Without losses and drag."""
+        """Torques without losses and drag."""
         return self.ideal.torques
 
     @property
     def lossy_torques(self) -> Torques:
-        """With losses and drag."""
+        """Torques with losses and drag."""
         return self.search.lossy.torques
 
     @property
     def signs(self) -> Signs:
-        """By mechanism: +1 the first link drives, -1 it is driven, 0 idle, NaN open."""
+        """Power-flow signs: +1 if the first link drives, -1 if driven, 0 if idle, or NaN."""
         return self.search.lossy.signs
 
     @property
     def lossy_ratios(self) -> list[Number]:
-        """Of each mechanism: ``u * efficiency**x`` [-]."""
+        """``u * efficiency**x`` of each mechanism [-]."""
         return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
 
     @property
@@ -135,34 +135,34 @@ class GearState(NamedTuple):
 
     @property
     def tied_up(self) -> bool:
-        """The conditions for the speeds contradict each other."""
+        """True if the conditions for the speeds contradict each other."""
         return not self.ideal.speeds.consistent
 
     @property
     def balanced(self) -> bool:
-        """Torques without losses exist."""
+        """True if torques without losses exist."""
         return self.ideal.torques.consistent
 
     @property
     def calculable(self) -> bool:
-        """Speeds and torques exist, so that losses can be asked for."""
+        """True if speeds and torques exist, so that losses can be calculated."""
         return self.balanced and not self.tied_up and not self.conflict
 
     @property
     def consistent(self) -> bool:
-        """The torques with losses stand, with signs that agree with their flow."""
+        """True if torques with losses exist, with signs that agree with their flow."""
         return bool(self.search.lossy.admissible)
 
     @property
     def certain(self) -> bool:
-        """Rounding leaves digits of what speeds and torques are made from."""
+        """True if rounding leaves digits of the pivots of all systems."""
         ideal = self.ideal
         torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
-        return ideal.speeds.certain and all(one.certain for one in torques)
+        return ideal.speeds.certain and all(solution.certain for solution in torques)
 
     @property
     def statuses(self) -> list[Status]:
-        """All that is to be said of the gear as a whole, what explains the others first."""
+        """All statuses of the gear, causes before their effects."""
         return statuses(
             tied_up=self.tied_up,
             conflict=self.conflict,
@@ -175,17 +175,17 @@ class GearState(NamedTuple):
 
     @property
     def status(self) -> Status:
-        """The first of `statuses`; `OK` if there is none."""
+        """The first of `statuses`, or `OK`."""
         return next(iter(self.statuses), OK)
 
     @property
     def unloaded(self) -> list[str]:
-        """Names of links whose speeds are undetermined because nothing loads or drives them.
+        """Names of links whose speeds are indeterminate because nothing loads or drives them.
 
-        They are free on purpose, such as the race between an open brake and a freewheel, or an
-        engine with its generator behind an open clutch. The list is empty where a shift element is
-        missing: the output is undetermined, or a device joins an undetermined link to a link that
-        turns, or loads it.
+        Such links are free on purpose, such as the race between an open brake and a freewheel, or
+        an engine with its generator behind an open clutch. The list is empty if a shift element is
+        missing: the output is indeterminate, or a device connects an indeterminate link to a
+        rotating link, or loads it.
         """
         case = self.case
         free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}
@@ -204,13 +204,13 @@ class GearState(NamedTuple):
 
     @property
     def bodies(self) -> Bodies:
-        """Which links turn as one piece: for each the least of them, the housing first."""
+        """Smallest link number in the body of each link, the housing first."""
         return turning_as_one(self.case, self.gear, self.speeds)
 
     def powers(self, *, lossy: bool = True) -> list[LinkPower]:
-        """What links give to devices, to ports and to what drags, in its real direction [-].
+        """Return the powers that links give to devices, ports and drag, in real direction [-].
 
-        Those of devices come first, then those of ports and of drag.
+        Devices come first, then ports and drag.
         """
         torques = self.lossy_torques if lossy else self.torques
         drag = self.drag if lossy else NO_DRAG
@@ -220,8 +220,8 @@ class GearState(NamedTuple):
         ]
         given = (self.case, self.gear, self.speeds, torques)
         return [
-            one._replace(power=self.ideal.direction * plain(one.power))
-            for one in (
+            link_power._replace(power=self.ideal.direction * plain(link_power.power))
+            for link_power in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),
                 *drag_powers(self.case, self.speeds, drag),
@@ -229,9 +229,9 @@ class GearState(NamedTuple):
         ]
 
     def member_torques(self, *, lossy: bool) -> list[dict[str, Number | Residual]]:
-        """Torques that links give to the members of each mechanism or drawn element [-].
+        """Return the torques from links to the members of each mechanism or drawn gear set [-].
 
-        A sum may be determined where its parts are not.
+        The sum of torques on a member can be determinate even if its terms are not.
         """
         ratios = self.ideal.variant.ratios
         if lossy:
@@ -240,17 +240,17 @@ class GearState(NamedTuple):
         torques = self.lossy_torques if lossy else self.torques
         shares_of = list(map(column_of, self.case.mechanisms, ratios))
         elements = len(self.case.shift_elements)
-        found: list[dict[str, Number | Residual]] = []
+        torques_by_member: list[dict[str, Number | Residual]] = []
         unknown: list[tuple[int, str, dict[int, Number]]] = []
         for place, device in enumerate(self.case.own_devices):
-            found.append({})
+            torques_by_member.append({})
             for member in device.members:
                 shares = [
                     (elements + index, value(shares_of[index][part]))
                     for index, part in member.places
                 ]
                 torque = residual([share * torques.factors[index] for index, share in shares])
-                found[place][member.name] = torque
+                torques_by_member[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
                     unknown.append((place, member.name, dict(shares)))
         exists = self.consistent if lossy else self.calculable
@@ -259,17 +259,17 @@ class GearState(NamedTuple):
             drag = self.drag if lossy else NO_DRAG
             values = solve_sums(self.case, self.gear, columns(self.case, ratios), sums, drag)
             for (place, name, _), sum_ in zip(unknown, values, strict=True):
-                found[place][name] = sum_
-        return found
+                torques_by_member[place][name] = sum_
+        return torques_by_member
 
 
 Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
-"""Name of an array of `Results` -> its values in one gear and one variant, or traced for many."""
+"""Values of a gear by name of the array of `Results`, as floats or traced."""
 
 
 def values_of(state: GearState) -> Values:
-    """What the arrays of `Results` have of a gear."""
+    """Return the values of a gear for each array of `Results`."""
     case = state.case
     speeds, search, lossy = state.ideal.speeds, state.search, state.search.lossy
     devices = case.own_devices
@@ -284,9 +284,9 @@ def values_of(state: GearState) -> Values:
         "lossy_holding_torques": _by_link(case, state.lossy_torques.holding),
         "efficiency": lossy.efficiency,
         "power_sign": lossy.signs,
-        "idle": [all(search.idle[index] for index in one.mechanisms) for one in devices],
+        "idle": [all(search.idle[index] for index in device.mechanisms) for device in devices],
         "losses": [
-            reduce(add, (lossy.losses[index] for index in one.mechanisms)) for one in devices
+            reduce(add, (lossy.losses[index] for index in device.mechanisms)) for device in devices
         ],
         "power_balance": lossy.balance,
         "drag_losses": lossy.drag_losses,
@@ -303,26 +303,26 @@ def values_of(state: GearState) -> Values:
         "holds": [n in state.engaged for n in range(1, len(case.shift_elements) + 1)],
         "conflict": state.conflict,
         "exact": state.exact,
-        "mesh_torques": list(_of_meshes(state, state.torques.on_first_link)),
-        "lossy_mesh_torques": list(_of_meshes(state, state.lossy_torques.on_first_link)),
-        "mesh_losses": [lossy.losses[index] for one in devices for index, _ in one.meshes_by_index],
+        "mesh_torques": list(_mesh_torques(state, state.torques.on_first_link)),
+        "lossy_mesh_torques": list(_mesh_torques(state, state.lossy_torques.on_first_link)),
+        "mesh_losses": [
+            lossy.losses[index] for device in devices for index, _ in device.meshes_by_index
+        ],
     }
 
 
 def _planet_speeds(state: GearState) -> Iterator[Number | Residual]:
-    """Speeds of all planets against their carriers."""
     case, ratios = state.case, state.ideal.variant.ratios
     for device in case.own_devices:
         for planet in device.planets:
             index = planet.mechanism
             if planet.wheels and (index < 0 or ratios[index] == planet.ratio):
-                yield _by_wheels(state, planet)
+                yield _planet_speed_by_wheels(state, planet)
             else:
-                yield _by_ratio(state, index)
+                yield _planet_speed_by_ratio(state, index)
 
 
-def _by_ratio(state: GearState, index: int) -> Number | Residual:
-    """From the planet ratio of a mechanism."""
+def _planet_speed_by_ratio(state: GearState, index: int) -> Number | Residual:
     mechanism, motion = state.case.mechanisms[index], state.relative_speeds[index]
     if mechanism.planet_ratio is not None:
         return motion / mechanism.planet_ratio
@@ -331,8 +331,7 @@ def _by_ratio(state: GearState, index: int) -> Number | Residual:
     return math.nan if is_plain is False else where(is_plain, motion / ((ratio + 1) / 2))
 
 
-def _by_wheels(state: GearState, planet: Planet) -> Number:
-    """From the first wheel that meshes with its train and has a speed."""
+def _planet_speed_by_wheels(state: GearState, planet: Planet) -> Number:
     if math.isnan(planet.speed):
         return math.nan
 
@@ -341,16 +340,16 @@ def _by_wheels(state: GearState, planet: Planet) -> Number:
 
     carrier = speed(planet.carrier)
     for wheel in planet.wheels:
-        own = speed(wheel.link)
-        if own == own and carrier == carrier:  # noqa: PLR0124 - else NaN
+        wheel_speed = speed(wheel.link)
+        if wheel_speed == wheel_speed and carrier == carrier:  # noqa: PLR0124 - else NaN
             if state.relative_speeds[wheel.mechanism] == 0:
                 return 0.0
-            return (own - carrier) / wheel.ratio * planet.speed
+            return (wheel_speed - carrier) / wheel.ratio * planet.speed
     return math.nan
 
 
 def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Residual]:
-    """On shift elements, mechanisms or members of drawn elements, springs, and the output."""
+    """Return torques on shift elements, mechanisms or members, springs, and the output."""
     torques = (state.lossy_torques if lossy else state.torques).on_first_link
     if state.case.drawing is None:
         return torques
@@ -363,8 +362,8 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
     ]
 
 
-def _of_meshes(state: GearState, torques: Numbers) -> Iterator[Number]:
-    """On the first wheel of each mesh, where its teeth are known."""
+def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
+    """Yield the torque on the first gear of each mesh, NaN if its teeth are unknown."""
     elements = len(state.case.shift_elements)
     for device in state.case.own_devices:
         for index, is_known in device.meshes_by_index:
@@ -376,10 +375,10 @@ def _by_link(case: Transmission, holding: Mapping[int, Number]) -> list[Number]:
 
 
 def guard_power(state: GearState) -> None:
-    """Guard, for traced numbers, that power is conserved: without losses and with them.
+    """Guard traced numbers: power must be conserved without losses and with losses.
 
-    Without losses output torque times output speed is 1, equation (1) of docs/method.md.
-    A variant of which this is not true is left to be calculated by itself.
+    Without losses output torque times output speed is 1, equation (1) of docs/method.md. A variant
+    that violates a guard is calculated alone.
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed
@@ -390,7 +389,7 @@ def guard_power(state: GearState) -> None:
 
 
 def flat(values: Values, names: Sequence[str]) -> list[Number | Residual | Condition]:
-    """The values of some arrays in their order, without -0; what overflowed does not exist."""
+    """Return the values of some arrays in order, without -0; overflow becomes NaN."""
     numbers: list[Number | Residual | Condition] = []
     for name in names:
         value = values[name]

@@ -1,4 +1,4 @@
-"""The status of a gear: whether it has speeds and torques, and if not, why; the words for it."""
+"""Status of a gear: whether it has speeds and torques, or why not, and the words for that."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from vstatics.core.numerics.traced import Number, absolute
 
 
 class Status(NamedTuple):
-    """What is to be said of a gear as a whole."""
+    """Status of a gear as a whole."""
 
     name: str
-    """In tables and in the output of sweeps."""
+    """Name in tables and in the output of sweeps."""
     english: str
-    """In lines of text and pictures."""
+    """Name in lines of text and pictures."""
     meaning: str
-    """A clause for who sees it the first time."""
+    """Clause that explains the status to a new reader."""
     is_fault: bool = False
-    """Whether no gear should have it."""
+    """True if a gear should never have the status."""
     has_power: bool = False
-    """Whether power may flow nevertheless."""
+    """True if power can flow in spite of the status."""
 
 
 OK = Status("", "", "", has_power=True)
@@ -71,7 +71,7 @@ UNDECIDED = Status(
 )
 
 STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, DRAGGED, UNDECIDED)
-"""All of them, faults first."""
+"""All statuses but `OK`, faults first."""
 
 
 def statuses(  # noqa: PLR0913
@@ -84,12 +84,12 @@ def statuses(  # noqa: PLR0913
     undecided: bool,
     dragged: bool = False,
 ) -> list[Status]:
-    """All that is to be said of a gear, what explains the others first; names as in `Results`.
+    """Return the statuses of a gear, causes before their effects; names as in `Results`.
 
     Parameters
     ----------
     output_speed : Number
-        [-]
+        Speed of the output link. [-]
 
     Examples
     --------

@@ -1,9 +1,9 @@
-"""Torques of a gear: the equilibrium of its links, drag of links and open elements.
+"""Torques of a gear: the equilibrium of its links, and drag of links and open shift elements.
 
-It opposes motion, so it takes power. A link is braked against its rotation; an open
-element brakes its links against each other, with equal and opposite torques. Torques
-are in units of the input torque, which is below 0 when coasting; so there drag has the
-other sign, and what it takes is below 0, like all losses.
+Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
+brakes its links against each other, with equal and opposite torques. Torques are in units of the
+input torque, which is negative when coasting. There drag has the other sign, and the power that it
+takes is negative, like all losses.
 """
 
 from __future__ import annotations
@@ -22,19 +22,20 @@ from vstatics.core.statics.matrix import Column
 from vstatics.core.statics.speeds import is_tie
 
 NOTHING: Mapping[int, Number] = MappingProxyType({})
+"""Empty mapping of torques."""
 
 
 class Drag(NamedTuple):
-    """The drag of a gear, known from its speeds."""
+    """Drag of a gear, known from the speeds."""
 
     links: Mapping[int, Number] = NOTHING
-    """Link -> external torque of its own drag. [-]"""
+    """External torque of each link's own drag, by link number. [-]"""
     elements: Mapping[int, Number] = NOTHING
-    """Index of an open element -> torque on its first link. [-]"""
+    """Torque on the first link of each open shift element that drags, by index. [-]"""
     external: Mapping[int, Number] = NOTHING
-    """Link -> external torque of all drag, that of open elements too. [-]"""
+    """External torque of all drag by link number, including open shift elements. [-]"""
     losses: Sequence[Number] = ()
-    """Power that each of them takes. [-]"""
+    """Power that each link and each shift element loses to drag. [-]"""
 
 
 NO_DRAG = Drag()
@@ -43,14 +44,14 @@ NO_DRAG = Drag()
 def drag_torques(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> Drag:
-    """The drag of a gear at its speeds; none where a speed is 0 or not determined.
+    """Return the drag of a gear; no drag at speeds that are 0 or indeterminate.
 
     Parameters
     ----------
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        The gear with the freewheels that hold among the engaged shift elements.
     speeds, slips : sequence of Number
-        By link, by shift element. [-]
+        Speed of each link, slip of each shift element. [-]
 
     Examples
     --------
@@ -59,7 +60,7 @@ def drag_torques(
     >>> drag_torques(case, case.gears[0], [1.0, -0.25], [])[2:]
     ({2: 0.1}, [0.025])
     """
-    torques, of_links = _open(case, gear), case.gear_drag(gear)
+    torques, of_links = _drag_of_open_elements(case, gear), case.gear_drag(gear)
     if not of_links and not torques:
         return NO_DRAG
     direction = -1 if case.coasts(gear) else 1
@@ -87,8 +88,7 @@ def drag_torques(
     return Drag(links, elements, external, losses)
 
 
-def _open(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Number -> drag of each open element that has any."""
+def _drag_of_open_elements(case: Transmission, gear: Gear) -> dict[int, float]:
     return {
         number: matrix.given_torque(case, gear, torque)
         for number, torque in case.gear_open_drag(gear).items()
@@ -99,14 +99,14 @@ def _open(case: Transmission, gear: Gear) -> dict[int, float]:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements whose drag has no speed; of one case.
+    """Return the names of links and open shift elements whose drag has no speed.
 
-    A law that is 0 at rest stands as an `OfLoad` of 0, so such a number counts as well.
+    A law that is 0 at rest is an `OfLoad` of 0, so such a number counts as drag.
     """
 
     def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:
-        dragging = (number for number, drag in drags.items() if drag or isinstance(drag, OfLoad))
-        return [number for number in dragging if not _is(values, number)]
+        with_drag = (number for number, drag in drags.items() if drag or isinstance(drag, OfLoad))
+        return [number for number in with_drag if is_nan(values[number - 1])]
 
     links = unknown(case.gear_drag(gear), speeds)
     elements = unknown(case.gear_open_drag(gear), slips)
@@ -116,18 +116,13 @@ def unknown_drag(
     ]
 
 
-def _is(values: Sequence[Number], number: int) -> bool:
-    """Whether a value exists."""
-    return values[number - 1] == values[number - 1]
-
-
 def _direction(speed: Number) -> Number:
-    """+1 forward, -1 backward; 0 where it stands, or where that is not determined."""
+    """Return +1 forward, -1 backward; 0 if at rest or indeterminate."""
     return 0.0 if is_nan(speed) else sign(speed)
 
 
 def without_load(case: Transmission) -> list[str]:
-    """Names of what has a drag with a unit that no torque of a load relates to the input's.
+    """Return the names of links and shift elements whose drag has a unit that needs a load.
 
     Examples
     --------
@@ -150,35 +145,38 @@ def without_load(case: Transmission) -> list[str]:
     ]
 
 
-def times(one: Number, other: Number) -> Number:
-    """A product, 0 where one of the two is 0, even if the other does not exist."""
-    return 0.0 if one == 0 or other == 0 else one * other
+def times(first: Number, second: Number) -> Number:
+    """Return a product, 0 if any factor is 0 even if the second factor is NaN."""
+    return 0.0 if first == 0 or second == 0 else first * second
 
 
 Shares = Mapping[int, Number]
-"""Index of a device -> its share in a sum."""
+"""Share of each device in a sum, by index."""
 
 
 class Torques(NamedTuple):
-    """The torques of a gear. NaN: no single value."""
+    """Torques of a gear; NaN if not unique."""
 
     on_first_link: list[Number]
-    """By device: on its first link, that of drag alone on an element that is not engaged;
-    then the output torque. [-]"""
+    """Torque on the first link of each device, then the output torque. [-]
+
+    A shift element that is not engaged has the torque of its drag.
+    """
     holding: dict[int, Number]
-    """Link -> external torque that holds its given speed. [-]"""
+    """External torque that holds a given speed, by link number. [-]"""
     consistent: bool
-    """There is an equilibrium."""
+    """True if there is an equilibrium."""
     certain: bool = True
-    """Rounding leaves digits of what they are made from."""
+    """True if rounding leaves digits of the pivots."""
     of_columns: list[Number] | None = None
-    """See `factors`, where these are others."""
+    """Values of `factors` if they differ from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:
-        """By device [-]: what its column is multiplied with.
+        """Factor of each device's column [-].
 
-        That is the torque on its first link, but of a variator minus that on its second link.
+        The factor is the torque on the first link; for a variator it is minus the torque on the
+        second link.
         """
         return self.on_first_link if self.of_columns is None else self.of_columns
 
@@ -191,14 +189,14 @@ def solve_torques(
     Parameters
     ----------
     columns : sequence of Column
-        Of the structural-distribution matrix, with or without losses.
+        Columns of the structural-distribution matrix, with or without losses.
     drag : Drag
-        What drags, and with which torques.
+        Known drag torques.
     """
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
     rows = matrix.torque_rows(case, gear, columns, drag.external)
-    solution, certain = elimination.solve_told(rows, len(devices) + 1 + len(held))
+    solution, certain = elimination.solve_with_certainty(rows, len(devices) + 1 + len(held))
     on_first_link: list[Number] = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
     for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
         on_first_link[device] = torque
@@ -207,29 +205,31 @@ def solve_torques(
             on_first_link[device] = torque
     holding = dict(zip(held, solution.values[len(devices) + 1 :], strict=True))
     factors = None
-    for device, one in enumerate(case.mechanisms, len(case.shift_elements)):
-        if one.kind == "variator":
+    for device, mechanism in enumerate(case.mechanisms, len(case.shift_elements)):
+        if mechanism.kind == "variator":
             factors = factors or list(on_first_link)
-            on_first_link[device] = times(factors[device], matrix.value(columns[device][one.first]))
+            on_first_link[device] = times(
+                factors[device], matrix.value(columns[device][mechanism.first])
+            )
     return Torques(on_first_link, holding, solution.consistent, certain, factors)
 
 
 def solve_sums(
     case: Transmission, gear: Gear, columns: Sequence[Column], sums: Sequence[Shares], drag: Drag
 ) -> list[Number]:
-    """Sums of torques of devices, which may be determined where the torques are not.
+    """Return sums of torques of devices, which can be unique even if the torques are not.
 
     Parameters
     ----------
     columns, drag
         See `solve_torques`.
     sums : sequence of mapping
-        For each sum, the share of the torques on the first links of some devices. [-]
+        Shares of the torques on the first links of devices, for each sum. [-]
 
     Returns
     -------
     list of Number
-        NaN where there is no single value. [-]
+        Value of each sum, NaN if not unique. [-]
 
     Examples
     --------
@@ -244,8 +244,8 @@ def solve_sums(
     unknowns = {device: n for n, device in enumerate(matrix.loaded_devices(case, gear))}
     rows = matrix.torque_rows(case, gear, columns, drag.external)
     size = len(unknowns) + 1 + len(matrix.held_links(case, gear))
-    asked = [
-        {unknowns[device]: share for device, share in one.items() if device in unknowns}
-        for one in sums
+    sums_of_unknowns = [
+        {unknowns[device]: share for device, share in sum_.items() if device in unknowns}
+        for sum_ in sums
     ]
-    return elimination.solve(rows, size, asked).values[size:]
+    return elimination.solve(rows, size, sums_of_unknowns).values[size:]

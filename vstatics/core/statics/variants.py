@@ -1,4 +1,4 @@
-"""Variants of a case: each gear by its plans, into arrays made for all of them."""
+"""Variants of a case: each gear is calculated by its plans, into arrays for all variants."""
 
 from __future__ import annotations
 
@@ -29,28 +29,33 @@ from vstatics.core.statics.result_arrays import ARRAYS, row_counts
 from vstatics.core.statics.state import flat, guard_power, values_of
 
 REMEMBERED = 256
-"""Gears whose plans are kept for calls to come."""
+"""Number of gears whose plans are kept for later calls."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
+"""Arrays that are NaN unless a speed is given."""
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
+"""Number of a mechanism that varies in a gear."""
 OfGear = Literal["speeds", "torques", "drag", "open_drag", "speed_ratios"]
+"""Mapping of a gear whose numbers vary."""
 
 
 class GearNumber(NamedTuple):
-    """A number that varies in one gear."""
+    """Number that varies in a gear."""
 
     quantity: OfMechanism | OfGear
     owner: int
-    """The index of a mechanism; the number of a link, or of a shift element."""
+    """Index of the mechanism, or number of the link or shift element."""
 
 
 GearNumbers = Mapping[GearNumber, Floats]
-"""Of shape (variants,), speeds and torques relative to those of the input [-]. Where a plain
-number stands for the gear, it must have one there."""
+"""Arrays of shape (variants,); speeds and torques are relative to the input [-].
+
+If the case fixes a gear's number, the gear must have a number there.
+"""
 
 
 def solve_variants(
@@ -60,58 +65,63 @@ def solve_variants(
     variants: int,
     by_gear: Sequence[GearNumbers] = (),
 ) -> dict[str, Any]:
-    """The arrays of `Results`, with the variants as first axis.
+    """Return the arrays of `Results`, with the variants as first axis.
 
     Parameters
     ----------
     ratios, efficiencies : ndarray, shape (variants, mechanisms), optional
-        The case's own where not given. [-]
+        Numbers of the mechanisms. Default: the numbers of the case. [-]
     variants : int
-        Their number.
+        Number of variants.
     by_gear : sequence of mapping
-        What varies in each gear alone, nothing in any where not given.
+        Numbers that vary in one gear only, for each gear; empty if there are none.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = row_counts(case)
     held = any(gear.speeds for gear in case.gears)
     block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, held=held))
     names = tuple(block.forms)
-    structure = (*_structure(case), tuple(fixed), names)
+    structure = (*_case_key(case), tuple(fixed), names)
     for number, (given, rows) in enumerate(zip(case.gears, block.gears, strict=True)):
         gear = case.with_all_drag(given)
         if variants:
-            own = _own(by_gear[number]) if by_gear else NOTHING_OWN
-            rest = own.left_out_of(gear) if by_gear else gear
-            key = (*structure, *own.key, *_conditions(case, rest))
-            numbers = prepared(np.vstack([inputs.values, *own.rows])) if own.rows else inputs
-            function = partial(_function, case, gear, fixed, names, own)
+            gear_inputs = _gear_inputs(by_gear[number]) if by_gear else NO_GEAR_INPUTS
+            fixed_part = gear_inputs.left_out_of(gear) if by_gear else gear
+            key = (*structure, *gear_inputs.key, *_gear_key(case, fixed_part))
+            numbers = (
+                prepared(np.vstack([inputs.values, *gear_inputs.rows]))
+                if gear_inputs.rows
+                else inputs
+            )
+            function = partial(_function, case, gear, fixed, names, gear_inputs)
             _remembered(key, function).run(numbers, rows)
     tables = memory.shown(block)
-    found = {}
+    arrays = {}
     for name, width in counts.items():
         table = tables.get(name)
         if table is None:
-            found[name] = _nothing(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
+            arrays[name] = _placeholder(ARRAYS[name].dtype, (variants, len(case.gears), width or 0))
         else:
-            found[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
-    return found
+            arrays[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
+    return arrays
 
 
 def _inputs(
     case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
 ) -> tuple[list[float | None], Inputs]:
-    """What is fixed, None for what varies; and the numbers that vary.
+    """Return the fixed numbers and the varying numbers.
 
-    A single case has nothing fixed, so that its plans suit others of its structure.
+    Fixed numbers are None where they vary. A single case has no fixed numbers, so that its plans
+    suit other cases of its structure.
     """
     mechanisms = case.mechanisms
-    # every gear has a ratio of its own where a mechanism has none, NaN
-    own = [0.0 if math.isnan(one.ratio) else one.ratio for one in mechanisms]
-    own += [one.efficiency for one in mechanisms]
+    # A ratio of NaN is given by every gear separately.
+    defaults = [0.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
+    defaults += [mechanism.efficiency for mechanism in mechanisms]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []
     varied = []
-    for number, column in zip(own, given, strict=True):
+    for number, column in zip(defaults, given, strict=True):
         if variants > 1 and (
             column is None or bool((column[:9] == number).all() and (column == number).all())
         ):
@@ -125,8 +135,8 @@ def _inputs(
     return fixed, prepared(values)
 
 
-class _GearsOwn(NamedTuple):
-    """The numbers of one gear: inputs of its plans, and what is the same in all variants."""
+class _GearInputs(NamedTuple):
+    """Numbers of a gear: inputs of plans, and numbers that are equal in all variants."""
 
     places: tuple[GearNumber, ...] = ()
     rows: Sequence[Floats] = ()
@@ -134,20 +144,20 @@ class _GearsOwn(NamedTuple):
 
     @property
     def key(self) -> tuple[Hashable, ...]:
-        """What plans are known by."""
+        """Part of the key under which plans are stored."""
         return (self.places, self.constants) if self.places or self.constants else ()
 
     def left_out_of(self, gear: Gear) -> Gear:
-        """The gear without the numbers that stand here."""
+        """Return the gear without the numbers that the inputs replace."""
         given = {*self.places, *(place for place, _ in self.constants)}
         for quantity in {place.quantity for place in given} - {*OF_MECHANISMS}:
             others = getattr(gear, quantity).items()
-            kept: Any = {owner: v for owner, v in others if (quantity, owner) not in given}
-            gear = gear._replace(**{quantity: kept})
+            remaining: Any = {owner: v for owner, v in others if (quantity, owner) not in given}
+            gear = gear._replace(**{quantity: remaining})
         return gear
 
     def put(self, gear: Gear, ratios: list[Any], efficiencies: list[Any], numbers: Any) -> Gear:
-        """The gear with these numbers; those of mechanisms are put in their places."""
+        """Return the gear with the given numbers; replace ratios and efficiencies in place."""
         maps: dict[str, Any] = {}
         given = dict([*self.constants, *zip(self.places, numbers, strict=True)])
         for (quantity, owner), number in given.items():
@@ -156,8 +166,10 @@ class _GearsOwn(NamedTuple):
             elif quantity == "efficiency":
                 efficiencies[owner] = number
             elif quantity != "back_efficiency":
-                own = maps.setdefault(quantity, dict(getattr(gear, quantity)))
-                own[owner] = OfLoad(number, 1.0) if isinstance(number, float) else number
+                numbers_of_gear = maps.setdefault(quantity, dict(getattr(gear, quantity)))
+                numbers_of_gear[owner] = (
+                    OfLoad(number, 1.0) if isinstance(number, float) else number
+                )
         for (quantity, owner), number in given.items():
             if quantity == "back_efficiency":
                 efficiencies[owner] = Efficiency(efficiencies[owner], number)
@@ -166,11 +178,11 @@ class _GearsOwn(NamedTuple):
 
 OF_MECHANISMS: tuple[OfMechanism, ...] = get_args(OfMechanism)
 OF_GEAR: tuple[OfGear, ...] = get_args(OfGear)
-NOTHING_OWN = _GearsOwn()
+NO_GEAR_INPUTS = _GearInputs()
 
 
-def _own(columns: GearNumbers) -> _GearsOwn:
-    """What varies of the numbers of a gear, and what does not."""
+def _gear_inputs(columns: GearNumbers) -> _GearInputs:
+    """Split the numbers of a gear into inputs that vary and constants."""
     places, rows, constants = [], [], []
     for place, column in columns.items():
         if column.size > 1 and bool((column == column[0]).all()):
@@ -178,11 +190,10 @@ def _own(columns: GearNumbers) -> _GearsOwn:
         else:
             places.append(place)
             rows.append(column)
-    return _GearsOwn(tuple(places), rows, tuple(constants))
+    return _GearInputs(tuple(places), rows, tuple(constants))
 
 
 def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
-    """The numbers of each mechanism, None where none are given."""
     return [None] * mechanisms if given is None else list(given.T)
 
 
@@ -190,10 +201,9 @@ def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
 def _forms(
     counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, *, held: bool
 ) -> dict[str, Form]:
-    """The tables for the arrays of `Results`, those of the largest type first.
+    """Return the tables for the arrays of `Results`, largest type first.
 
-    Arrays without rows need no memory, nor do holding torques where no speed is given
-    (`held`).
+    Arrays without rows need no memory, nor do holding torques unless a speed is given (`held`).
     """
     forms = {
         name: Form((gears, 1 if width is None else width, variants), ARRAYS[name].dtype)
@@ -204,8 +214,8 @@ def _forms(
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _nothing(kind: type, shape: tuple[int, ...]) -> Any:
-    """An array that says nothing, to read; it takes no memory."""
+def _placeholder(kind: type, shape: tuple[int, ...]) -> Any:
+    """Return a read-only array of NaN that takes no memory."""
     return np.broadcast_to(kind(np.nan), shape)
 
 
@@ -224,7 +234,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance"}),
 }
-"""Fields that no result depends on; a drawing acts through its devices, a load by its sign."""
+"""Fields on which no result depends; a drawing acts by devices, a load by sign."""
 
 
 def _kept(part: type, fields: Iterable[str], *left_out: str) -> Callable[[Any], tuple[Any, ...]]:
@@ -238,18 +248,18 @@ _OF_CASE = _kept(
     *("shift_elements", "mechanisms", "springs", "gears", "drag"),
 )
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
-"""Drag acts through the gears, see `Transmission.with_all_drag`."""
+"""Fields of a shift element in the key; drag acts by the gears (`Transmission.with_all_drag`)."""
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
-"""The numbers that are left out may vary: a plan takes them as its inputs."""
+"""Fields of a mechanism in the key; the numbers left out are inputs of a plan."""
 _OF_SPRING = _kept(Spring, Spring._fields)
 _OF_GEAR = _kept(Gear, Gear._fields)
 
 
-def _structure(case: Transmission) -> tuple[Hashable, ...]:
-    """All that the gears of a case have in common, without the numbers that may vary.
+def _case_key(case: Transmission) -> tuple[Hashable, ...]:
+    """Return the part of the key that all gears share, without numbers that can vary.
 
-    Made from all fields but a few, so that a new one is never forgotten: plans of another
-    case would give its numbers without a sound.
+    The key is built from all fields but a few, so that a new field cannot be forgotten: plans of
+    another case would silently return its numbers.
     """
     elements = tuple(map(_OF_ELEMENT, case.shift_elements))
     mechanisms = tuple(map(_OF_MECHANISM, case.mechanisms))
@@ -258,16 +268,16 @@ def _structure(case: Transmission) -> tuple[Hashable, ...]:
     return (*_OF_CASE(case), case.own_links, elements, mechanisms, springs, drawn)
 
 
-def _conditions(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """What a gear has of its own."""
-    own = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
+def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """Return the part of the key that belongs to a gear."""
+    fields_of_gear = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)
-    return (*own, *ends, turned, case.coasts(gear), *_loads(case, gear))
+    return (*fields_of_gear, *ends, turned, case.coasts(gear), *_torque_key(case, gear))
 
 
-def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """Which given torques act where the input has none; nothing where it has one."""
+def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
+    """Return the given torques that act without an input torque; empty with an input torque."""
     if case.input_torque(gear):
         return ()
     by_part = gear.torques, gear.drag, gear.open_drag
@@ -276,10 +286,10 @@ def _loads(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
-    """The plans of a gear; gears that differ only in numbers that vary have the same."""
+    """Return the plans of a gear, stored under a key without the numbers that vary."""
     with _lock:
         plans = _plans.pop(key, None) or Plans(function())
-        _plans[key] = plans  # the latest stand last
+        _plans[key] = plans  # the latest plans are last
         while len(_plans) > REMEMBERED:
             del _plans[next(iter(_plans))]
     return plans
@@ -290,16 +300,15 @@ def _function(
     gear: Gear,
     fixed: Sequence[float | None],
     names: Sequence[str],
-    own: _GearsOwn,
+    gear_inputs: _GearInputs,
 ) -> Function:
-    """The calculation of a gear from the numbers that vary."""
     count = len(case.mechanisms)
 
     def calculate(numbers: Sequence[Number]) -> list[Number | Residual | Condition]:
         varied = iter(numbers)
         given: list[Any] = [next(varied) if number is None else number for number in fixed]
         ratios, efficiencies = given[:count], given[count:]
-        changed = own.put(gear, ratios, efficiencies, varied)
+        changed = gear_inputs.put(gear, ratios, efficiencies, varied)
         state = find_state(case, changed, ratios, efficiencies)
         values = values_of(state)
         guard_power(state)

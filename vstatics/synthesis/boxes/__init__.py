@@ -1,7 +1,8 @@
-"""Whole gearboxes for wanted ratios: schemes, shift elements, gears and ratios at once.
+"""Complete gearboxes for wanted ratios: schemes, shift elements, gears and ratios at once.
 
-`box` says what is asked for. `schemes` has the schemes, `search` finds the boxes in them, in
-`batches` that can be done apart. A found box has a case and `figures` (with its `chosen_gears`),
-and a `least_form`; `choice` puts boxes in order, by `grouping`, and is the whole search in
-Python. `tables` and `listing` tell of them; `reading` reads a listing back.
+`box` describes the request and a result. `schemes` generates the schemes, and `search` finds the
+gearboxes of a scheme, in `batches` that can be searched separately. A found gearbox has a case and
+`figures` (with its `chosen_gears`), and a `least_form`. `choice` orders gearboxes, by `grouping`,
+and contains the whole search in Python. `tables` and `listing` present the results; `reading` reads
+a listing back.
 """

@@ -1,4 +1,4 @@
-"""A box to be found: what is asked for, what can be, what a found one is."""
+"""Request for gearboxes, its limits, and the record of a found gearbox."""
 
 from __future__ import annotations
 
@@ -13,87 +13,90 @@ if TYPE_CHECKING:
     from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
-"""The second link of a brake."""
+"""Second link of a brake."""
 EFFICIENCY = 0.98
-"""Of each set with its carrier held, where nothing is said."""
+"""Default basic efficiency of each gear set (carrier held). [-]"""
 
 
 class KeptParts(NamedTuple):
-    """What boxes have of a gearbox that there is."""
+    """Parts of an existing gearbox that found gearboxes retain."""
 
     scheme: SetScheme
     meshed: tuple[bool, ...]
-    """Whether a set has meshed planets."""
+    """True for each set with meshed planets, shape (sets,)."""
     held: int | None
-    """The link that is held for good."""
+    """Permanently held link of the scheme, if any."""
     input: int
     output: int
     elements: tuple[tuple[int, int], ...]
-    """As those of a `FoundBox`."""
+    """Shift elements, as in `FoundBox`."""
     free: int
-    """So many of them may be missing."""
+    """Largest number of shift elements that can be missing."""
 
 
 class WantedSequence(NamedTuple):
-    """Forward gears that a box is to have, whatever their ratios are."""
+    """Forward gears that are not given by ratios but by number, spread and steps."""
 
     least: int
-    """So many at least."""
+    """Smallest number of gears."""
     most: int
+    """Largest number of gears."""
     spread: tuple[float, float]
-    """Between which the ratio of the first over that of the last is. [-]"""
+    """Range of the first ratio divided by the last. [-]"""
     steps: tuple[float, float]
-    """Between which that of each over that of the next one is. [-]"""
+    """Range of each ratio divided by the next. [-]"""
     falling: bool = False
-    """Whether no step is larger than the one below it."""
+    """True if no step can be larger than the step below."""
 
 
 class BoxSearch(NamedTuple):
-    """Which boxes are asked for.
+    """Request for gearboxes: numbers of parts, wanted ratios and tolerances.
 
     Examples
     --------
     >>> search = BoxSearch(2, 4, 2, (2.84, 1.57, 1, -2.21), own_input=True)
-    >>> search.links  # the input shaft is one more, number 4
+    >>> search.links  # the input shaft is a further link, number 4
     4
     """
 
     sets: int
+    """Number of planetary gear sets."""
     elements: int
-    """Brakes and clutches; each is engaged in a gear."""
+    """Number of brakes and clutches, each engaged in at least one gear."""
     engaged: int
-    """So many are engaged in every gear."""
+    """Number of shift elements engaged in every gear."""
     targets: tuple[float, ...]
     """Wanted ratios of the gears, all different. [-]"""
     bounds: tuple[float, float] = (1.4, 5.0)
-    """Least and largest ring teeth/sun teeth of a set. [-]"""
+    """Smallest and largest ring teeth/sun teeth of a set. [-]"""
     meshed: int = 0
-    """So many sets have meshed planets."""
+    """Number of sets with meshed planets."""
     own_input: bool = False
-    """Whether the input is a shaft that only clutches join."""
+    """True if the input is a separate shaft, connected by clutches only."""
     own_output: bool = False
-    """Whether the output is a shaft that only clutches join."""
+    """True if the output is a separate shaft, connected by clutches only."""
     shafts: int = 0
-    """So many further shafts no set has a member on: three elements or more join each."""
+    """Number of further shafts without a gear-set member, each connected to at least three
+    elements."""
     fixed: int = 0
-    """So many members are held for good; they are one more link of the scheme."""
+    """Number of permanently held members, which form an additional link of the scheme."""
     tolerance: float = 0.01
-    """A box is found if ratios of its sets leave no gear with a larger ``|ln(i/target)|``. [-]"""
+    """Largest ``|ln(i/target)|`` of the gears of a found gearbox. [-]"""
     tolerances: tuple[float, ...] = ()
-    """The same of each gear; `tolerance` of all where there are none. [-]"""
+    """Largest ``|ln(i/target)|`` of each gear; empty for `tolerance` everywhere. [-]"""
     brake_counts: tuple[int, ...] | None = None
-    """It has one of these numbers of them; None for any."""
+    """Allowed numbers of brakes; any number if not given."""
     singly: bool = False
-    """Whether only such are looked for in which one element may change between neighbours."""
+    """True if only gearboxes with a possible single shift between neighbours are searched."""
 
     sequence: WantedSequence | None = None
-    """Gears besides the targets."""
+    """Gears in addition to the targets."""
     kept: KeptParts | None = None
-    """What all boxes have in common with one that there is."""
+    """Parts retained from an existing gearbox."""
 
     @property
     def widths(self) -> tuple[float, ...]:
-        """The largest ``|ln(i/target)|`` of each gear [-].
+        """Largest ``|ln(i/target)|`` of each gear [-].
 
         >>> BoxSearch(2, 4, 2, (2.84, 1.57)).widths
         (0.01, 0.01)
@@ -102,32 +105,32 @@ class BoxSearch(NamedTuple):
 
     @property
     def links(self) -> int:
-        """Links of the scheme of its sets; the one that is held for good is among them."""
+        """Number of links of the scheme, including the held link."""
         return self.moving - self.own_input - self.own_output - self.shafts + bool(self.fixed)
 
     @property
     def moving(self) -> int:
-        """Links that can turn, those that have no member of a set among them."""
+        """Number of links that can rotate, including shafts without a gear-set member."""
         return self.sets + self.engaged + 1
 
     @property
     def input(self) -> int | None:
-        """The number of an input shaft of its own, next to the links of the scheme."""
+        """Number of a separate input shaft, which follows the links of the scheme."""
         return self.links if self.own_input else None
 
     @property
     def output(self) -> int | None:
-        """The number of an output shaft of its own, next to that."""
+        """Number of a separate output shaft, after a separate input shaft."""
         return self.links + self.own_input if self.own_output else None
 
     @property
     def may_be_in_parts(self) -> bool:
-        """Whether only elements may join some of its sets, as in Lepelletier's gearbox."""
+        """True if some sets can be connected by shift elements only, as by Lepelletier."""
         return bool(self.fixed) and not self.shafts
 
 
 class FoundBox(NamedTuple):
-    """A scheme with ports and shift elements, with the ratios that fit best.
+    """Scheme with ports and shift elements, with the best-fitting ratios.
 
     Examples
     --------
@@ -140,64 +143,66 @@ class FoundBox(NamedTuple):
 
     scheme: SetScheme
     held: int | None
-    """The link of the scheme that is held for good."""
+    """Permanently held link of the scheme, if any."""
     input: int
-    """A link of the scheme; after them are numbered an input shaft of its own, such an output
-    shaft, and further shafts."""
+    """Input link. Separate shafts follow the links of the scheme: input, output, further shafts."""
     output: int
+    """Output link."""
     elements: tuple[tuple[int, int], ...]
-    """Two links that a clutch joins; a link and `HELD` of a brake. Brakes stand first."""
+    """Two links of each clutch, or a link and `HELD` for a brake; brakes first."""
     ratios: tuple[float, ...]
-    """Internal ratio of each set, sun to ring with the carrier held: above 0 where its planets
-    are meshed. [-]"""
+    """Basic ratio of each set, sun to ring with the carrier held; positive with meshed planets.
+    [-]"""
     gears: tuple[tuple[int, ...], ...]
-    """For each target the elements engaged, numbers in `elements` from 0."""
+    """Engaged elements in each target's gear, as indices into `elements`."""
     error: float
-    """The largest ``|ln(i/target)|``. [-]"""
+    """Largest ``|ln(i/target)|``. [-]"""
 
     @property
     def links(self) -> int:
-        """Links of the scheme and shafts without a member of a set, which elements join all."""
+        """Number of links, including shafts connected by shift elements only."""
         ends = chain(*self.elements)
-        return max(self.scheme.links, self.input + 1, self.output + 1, *(one + 1 for one in ends))
+        return max(self.scheme.links, self.input + 1, self.output + 1, *(link + 1 for link in ends))
 
     @property
     def brakes(self) -> list[tuple[int, int]]:
-        """Elements that hold a link."""
-        return [one for one in self.elements if one[1] == HELD]
+        """Shift elements that hold a link."""
+        return [element for element in self.elements if element[1] == HELD]
 
     @property
     def clutches(self) -> list[tuple[int, int]]:
-        """Elements that join two links."""
-        return [one for one in self.elements if one[1] != HELD]
+        """Shift elements that connect two links."""
+        return [element for element in self.elements if element[1] != HELD]
 
 
-LARGEST_RATIO = 1000.0
-"""Of ratios of gears, of their reciprocals, and of ring teeth/sun teeth. [-]"""
-ANY_QUOTIENT = (1.0, LARGEST_RATIO**2)
-"""Between which the ratio of a gear over that of a later one always is. [-]"""
+LARGEST_BOX_RATIO = 1000.0
+"""Upper limit of gear ratios, of reciprocal ratios, and of ring teeth/sun teeth. [-]"""
+ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
+"""Widest range of the ratio of a gear divided by the ratio of a later gear. [-]"""
 MOST_BOX_SETS = 5
-"""With more there are more schemes than can be looked at."""
+"""Largest number of gear sets; more sets have more schemes than can be examined."""
 SHAFT_ELEMENTS = 3
-"""So many join a shaft at least: two would be one clutch."""
+"""Smallest number of elements at a shaft; two elements would act as a single clutch."""
 MOST_LINKS = 10
-"""Moving links: their brakes and clutches are bits of a number."""
+"""Largest number of moving links; brakes and clutches between links are bits of an integer."""
 MOST_ELEMENTS = 12
+"""Largest number of shift elements."""
 MOST_SEQUENCE = 24
-"""Forward gears, where their ratios are not told."""
+"""Largest number of forward gears without given ratios."""
 MOST_TARGETS = 62
-"""They are bits of a number, one more for a sequence; no gearbox has so many gears."""
+"""Largest number of targets, which are bits of an integer with a spare bit for a sequence."""
 COARSEST = 0.5
-"""The largest tolerance. [-]"""
+"""Largest tolerance. [-]"""
 
 
 def check_box_search(search: BoxSearch) -> None:
-    """Refuse what can't be searched for.
+    """Refuse a search that cannot be carried out.
 
     Raises
     ------
     CaseError
-        With the name of an option as the path of each problem.
+        If a value is out of bounds or numbers are inconsistent; the path of each problem is the
+        name of an option.
 
     Examples
     --------
@@ -214,9 +219,10 @@ def check_box_search(search: BoxSearch) -> None:
 
 
 def engaged_range(search: BoxSearch) -> range:
-    """How many elements may be engaged with so many sets: connected ones have so many links.
+    """Return the possible numbers of engaged elements for a number of gear sets.
 
-    With a held link a scheme may be in parts, as in Lepelletier's gearbox: clutches join them.
+    A connected scheme has a limited number of links. With a held link a scheme can consist of parts
+    that only clutches connect, as in Lepelletier's gearbox.
 
     Examples
     --------
@@ -231,7 +237,7 @@ def engaged_range(search: BoxSearch) -> range:
 
 
 def elements_there(search: BoxSearch) -> tuple[int, int]:
-    """How many brakes and clutches there are to choose from.
+    """Return the numbers of available brakes and clutches.
 
     Examples
     --------
@@ -242,7 +248,7 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
 
 
 def fewest_elements(shafts: int) -> int:
-    """The fewest elements with which each of so many shafts has three; clutches may join two.
+    """Return the fewest elements that give each shaft three; a clutch can connect two shafts.
 
     >>> [fewest_elements(shafts) for shafts in range(5)]
     [0, 3, 5, 6, 6]
@@ -252,20 +258,19 @@ def fewest_elements(shafts: int) -> int:
 
 
 def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
-    """Problems of one number each."""
     sets = f"{search.sets} {plural('set', search.sets)}"
     if not 1 <= search.sets <= MOST_BOX_SETS:
         yield _problem("sets", f"read {search.sets}, expected 1 to {MOST_BOX_SETS}")
         return
-    for name, given in (("meshed", search.meshed), ("fixed", search.fixed)):
-        if not 0 <= given <= search.sets:
-            yield _problem(name, f"read {given}, expected 0 to {search.sets}, as there are {sets}")
+    for name, number in (("meshed", search.meshed), ("fixed", search.fixed)):
+        if not 0 <= number <= search.sets:
+            yield _problem(name, f"read {number}, expected 0 to {search.sets}, as there are {sets}")
     if not 0 <= search.shafts <= MOST_LINKS:
         yield _problem("shafts", f"read {search.shafts}, expected 0 to {MOST_LINKS}")
         return
     low, high = search.bounds
-    if not 1 < low < high <= LARGEST_RATIO:
-        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_RATIO:g}"
+    if not 1 < low < high <= LARGEST_BOX_RATIO:
+        expected = f"two numbers above 1, the larger one behind, up to {LARGEST_BOX_RATIO:g}"
         yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
     if not 0 < search.tolerance <= COARSEST:
         message = f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
@@ -273,7 +278,6 @@ def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
 
 
 def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
-    """Problems of the ratios of gears."""
     targets = search.targets
     if len(search.widths) != len(targets):
         message = f"read {len(search.tolerances)}, expected one for each of {len(targets)} gears"
@@ -287,15 +291,14 @@ def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
         yield _problem("ratios", f"read {len(targets)}, expected {MOST_TARGETS} at most")
         return
     for target in targets:
-        if not 1 / LARGEST_RATIO <= abs(target) <= LARGEST_RATIO:
-            sizes = f"{1 / LARGEST_RATIO:g} to {LARGEST_RATIO:g} in size, below 0 backward"
+        if not 1 / LARGEST_BOX_RATIO <= abs(target) <= LARGEST_BOX_RATIO:
+            sizes = f"{1 / LARGEST_BOX_RATIO:g} to {LARGEST_BOX_RATIO:g} in size, below 0 backward"
             yield _problem("ratios", f"read {target:g}, expected a ratio of {sizes}")
-    for target in sorted({one for one in targets if targets.count(one) > 1}):
+    for target in sorted({target for target in targets if targets.count(target) > 1}):
         yield _problem("ratios", f"read {target:g} twice, expected gears that differ")
 
 
 def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
-    """Problems of gears whose ratios are not told."""
     if wanted is None:
         return
     if not 2 <= wanted.least <= wanted.most <= MOST_SEQUENCE:
@@ -310,7 +313,6 @@ def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
 
 
 def _of_counts(search: BoxSearch) -> Iterator[Problem]:
-    """Problems of numbers that do not go together."""
     engaged, elements, gears = search.engaged, search.elements, len(search.targets)
     fewest, sequence = gears, search.sequence
     if sequence is not None:
@@ -354,7 +356,7 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
 
 
 def _with(search: BoxSearch) -> str:
-    """What leaves more to be engaged, or less, beside the number of sets."""
+    """Describe the settings other than the number of sets that affect the engaged elements."""
     ports = (("input", search.own_input), ("output", search.own_output))
     given = [f"an {name} shaft of its own" for name, is_own in ports if is_own]
     if search.shafts:

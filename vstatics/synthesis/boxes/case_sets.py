@@ -1,4 +1,4 @@
-"""Groups of planets on one carrier as the sets that a search for boxes knows them by."""
+"""Planet groups on a common carrier, converted to planetary sets for the gearbox search."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.model.parts import Mechanism
 
 GROUP = "planet_group"
-"""The kind of an element whose wheels may be told in pairs of one's own choice."""
+"""Kind of a gear set whose toothed gears can be paired freely."""
 
 
 def case_mechanisms(own: OwnLinks) -> list[Mechanism]:
-    """The mechanisms of a case, those of a group of planets by the wheel that suits best.
+    """Return the mechanisms of a case, with planet groups paired by the most suitable gear.
 
-    Of a group with three wheels two pairs tell the speeds, and any wheel may be in both. It is that
-    with which the ratios are farthest from 1: two rings beside a sun are a pair each with the sun,
-    and not one of the rings.
+    In a group with three toothed gears, two pairs determine the speeds, and any gear can be in both
+    pairs. The chosen gear gives ratios farthest from 1: two ring gears and a sun gear become two
+    pairs with the sun.
 
     Examples
     --------
@@ -29,26 +29,26 @@ def case_mechanisms(own: OwnLinks) -> list[Mechanism]:
     >>> [round(one.ratio, 3) for one in case_mechanisms(own)[:2]]
     [-2.048, 2.619]
     """
-    found: list[Mechanism] = []
+    mechanisms: list[Mechanism] = []
     at = 0
     for part in own.parts:
         pairs = own.case.mechanisms[at : at + len(part.lowered)]
         at += len(pairs)
         is_group = part.element is not None and part.element.kind == GROUP
-        found += _by_best_wheel(pairs) if is_group and len(pairs) > 1 else pairs
-    return found
+        mechanisms += _by_best_wheel(pairs) if is_group and len(pairs) > 1 else pairs
+    return mechanisms
 
 
 def _by_best_wheel(pairs: Sequence[Mechanism]) -> Sequence[Mechanism]:
-    """All wheels in pairs with one of them; as they are if they are on several carriers."""
-    speeds = {pairs[0].first: 1.0}  # against the carrier
+    """Pair all gears with the best gear; leave pairs on several carriers unchanged."""
+    speeds = {pairs[0].first: 1.0}  # relative to the carrier
     for _ in pairs:
-        for one in pairs:
-            if one.first in speeds:
-                speeds[one.second] = speeds[one.first] / one.ratio
-            elif one.second in speeds:
-                speeds[one.first] = speeds[one.second] * one.ratio
-    if len(speeds) != len(pairs) + 1 or len({one.third for one in pairs}) > 1:
+        for pair in pairs:
+            if pair.first in speeds:
+                speeds[pair.second] = speeds[pair.first] / pair.ratio
+            elif pair.second in speeds:
+                speeds[pair.first] = speeds[pair.second] * pair.ratio
+    if len(speeds) != len(pairs) + 1 or len({pair.third for pair in pairs}) > 1:
         return pairs
 
     def distance(wheel: int) -> float:
@@ -58,6 +58,6 @@ def _by_best_wheel(pairs: Sequence[Mechanism]) -> Sequence[Mechanism]:
     best = max(speeds, key=distance)
     others = [link for link in speeds if link != best]
     return [
-        one._replace(first=best, second=link, ratio=speeds[best] / speeds[link])
-        for one, link in zip(pairs, others, strict=True)
+        pair._replace(first=best, second=link, ratio=speeds[best] / speeds[link])
+        for pair, link in zip(pairs, others, strict=True)
     ]

@@ -1,4 +1,4 @@
-"""Found boxes side by side: those wanted, their order, families, the Pareto list."""
+"""Comparison of found gearboxes: filter, order, families and Pareto list."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ from vstatics.synthesis.boxes.grouping import core_of, families, numbered, paret
 from vstatics.synthesis.boxes.least_form import identity
 
 NO_RATIO = 1e9
-"""In place of a gear that a box has not. [-]"""
+"""Ratio that stands for a missing gear, larger than any ratio. [-]"""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
-"""The figures by which boxes stand in order."""
+"""Figures that order gearboxes by default."""
 
 
 class RankedBox(NamedTuple):
-    """A found box in its place."""
+    """Found gearbox with family, core and Pareto rank."""
 
     found: MeasuredBox
     family: int
-    """A number from 1; boxes of one family have equal ratios in all gears."""
+    """Number of the family, from 1; gearboxes of a family have equal ratios in all gears."""
     core: int
-    """A number from 1; boxes of one core differ, in one family, by their clutches alone."""
+    """Number of the core, from 1; gearboxes of a family and core differ by clutches alone."""
     pareto: bool
-    """Whether no other is better in one figure of the Pareto list and not worse in the others."""
+    """True if every other gearbox is worse or equal in some figure of the Pareto list."""
 
 
 def ranked(
@@ -45,11 +45,11 @@ def ranked(
     wanted: BoxFilter,
     by: BoxOrder = USUAL,
 ) -> tuple[RankedBox, ...]:
-    """The boxes that are wanted, each once, in their order.
+    """Return the wanted gearboxes in order, each once.
 
-    First by the figures that are asked for, then as usual: errors within the tolerance count as
-    equal, then by mean loss, largest torque, number of clutches, planet speed and code. Families
-    and cores are numbered as they come.
+    Gearboxes are ordered by the requested figures, then by error (errors within the tolerance count
+    as equal), mean loss, largest torque, number of clutches, planet speed and code. Families and
+    cores are numbered in this order.
 
     Parameters
     ----------
@@ -57,13 +57,14 @@ def ranked(
     boxes : iterable of MeasuredBox
         In any order.
     wanted : BoxFilter
+        Conditions on the gearboxes.
     by : BoxOrder
-        As usual when not given.
+        Requested figures; by default the usual order.
 
     Raises
     ------
     CaseError
-        If a figure is none.
+        If the name of a figure is unknown.
 
     Examples
     --------
@@ -80,35 +81,36 @@ def ranked(
     [((0, 1), 1, 1, True), ((0, 2), 1, 1, True), ((1, 2), 1, 1, True)]
     """
     by.check()
-    there = (box for box in boxes if box.figures.error < math.inf)
-    chosen = list(_each_once(box for box in there if wanted.lets(box)))
+    possible = (box for box in boxes if box.figures.error < math.inf)
+    chosen = list(_each_once(box for box in possible if wanted.lets(box)))
     if not chosen:
         return ()
     figures = {name: np.array([box.figures.number(name) for box in chosen]) for name in FIGURES}
-    own = {name: places(values) for name, values in figures.items()}
+    ranks = {name: places(values) for name, values in figures.items()}
     errors = figures["error"]
     within = errors <= max(search.widths, default=search.tolerance) * (1 + SAME_RATIO)
-    usual = own | {"error": places(np.where(within, 0.0, errors))}
-    keys = [own[name].tolist() for name in by.sort] + [usual[name].tolist() for name in ORDER]
+    usual = ranks | {"error": places(np.where(within, 0.0, errors))}
+    keys = [ranks[name].tolist() for name in by.sort] + [usual[name].tolist() for name in ORDER]
     names = [identity(box.box) for box in chosen]
     rows = [row for *_, row in sorted(zip(*keys, names, range(len(chosen)), strict=True))]
     family = families(_ratios([chosen[row] for row in rows]))
     cores = numbered(
         (number, core_of(chosen[row].box)) for number, row in zip(family, rows, strict=True)
     )
-    best = pareto(np.array([own[name] for name in by.pareto]).T[rows]).tolist()
+    best = pareto(np.array([ranks[name] for name in by.pareto]).T[rows]).tolist()
     return tuple(
-        RankedBox(chosen[row], *one) for row, *one in zip(rows, family, cores, best, strict=True)
+        RankedBox(chosen[row], *place)
+        for row, *place in zip(rows, family, cores, best, strict=True)
     )
 
 
 def family_count(boxes: Iterable[RankedBox]) -> int:
-    """The number of families among boxes."""
+    """Return the number of families among gearboxes."""
     return len({box.family for box in boxes})
 
 
 def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
-    """Of those that are one up to renaming that with the least error."""
+    """Return the gearbox with the least error of each group that is equal up to renaming."""
     best: dict[tuple[Any, ...], MeasuredBox] = {}
     for box in boxes:
         key = identity(box.box)
@@ -117,13 +119,13 @@ def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """By which one of several fits is taken; the ratios settle it, whoever came first."""
-    error, loss = (round(one, FIGURE_DECIMALS) for one in box.figures[:2])
+    """Return a sort key for fits of a gearbox that does not depend on the order of fits."""
+    error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
 
 def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
-    """The ratios of all gears, (boxes, gears); where a box has fewer, what no gear has."""
+    """Return the ratios of all gears, shape (boxes, gears), with `NO_RATIO` for missing gears."""
     most = max(len(box.gears) for box in boxes)
     ratios = np.full((len(boxes), most), NO_RATIO)
     for row, box in zip(ratios, boxes, strict=True):
@@ -132,7 +134,7 @@ def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
 
 
 class BoxFilter(NamedTuple):
-    """What a box has to be.
+    """Conditions on a gearbox.
 
     Examples
     --------
@@ -141,16 +143,16 @@ class BoxFilter(NamedTuple):
     """
 
     single: bool = False
-    """One element changes between neighbours."""
+    """True if neighbouring gears must differ by a single shift."""
     planar: bool = False
     brakes: tuple[int, ...] = ()
-    """It has one of these numbers of them; any when empty."""
+    """Allowed numbers of brakes; empty for any."""
     clutches: tuple[int, ...] = ()
     limits: Mapping[str, float] = MappingProxyType({})
-    """The largest value of a figure, one of `LIMITED`."""
+    """Largest value of each figure, with names of `LIMITED`."""
 
     def narrowed(self, search: BoxSearch) -> BoxSearch:
-        """A search that leaves out what is not wanted as soon as that is known.
+        """Return a search that excludes unwanted gearboxes as early as possible.
 
         >>> BoxFilter(clutches=(1,)).narrowed(BoxSearch(1, 3, 1, (3.0, 1.0))).brake_counts
         (2,)
@@ -159,13 +161,13 @@ class BoxFilter(NamedTuple):
         counts = tuple(
             number
             for number in every
-            if self._has_so_many(brakes=number, clutches=search.elements - number)
+            if self._allows(brakes=number, clutches=search.elements - number)
         )
-        own = None if len(counts) == len(every) else counts
-        return search._replace(brake_counts=own, singly=self.single)
+        brake_counts = None if len(counts) == len(every) else counts
+        return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Whether a box may be wanted, before its figures are known.
+        """Return whether a gearbox can be wanted, before figures are calculated.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme
@@ -174,17 +176,17 @@ class BoxFilter(NamedTuple):
         >>> BoxFilter(brakes=(1,)).before(box), BoxFilter(limits={"clutches": 0}).before(box)
         (True, False)
         """
-        return self._has_so_many(brakes=len(box.brakes), clutches=len(box.clutches))
+        return self._allows(brakes=len(box.brakes), clutches=len(box.clutches))
 
-    def _has_so_many(self, *, brakes: int, clutches: int) -> bool:
+    def _allows(self, *, brakes: int, clutches: int) -> bool:
         counts = ("brakes", brakes, self.brakes), ("clutches", clutches, self.clutches)
         return all(
-            (not allowed or own in allowed) and own <= self.limits.get(name, math.inf)
-            for name, own, allowed in counts
+            (not allowed or count in allowed) and count <= self.limits.get(name, math.inf)
+            for name, count, allowed in counts
         )
 
     def lets(self, found: MeasuredBox) -> bool:
-        """Whether a box with its figures is wanted."""
+        """Return whether a gearbox with known figures is wanted."""
         figures = found.figures
         return (
             self.before(found.box)
@@ -198,21 +200,21 @@ ALL = BoxFilter()
 
 
 class BoxList(NamedTuple):
-    """What a search found."""
+    """Results of a search."""
 
     searched: int
-    """Boxes that were looked at."""
+    """Number of examined gearboxes."""
     boxes: tuple[RankedBox, ...]
-    """Those that are wanted, in their order."""
+    """Wanted gearboxes in order."""
     given_up: int
-    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+    """Number of element sets that could be gearboxes but were not examined completely."""
 
     def __repr__(self) -> str:
-        """How many there are; not all their numbers."""
+        """Return the numbers of gearboxes instead of all values."""
         return f"<BoxList: {len(self.boxes)} found, {self.searched} searched>"
 
     def _repr_html_(self) -> str:
-        """How many there are, the Pareto list, the families, for a notebook."""
+        """Return the counts, the Pareto list and the families, for a notebook."""
         return shown(higher("box_grids")(*self))
 
 
@@ -229,28 +231,29 @@ def find_boxes(
     Parameters
     ----------
     search : BoxSearch
+        Numbers of parts, wanted ratios and tolerances.
     efficiency : float
-        Of each set with its carrier held, above 0 and up to 1. [-]
+        Basic efficiency of each gear set (carrier held), above 0 and up to 1. [-]
     wanted : BoxFilter
-        All boxes when not given.
+        Conditions on the gearboxes; by default all are listed.
     by : BoxOrder
-        By which figures they stand in order.
+        Figures that order the gearboxes.
     weights : mapping of str to float
-        Of forward gears in the mean of the drag, 1 of those that have none. [-]
+        Weights of forward gears in the mean drag, by default 1. [-]
 
     Returns
     -------
     BoxList
-        The boxes in their order, which a notebook shows as tables.
+        Gearboxes in order, which a notebook shows as tables.
 
     Raises
     ------
     CaseError
-        If the search can't be, or the library that compiles it is missing.
+        If the search cannot be carried out, or the compiler library is missing.
 
     Examples
     --------
-    A set with its ring held makes 1 + p, and direct drive when it is locked in any way:
+    A gear set with its ring held has the ratio 1 + p, and direct drive when it is locked up:
 
     >>> found = find_boxes(BoxSearch(1, 2, 1, (3.0, 1.0)))
     >>> found.searched, [list(one.found.elements) for one in found.boxes]
@@ -268,6 +271,6 @@ def find_boxes(
         message = f"read {efficiency:g}, expected a number above 0, up to 1"
         raise CaseError("E802", message, ("efficiency",))
     search = wanted.narrowed(search)
-    found = found_in(search)
-    boxes = (measured(search, box, efficiency, weights) for box in found.boxes)
-    return BoxList(found.searched, ranked(search, boxes, wanted, by), found.given_up)
+    piece = found_in(search)
+    boxes = (measured(search, box, efficiency, weights) for box in piece.boxes)
+    return BoxList(piece.searched, ranked(search, boxes, wanted, by), piece.given_up)

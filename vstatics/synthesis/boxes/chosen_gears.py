@@ -1,4 +1,4 @@
-"""Which elements a found box engages where several sets of them give the ratio of a gear."""
+"""Choice of engaged elements for a found gearbox, where several sets give the ratio of a gear."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO, SECOND_MOTION, STILL_SPEED
 
 Engaged = tuple[int, ...]
-"""Numbers of elements from 0, ascending."""
+"""Numbers of engaged elements from 0, ascending."""
 
 
 def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
-    """For each gear the sets of elements that give its ratio, all of one size.
+    """Return the sets of elements that give the ratio of each gear, all of equal size.
 
     Parameters
     ----------
@@ -25,30 +25,31 @@ def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
     Returns
     -------
     tuple, shape (gears,)
-        Of sets in ascending order; that of the box is among them.
+        Tuples of sets in ascending order, including the set of the gearbox.
 
     Examples
     --------
     >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 3, 1, ((2, HELD), (0, 2), (0, 3), (1, 3)),
     ...                (-2.0,), ((0, 2), (1, 2)), 0.0)
-    >>> equal_sets(box)  # direct drive, with the set locked or not
+    >>> equal_sets(box)  # direct drive, with the gear set locked up or free
     (((0, 2),), ((0, 3), (1, 2), (1, 3), (2, 3)))
     """
-    own = [tuple(sorted(one)) for one in box.gears]
-    sets = list(combinations(range(len(box.elements)), len(own[0])))
+    gears = [tuple(sorted(engaged)) for engaged in box.gears]
+    sets = list(combinations(range(len(box.elements)), len(gears[0])))
     ratios = set_ratios(box, sets)
-    place = {one: number for number, one in enumerate(sets)}
-    found = []
-    for one in own:
-        equal = np.abs(ratios - ratios[place[one]]) <= SAME_BOX_RATIO * np.abs(ratios[place[one]])
-        equal[place[one]] = True
-        found.append(tuple(sets[number] for number in np.flatnonzero(equal).tolist()))
-    return tuple(found)
+    place = {engaged: number for number, engaged in enumerate(sets)}
+    alternatives = []
+    for gear in gears:
+        ratio = ratios[place[gear]]
+        equal = np.abs(ratios - ratio) <= SAME_BOX_RATIO * np.abs(ratio)
+        equal[place[gear]] = True
+        alternatives.append(tuple(sets[number] for number in np.flatnonzero(equal).tolist()))
+    return tuple(alternatives)
 
 
 def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
-    """The ratio of the box with each of some sets of elements engaged, all of one size.
+    """Calculate the ratio of the gearbox with each set of elements engaged, all of equal size.
 
     Parameters
     ----------
@@ -58,7 +59,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     Returns
     -------
     ndarray, shape (sets,)
-        NaN where there is none, or where some link may turn besides. [-]
+        Gear ratios, NaN where the ratio does not exist or another link can rotate freely. [-]
     """
     links = box.links
     held = [] if box.held is None else [box.held]
@@ -72,7 +73,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
         row[first] = 1.0
         if second != HELD:
             row[second] = -1.0
-    basis = np.linalg.svd(rows)[2][len(rows) :]  # motions with nothing engaged, in rows
+    basis = np.linalg.svd(rows)[2][len(rows) :]  # motions with no element engaged, in rows
     engaged = (elements @ basis.T)[np.array(sets, np.intp)]
     if engaged.shape[1] != len(basis) - 1:
         return np.full(len(sets), np.nan)
@@ -80,13 +81,13 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     speeds = turned[:, -1] @ basis
     inputs, outputs = speeds[:, box.input], speeds[:, box.output]
     turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STILL_SPEED * np.abs(speeds).max(axis=1)
-    is_one = sizes[:, -1] > SECOND_MOTION  # of rows no longer than 2, on an orthonormal basis
+    is_one = sizes[:, -1] > SECOND_MOTION  # for rows of length 2 at most, in an orthonormal basis
     with np.errstate(all="ignore"):
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 
 
 def all_of(numbers: Engaged) -> int:
-    """Elements as bits.
+    """Return element numbers as bits.
 
     >>> bin(all_of((0, 3)))
     '0b1001'
@@ -95,7 +96,7 @@ def all_of(numbers: Engaged) -> int:
 
 
 Way = tuple[tuple[float, ...], tuple[Engaged, ...]]
-"""What some gears cost, and the set of each."""
+"""Cost of the gears so far, and the set of each gear."""
 
 
 def chosen_sets(
@@ -104,27 +105,27 @@ def chosen_sets(
     cost: Callable[[Engaged], tuple[float, float]],
     used_in: Callable[[Engaged], int] = all_of,
 ) -> tuple[Engaged, ...]:
-    """One set for each gear, so that few elements change between neighbours.
+    """Choose a set for each gear so that few elements change between neighbours.
 
-    First the number of shifts with more than one element that goes is least, then that of all
-    elements that go, then the sum of the costs. Each element is used in some gear, if that can
-    be.
+    Dynamic programming minimises, in this order, the number of shifts that release several
+    elements, the number of released elements, and the sum of the costs. Each element is used in
+    some gear, if possible.
 
     Parameters
     ----------
     ranges : sequence, shape (ranges, gears)
-        The sets to choose from, of gears that are neighbours one after the other.
+        Candidate sets of each gear; gears of a range are neighbours in turn.
     elements : int
-        Their number.
+        Number of elements.
     cost : callable
-        What each set costs, the more important first.
+        Costs of a set, the more important first.
     used_in : callable
-        The elements of a set that count as used, as bits; all of them when not given.
+        Elements of a set that count as used, as bits; by default all.
 
     Returns
     -------
     tuple
-        Of all ranges in turn.
+        Sets of the gears of all ranges in turn.
 
     Examples
     --------
@@ -132,17 +133,17 @@ def chosen_sets(
     >>> chosen_sets([gears], 4, lambda one: (0.0, 0.0))
     ((0, 1), (1, 2), (2, 3))
     """
-    # by the last set and, as bits, all elements engaged so far
+    # The keys are the last set and all elements engaged until then, as bits.
     ways: dict[tuple[Engaged, int], Way] = {((), 0): ((0.0, 0.0, 0.0, 0.0), ())}
     for sets in (sets for gears in ranges for sets in ((), *gears)):
         after: dict[tuple[Engaged, int], Way] = {}
         for (last, used), (before, way) in ways.items():
-            for one in sets:
-                gone = len(set(last) - set(one))
-                added = (float(gone > 1), float(gone), *cost(one))
+            for engaged in sets:
+                released = len(set(last) - set(engaged))
+                added = (float(released > 1), float(released), *cost(engaged))
                 total = tuple(a + b for a, b in zip(before, added, strict=True))
-                _keep(after, (one, used | used_in(one)), (total, (*way, one)))
-            if not sets:  # another range begins: nothing goes
+                _keep(after, (engaged, used | used_in(engaged)), (total, (*way, engaged)))
+            if not sets:  # a new range begins, so no element is released
                 _keep(after, ((), used), (before, way))
         ways = after
     everything = all_of(tuple(range(elements)))
@@ -151,15 +152,14 @@ def chosen_sets(
 
 
 def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: Way) -> None:
-    """Note a way, if it is less than that which comes to the same."""
     if key not in ways or way < ways[key]:
         ways[key] = way
 
 
 def is_single(gears: Sequence[Collection[object]]) -> bool:
-    """Whether one element changes between neighbours.
+    """Return whether neighbouring gears differ by a single shift.
 
     >>> is_single([(0, 1), (1, 2), (2, 3)]), is_single([(0, 1), (2, 3)])
     (True, False)
     """
-    return all(len(set(one) ^ set(other)) <= 2 for one, other in pairwise(gears))
+    return all(len(set(lower) ^ set(upper)) <= 2 for lower, upper in pairwise(gears))

@@ -1,4 +1,4 @@
-"""Found boxes side by side: places of their figures, families, cores, the Pareto list."""
+"""Grouping of found gearboxes: places of figures, families, cores, the Pareto list."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
 
 def core_of(box: FoundBox) -> tuple[Any, ...]:
-    """What boxes of one core share in the form of `least_box`: all but their clutches.
+    """Return the common properties of a core in the form of `least_box`: all but the clutches.
 
-    Where they also have equal ratios they differ by the way in which sets are locked.
+    If gearboxes of a core also have equal ratios, they differ only in the lock-up of gear sets.
 
     >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, -1), (0, 1)), (-2.0,),
@@ -28,7 +28,7 @@ def core_of(box: FoundBox) -> tuple[Any, ...]:
 
 
 def numbered(keys: Iterable[Hashable]) -> list[int]:
-    """A number from 1 for each key, the same for equal ones, as they come.
+    """Number the different keys from 1 in order of appearance.
 
     >>> numbered("abac")
     [1, 2, 1, 3]
@@ -38,7 +38,7 @@ def numbered(keys: Iterable[Hashable]) -> list[int]:
 
 
 def places(values: Floats) -> Integers:
-    """The place of each value among those that differ; one that does not exist is 0.
+    """Return the place of each value among the different values; undefined values count as 0.
 
     Parameters
     ----------
@@ -59,12 +59,12 @@ def places(values: Floats) -> Integers:
 
 
 def families(ratios: Floats) -> list[int]:
-    """The family of each row of ratios, numbered as they come.
+    """Number the families of equal rows of ratios in order of appearance.
 
     Parameters
     ----------
     ratios : ndarray, shape (boxes, gears)
-        [-]
+        Gear ratios. [-]
 
     Examples
     --------
@@ -74,7 +74,7 @@ def families(ratios: Floats) -> list[int]:
     groups = [np.arange(len(ratios))]
     sizes = np.log(np.abs(ratios))
     before = 0
-    while len(groups) > before:  # a box that goes may have filled a gap between others
+    while len(groups) > before:  # a removed box can have filled a gap between others
         before = len(groups)
         for gear in sizes.T:
             groups = [part for group in groups for part in _parted(group, gear)]
@@ -85,7 +85,7 @@ def families(ratios: Floats) -> list[int]:
 
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:
-    """A group of boxes, parted where the sizes of a gear have a gap."""
+    """Split a group of gearboxes where the sizes of a gear have a gap."""
     if len(group) == 1:
         return [group]
     ordered = group[np.argsort(sizes[group], kind="stable")]
@@ -94,12 +94,12 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
 
 
 def pareto(figures: Floats | Integers) -> Booleans:
-    """Which rows no other row is better than in one column, and not worse in any.
+    """Return which rows are not dominated, where no other row is better or equal in all columns.
 
     Parameters
     ----------
     figures : ndarray, shape (boxes, figures)
-        The less the better.
+        Figures of the gearboxes, of which smaller values are better.
 
     Returns
     -------
@@ -110,13 +110,13 @@ def pareto(figures: Floats | Integers) -> Booleans:
     >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
     array([ True,  True, False,  True,  True])
     """
-    rows, which = np.unique(figures, axis=0, return_inverse=True)  # the less stand first
+    rows, which = np.unique(figures, axis=0, return_inverse=True)  # in ascending order
     is_best = np.zeros(len(rows), np.bool_)
     front = np.empty_like(rows)
     size = 0
-    for number, own in enumerate(rows):  # whoever is better than a row stands before it
-        if not (front[:size] <= own).all(axis=1).any():
+    for number, row in enumerate(rows):  # rows that dominate a row precede it
+        if not (front[:size] <= row).all(axis=1).any():
             is_best[number] = True
-            front[size] = own
+            front[size] = row
             size += 1
     return np.asarray(is_best[which.reshape(-1)])

@@ -1,4 +1,4 @@
-"""One form for a box: boxes that are one up to renaming of sets and links get the same."""
+"""Canonical form of a gearbox, equal for gearboxes that differ by renaming sets and links."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """Some sets in a new order, with the new numbers of links."""
+    """Order of the first gear sets, with the new numbers of links."""
 
     order: tuple[int, ...]
     links: dict[int, int]
 
 
 def least_box(box: FoundBox) -> FoundBox:
-    """The box with its sets and links renamed so that its code is the least one.
+    """Return the gearbox with sets and links renamed for the least code.
 
-    Of the renamings with this code, and of shafts without a member of a set, that with the least
-    input, then output, held link, meshed sets, elements. So code and ports are those of
-    `schemes`, where no set is meshed.
+    Among the renamings with this code, and of shafts without a gear-set member, the result has the
+    least input, then output, held link, meshed sets and elements. Without meshed sets, code and
+    ports therefore agree with `schemes`.
 
     Parameters
     ----------
@@ -38,11 +38,11 @@ def least_box(box: FoundBox) -> FoundBox:
     >>> least.elements, least.gears
     (((1, -1), (0, 2)), ((0,), (1,)))
     """
-    return min(least_forms(box), key=lambda one: (one.ratios, one.gears))
+    return min(least_forms(box), key=lambda form: (form.ratios, form.gears))
 
 
 def least_forms(box: FoundBox) -> list[FoundBox]:
-    """The box in all forms of the least identity; there are several where it is symmetric.
+    """Return all forms with the least identity; a symmetric gearbox has several.
 
     >>> box = FoundBox(SetScheme.of_code("0-1-2-0-1-3"), None, 0, 1, ((2, HELD), (3, HELD)),
     ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
@@ -50,13 +50,13 @@ def least_forms(box: FoundBox) -> list[FoundBox]:
     [(-2.0, -3.0), (-3.0, -2.0)]
     """
     choices = product(_least_codes(box.scheme.sets), _shafts(box))
-    found = [_renamed(box, one._replace(links=one.links | own)) for one, own in choices]
-    least = min(map(identity, found))
-    return [one for one in found if identity(one) == least]
+    forms = [_renamed(box, code._replace(links=code.links | shafts)) for code, shafts in choices]
+    least = min(map(identity, forms))
+    return [form for form in forms if identity(form) == least]
 
 
 def identity(box: FoundBox) -> tuple[Any, ...]:
-    """What two boxes in the form of `least_box` share if they are one.
+    """Return the key that equal gearboxes share in the form of `least_box`.
 
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD),), (-2.0,), ((0,),), 0.0)
     >>> identity(box)
@@ -68,7 +68,7 @@ def identity(box: FoundBox) -> tuple[Any, ...]:
 
 
 def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
-    """All renamings that give the least code: set by set, only the least go on."""
+    """Yield all renamings that give the least code, found set by set."""
     least = [_Renaming((), {})]
     for _ in sets:
         codes = [
@@ -90,27 +90,26 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
 
 
 def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
-    """New numbers of the links without a member of a set: ports of their own keep theirs."""
-    own = range(box.scheme.links, box.links)
-    kept = {link: link for link in own if link in (box.input, box.output)}
-    others = [link for link in own if link not in kept]
-    for one in permutations(others):
-        yield kept | dict(zip(others, one, strict=True))
+    """Yield new numbers of links without a gear-set member; separate ports are unchanged."""
+    shafts = range(box.scheme.links, box.links)
+    ports = {link: link for link in shafts if link in (box.input, box.output)}
+    others = [link for link in shafts if link not in ports]
+    for order in permutations(others):
+        yield ports | dict(zip(others, order, strict=True))
 
 
-def _numbers(links: dict[int, int], one: tuple[int, int, int]) -> tuple[int, ...]:
-    """The new numbers of the links of a set, those that are new in turn."""
-    fresh = iter(range(len(links), len(links) + len(one)))
-    return tuple(links[link] if link in links else next(fresh) for link in one)
+def _numbers(links: dict[int, int], members: tuple[int, int, int]) -> tuple[int, ...]:
+    """Return the new numbers of the links of a set; unknown links are numbered in turn."""
+    fresh = iter(range(len(links), len(links) + len(members)))
+    return tuple(links[link] if link in links else next(fresh) for link in members)
 
 
 def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
-    """The box in other words."""
     order, links = renaming
     new = links | {HELD: HELD}
-    if box.held is not None:  # a clutch to what is held is a brake
+    if box.held is not None:  # a clutch to a held link is a brake
         new |= {box.held: HELD}
-    elements = []  # the links of each in order; what is held stands last
+    elements = []  # links of each element in order, the housing last
     for first, second in box.elements:
         low, high = sorted((new[first], new[second]))
         elements.append((high, low) if low == HELD else (low, high))
@@ -126,6 +125,6 @@ def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
         output=new[box.output],
         elements=tuple(elements[index] for index in brakes_first),
         ratios=tuple(box.ratios[index] for index in order),
-        gears=tuple(tuple(sorted(number[index] for index in one)) for one in box.gears),
+        gears=tuple(tuple(sorted(number[index] for index in engaged)) for engaged in box.gears),
         error=box.error,
     )

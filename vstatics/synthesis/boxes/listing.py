@@ -1,4 +1,4 @@
-"""Found boxes as a document lists them, for pictures, a page and summaries."""
+"""Records of found gearboxes in a document, for pictures, a page and summaries."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 
 
 class ListedGear(NamedTuple):
-    """A gear of a listed box."""
+    """Gear of a listed gearbox."""
 
     engaged: tuple[str, ...]
     ratio: float
@@ -40,7 +40,7 @@ class ListedGear(NamedTuple):
     *("family", "core", "known", "ravigneaux", "pareto", "case"),
 )
 class ListedBox(NamedTuple):
-    """A box of a document, with its number in the order of the document from 1."""
+    """Gearbox of a document, with a number in the order of the document from 1."""
 
     error: float
     loss: float
@@ -61,45 +61,45 @@ class ListedBox(NamedTuple):
     pareto: bool
     code: SchemeCode
     elements: Mapping[str, tuple[str, ...]]
-    """By name the two links that each joins, or a link and the housing."""
+    """Two links of each named shift element; a brake has a link and the housing."""
     ratios: Mapping[str, float]
     gears: Mapping[str, ListedGear]
     case: Annotated[Mapping[str, Any], Words(description="As vstatics convert has it.")]
     known: str | None
-    """The shipped case that it is."""
+    """Name of the shipped case with an equal gearbox."""
     ravigneaux: Mapping[str, tuple[str, ...]]
-    """By name the two sets that are one Ravigneaux set."""
+    """Two gear sets that form each named Ravigneaux set."""
     number: int = 0
     input: Count = 0
-    """Links of the code; 0 where the document was read, which needs them not."""
+    """Link of the code; 0 in a document that was read, where the number is not needed."""
     output: Count = 0
     held: Sometimes[Count] = None
 
     def transmission(self) -> Transmission:
-        """Its case.
+        """Return the case of the gearbox.
 
         Raises
         ------
         ReadError
-            If what stands there is none.
+            If the stored case is not valid.
         """
         try:
             return from_dict(self.case)
         except ReadError as error:
             name = f"case of box {self.number}"
             raise ReadError(
-                one._replace(message=f"{name}: {one.message}") for one in error.problems
+                problem._replace(message=f"{name}: {problem.message}") for problem in error.problems
             ) from None
 
     def contradictions(self) -> Iterator[str]:
-        """Name what the box says about ratios and shift elements, and its case says otherwise.
+        """Yield differences between the data of the gearbox and the stored case.
 
-        Sets that its case has by other names are not compared; the ratios of its gears are.
+        Gear sets with other names in the case are not compared, but all gear ratios are.
 
         Raises
         ------
         ReadError
-            If its case is not a case.
+            If the stored case is not valid.
         """
         results = solve(self.transmission())
         case = results.case
@@ -108,19 +108,22 @@ class ListedBox(NamedTuple):
             for pair, sets in self.ravigneaux.items()
             for name, mesh in zip(sets, ("large_sun-ring", "small_sun-ring"), strict=False)
         }
-        of_sets = {one.name: one.ratio for one in case.mechanisms}
+        of_sets = {mechanism.name: mechanism.ratio for mechanism in case.mechanisms}
         for name, ratio in self.ratios.items():
             of_case = of_sets.get(names.get(name, name), ratio)
             if not _equal(ratio, of_case):
                 yield f"the ratio of set {name} is {ratio:.9g}, but {of_case:.9g} in its `case`"
         of_gears = {
-            gear.name: ({case.shift_elements[one - 1].name for one in gear.engaged}, float(ratio))
+            gear.name: (
+                {case.shift_elements[number - 1].name for number in gear.engaged},
+                float(ratio),
+            )
             for gear, ratio in zip(case.gears, results.ratio, strict=True)
         }
         if {*of_gears} != {*self.gears}:
             both = listed([*self.gears]), listed([*of_gears])
             yield f"its gears are {both[0]}, but {both[1]} in its `case`"
-        for name in [one for one in self.gears if one in of_gears]:
+        for name in [name for name in self.gears if name in of_gears]:
             gear, (engaged, ratio) = self.gears[name], of_gears[name]
             if {*gear.engaged} != engaged:
                 both = listed(sorted(gear.engaged)), listed(sorted(engaged))
@@ -136,22 +139,23 @@ def _equal(ratio: float, other: float) -> bool:
 
 
 def listed_box(number: int, ranked: RankedBox) -> ListedBox:
-    """A found box as it is listed."""
-    found, box = ranked.found, ranked.found.box
+    """Return the record of a found gearbox."""
+    measured_box, box = ranked.found, ranked.found.box
     return ListedBox(
-        **found.figures._asdict(),
+        **measured_box.figures._asdict(),
         family=ranked.family,
         core=ranked.core,
-        known=found.known,
-        ravigneaux=found.ravigneaux,
+        known=measured_box.known,
+        ravigneaux=measured_box.ravigneaux,
         pareto=ranked.pareto,
         code=box.scheme.code,
-        elements=found.elements,
-        ratios=found.ratios,
+        elements=measured_box.elements,
+        ratios=measured_box.ratios,
         gears={
-            gear.name: ListedGear(*gear[1:-1], **gear.figures._asdict()) for gear in found.gears
+            gear.name: ListedGear(*gear[1:-1], **gear.figures._asdict())
+            for gear in measured_box.gears
         },
-        case=mapping(found.case),
+        case=mapping(measured_box.case),
         number=number,
         input=box.input,
         output=box.output,
@@ -160,28 +164,28 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
 
 
 Range = tuple[float, ...]
-"""The least and the largest; empty where nothing is asked. [-]"""
+"""Lower and upper end, empty without a request. [-]"""
 
 
 class WantedOfBoxes(NamedTuple):
-    """What was asked of the gears of the boxes of a document."""
+    """Gears requested by the search of a document."""
 
     ratios: tuple[Range, ...]
-    """Of each gear, below 0 backward."""
+    """Range of the ratio of each gear, negative for reverse. [-]"""
     tolerance: float
-    """Of those ratios that are no ranges. [-]"""
+    """Tolerance of ratios that are not given as ranges. [-]"""
     gears: tuple[int, ...]
-    """The fewest and the most forward gears besides them; empty where none are asked."""
+    """Fewest and most further forward gears, empty without a request."""
     spread: Range
-    """Of the first ratio over the last."""
+    """Range of the first ratio divided by the last. [-]"""
     steps: Range
-    """Of each ratio over the next one."""
+    """Range of each ratio divided by the next. [-]"""
     falling: bool
-    """Whether no step is larger than the one below it."""
+    """True if no step can be larger than the step below."""
 
 
 def wanted_of(search: BoxSearch) -> WantedOfBoxes:
-    """What a search asks of the gears.
+    """Return the gears that a search requests.
 
     Examples
     --------
@@ -201,7 +205,7 @@ def wanted_of(search: BoxSearch) -> WantedOfBoxes:
 
 
 def _asked(ends: Range) -> Range:
-    """A range; empty where it has all that can be."""
+    """Return a range, or an empty range without any restriction."""
     return () if tuple(ends) == ANY_QUOTIENT else ends
 
 
@@ -211,44 +215,44 @@ def _asked(ends: Range) -> Range:
     boxes="boxes",
 )
 class BoxListing(NamedTuple):
-    """What a search for boxes has found."""
+    """Gearboxes found by a search."""
 
     searched: Count
     boxes: tuple[ListedBox, ...]
     given_up: Count = 0
-    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+    """Number of element sets that could be gearboxes but were not examined completely."""
     wanted: Sometimes[WantedOfBoxes] = None
-    """None where a document does not tell it."""
+    """Requested gears, if the document contains the request."""
 
     @property
     def complete(self) -> bool:
-        """Whether there are no other boxes."""
+        """True if no further gearboxes exist."""
         return not self.given_up
 
     @property
     def found(self) -> Count:
-        """How many boxes there are."""
+        """Number of gearboxes."""
         return len(self.boxes)
 
     @property
     def family_count(self) -> Count:
-        """How many families they are."""
+        """Number of families."""
         return len(self.families)
 
     @property
     def families(self) -> dict[int, list[ListedBox]]:
-        """The boxes with equal ratios in all gears, by the number of their family."""
-        found: dict[int, list[ListedBox]] = {}
+        """Gearboxes with equal ratios in all gears, by family number."""
+        members: dict[int, list[ListedBox]] = {}
         for box in self.boxes:
-            found.setdefault(box.family, []).append(box)
-        return found
+            members.setdefault(box.family, []).append(box)
+        return members
 
 
 def drawn_boxes(listing: BoxListing, most: int) -> list[ListedBox]:
-    """The boxes that get a diagram, in the order of the document.
+    """Return the gearboxes that get a diagram, in the order of the document.
 
-    First come those of the Pareto list, each of another family, then the first of each other
-    family, the rest of the Pareto list, and the rest.
+    Priority: gearboxes of the Pareto list from different families, the first gearbox of each other
+    family, further gearboxes of the Pareto list, all others.
     """
     seen: set[int] = set()
     ranks: list[tuple[int, int, ListedBox]] = []

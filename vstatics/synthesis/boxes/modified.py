@@ -1,4 +1,4 @@
-"""A search that keeps the sets, the ports and most elements of a gearbox that there is."""
+"""Search that retains the gear sets, the ports and most shift elements of an existing gearbox."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxSearch:
-    """A search for boxes with the scheme, the kinds of sets and the ports of a case.
+    """Return a search with the scheme, the kinds of gear sets and the ports of a case.
 
     Parameters
     ----------
     case : Transmission
-        Of planetary sets, clutches and brakes. One-way clutches are left out.
+        Gearbox of planetary sets, clutches and brakes. Freewheels are ignored.
     free : int
-        So many of its elements may be missing.
+        Largest number of shift elements that can be missing.
     targets : sequence of float
         Wanted ratios of the gears. [-]
 
@@ -40,39 +40,39 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     ('1-3-0-1-2-3', 4, 3, 1)
     """
     plain = on_own_links(case)
-    own = plain.case.replace(mechanisms=case_mechanisms(plain))
-    mechanisms = _sets(own)
-    body = _bodies(own)
-    sets = [_members(one, body) for one in mechanisms]
-    on_sets = {link for one in sets for link in one}
+    gearbox = plain.case.replace(mechanisms=case_mechanisms(plain))
+    mechanisms = _sets(gearbox)
+    body = _bodies(gearbox)
+    sets = [_members(mechanism, body) for mechanism in mechanisms]
+    on_sets = {link for members in sets for link in members}
     others = sorted({*body} - on_sets - {HOUSING})
     engaged = len({*body} - {HOUSING}) - len(sets) - 1
     if engaged < 1:
         message = f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
         raise CaseError("E922", f"{message} to be engaged: expected a gearbox that shifts")
-    first, last = body[own.input], body[own.output]
+    first, last = body[gearbox.input], body[gearbox.output]
     ports = [port for port in (first, last) if port in others]
     order = [*sorted(on_sets - {HOUSING}), *[HOUSING] * (HOUSING in on_sets)]
     order += [*ports, *(link for link in others if link not in ports)]
     number = {link: place for place, link in enumerate(order)}
     held = number.get(HOUSING)
-    joined = [one.links for one in own.shift_elements if one.kind != "freewheel"]
+    joined = [element.links for element in gearbox.shift_elements if element.kind != "freewheel"]
     places = [[number.get(body[link], HELD) for link in links] for links in joined]
-    ends = (_ends(one, other, held) for one, other in places)
-    elements = tuple(sorted({one for one in ends if one[0] != one[1]}))
+    ends = (_ends(link, other, held) for link, other in places)
+    elements = tuple(sorted({pair for pair in ends if pair[0] != pair[1]}))
     return BoxSearch(
         sets=len(sets),
         elements=len(elements),
         engaged=engaged,
         targets=tuple(targets),
-        meshed=sum(one.ratio > 0 for one in mechanisms),
+        meshed=sum(mechanism.ratio > 0 for mechanism in mechanisms),
         own_input=first in others,
         own_output=last in others,
         shafts=len(others) - len(ports),
-        fixed=sum(one.count(HOUSING) for one in sets),
+        fixed=sum(members.count(HOUSING) for members in sets),
         kept=KeptParts(
             SetScheme(tuple((number[a], number[h], number[b]) for a, h, b in sets)),
-            tuple(one.ratio > 0 for one in mechanisms),
+            tuple(mechanism.ratio > 0 for mechanism in mechanisms),
             held,
             number[first],
             number[last],
@@ -83,44 +83,51 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
 
 
 def _sets(case: Transmission) -> list[Mechanism]:
-    """The planetary sets; shafts are none, and anything else is refused.
+    """Return the planetary sets, without 1:1 shafts.
 
     Raises
     ------
     CaseError
+        If the case has springs, other mechanisms, or no planetary set.
     """
     if case.springs:
         message = "the case has springs: expected a gearbox whose shafts turn as one piece"
         raise CaseError("E921", message, ("springs",))
-    sets = [one for one in case.mechanisms if one.ratio != 1 or one.kind]
+    sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
     if not sets:
         message = "there is no planetary set: expected a gearbox of these"
         raise CaseError("E920", message, ("mechanisms",))
-    for one in sets:
-        is_pair = one.third == HOUSING and not one.is_set
-        if one.kind or is_pair or one.ratio == -1:
-            message = f"mechanism {one.name} is no planetary set: expected a gearbox of these alone"
-            raise CaseError("E920", message, ("mechanisms", one.name))
+    for mechanism in sets:
+        is_pair = mechanism.third == HOUSING and not mechanism.is_set
+        if mechanism.kind or is_pair or mechanism.ratio == -1:
+            message = (
+                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
+            )
+            raise CaseError("E920", message, ("mechanisms", mechanism.name))
     return sets
 
 
 def _bodies(case: Transmission) -> list[int]:
-    """For each link, the housing first, the first of those that shafts join with it."""
+    """Return the first link of the group that each link belongs to through shafts."""
     body = [*range(case.links + 1)]
-    for one in case.mechanisms:
-        if one.ratio == 1:
-            first, last = sorted((body[one.first], body[one.second]))
+    for mechanism in case.mechanisms:
+        if mechanism.ratio == 1:
+            first, last = sorted((body[mechanism.first], body[mechanism.second]))
             body = [first if link == last else link for link in body]
     return body
 
 
-def _members(one: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
-    """The links of sun, carrier and ring: the ring has more teeth."""
-    sun, ring = (one.first, one.second) if abs(one.ratio) > 1 else (one.second, one.first)
-    return body[sun], body[one.third], body[ring]
+def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
+    """Return sun, carrier and ring link; the ring has more teeth."""
+    sun, ring = (
+        (mechanism.first, mechanism.second)
+        if abs(mechanism.ratio) > 1
+        else (mechanism.second, mechanism.first)
+    )
+    return body[sun], body[mechanism.third], body[ring]
 
 
 def _ends(first: int, second: int, held: int | None) -> tuple[int, int]:
-    """The links of an element as `FoundBox` has them."""
-    low, high = sorted(HELD if one == held else one for one in (first, second))
+    """Return the links of an element in the order of `FoundBox`."""
+    low, high = sorted(HELD if link == held else link for link in (first, second))
     return (high, low) if low == HELD else (low, high)

@@ -1,4 +1,4 @@
-"""Documents of found boxes, read back from JSON, with what is wrong told at its box."""
+"""Documents of found gearboxes, read from JSON, with problems located at the gearbox."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, WantedOfBoxe
 
 ASKED = "a document of found boxes, as `vstatics synth box -f json` writes it"
 MOST_SIZE = 1e300
-"""Of a number of a document."""
+"""Largest absolute value of a number in a document."""
 MOST_WRONG = 20
-"""So many problems of a document are told."""
+"""Largest number of reported problems of a document."""
 
 
 def is_document(data: bytes) -> bool:
-    """Whether a text is a document of found boxes, and not a case.
+    """Return whether a text is a document of found gearboxes, and not a case.
 
     >>> is_document(b'{"searched": 10, "found": 0, "families": 0, "boxes": []}')
     True
@@ -44,12 +44,17 @@ _BEGINNING = re.compile(rb'(?:\xef\xbb\xbf)?\s*\{\s*"searched"\s*:')
 
 
 def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
-    """What ``vstatics synth box -f json`` writes: the found boxes, and the document itself.
+    """Read the output of ``vstatics synth box -f json``.
+
+    Returns
+    -------
+    BoxListing, dict
+        Found gearboxes, and the document.
 
     Raises
     ------
     ReadError
-        With what is wrong, at the box that it is in.
+        If the document is not valid; problems name the gearbox.
     """
     try:
         document = json.loads(data.decode("utf-8-sig"), parse_constant=_refuse_constant)
@@ -58,12 +63,12 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
         message = f"not JSON: {error.msg}; expected {ASKED}"
         raise ReadError("E803", message, place=place) from None
     except (ValueError, RecursionError) as error:
-        told = "nested too deeply" if isinstance(error, RecursionError) else error
-        raise ReadError([of_file("E804", file, f"not JSON that can be read: {told}")]) from None
+        reason = "nested too deeply" if isinstance(error, RecursionError) else error
+        raise ReadError([of_file("E804", file, f"not JSON that can be read: {reason}")]) from None
     try:
         return listing_of(document), document
     except ReadError as error:
-        raise ReadError(one.in_file(file) for one in error.problems) from None
+        raise ReadError(problem.in_file(file) for problem in error.problems) from None
 
 
 def _refuse_constant(name: str) -> NoReturn:
@@ -71,12 +76,12 @@ def _refuse_constant(name: str) -> NoReturn:
 
 
 def listing_of(document: Any) -> BoxListing:
-    """The found boxes of a document that was read or made.
+    """Return the gearboxes of a document, checked against the types of the records.
 
     Raises
     ------
     ReadError
-        With what is wrong, at the box that it is in.
+        If the document is not valid; problems name the gearbox.
 
     Examples
     --------
@@ -100,18 +105,17 @@ def listing_of(document: Any) -> BoxListing:
 
 
 def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
-    """What was asked, if it is that; what is wrong with it is told."""
-    found: WantedOfBoxes = _read(WantedOfBoxes, given, "wanted", problems)
+    wanted: WantedOfBoxes = _read(WantedOfBoxes, given, "wanted", problems)
     for name in ("gears", "spread", "steps"):
-        ends = getattr(found, name)
+        ends = getattr(wanted, name)
         if len(ends) not in (0, 2):
             message = f"wanted.{name}: read {type_and_value([*ends])}, expected two numbers or none"
             problems.append(Problem("E807", message))
-    return found
+    return wanted
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
-    """A box, if it is one; what is wrong with it is told."""
+    """Yield a gearbox if the value is valid; record problems."""
     where = f"box {number}"
     if _fits(dict, given, where, problems):
         missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
@@ -124,28 +128,28 @@ def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox
 
 @cache
 def _kinds(record: Any) -> dict[str, Any]:
-    """The types of the keys that a record has."""
+    """Return the types of the keys of a record without a default."""
     kinds = get_type_hints(record)
     return {key: kinds[key] for key in record._fields if key not in record._field_defaults}
 
 
 _EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
-    float: ("a number", lambda one: _is_number(one) and abs(one) < MOST_SIZE),
-    int: ("a count", lambda one: isinstance(one, int) and _is_number(one) and one >= 0),
-    bool: ("true or false", lambda one: isinstance(one, bool)),
+    float: ("a number", lambda value: _is_number(value) and abs(value) < MOST_SIZE),
+    int: ("a count", lambda value: isinstance(value, int) and _is_number(value) and value >= 0),
+    bool: ("true or false", lambda value: isinstance(value, bool)),
     tuple: (
         "a list of names",
-        lambda one: isinstance(one, list) and all(isinstance(name, str) for name in one),
+        lambda value: isinstance(value, list) and all(isinstance(name, str) for name in value),
     ),
-    tuple[int, ...]: ("a list of counts", lambda one: _is_list(int, one)),
-    tuple[float, ...]: ("a list of numbers", lambda one: _is_list(float, one)),
+    tuple[int, ...]: ("a list of counts", lambda value: _is_list(int, value)),
+    tuple[float, ...]: ("a list of numbers", lambda value: _is_list(float, value)),
     tuple[tuple[float, ...], ...]: (
         "a list of ranges, each two numbers of one sign, the smaller one first",
-        lambda one: isinstance(one, list) and all(map(_is_range, one)),
+        lambda value: isinstance(value, list) and all(map(_is_range, value)),
     ),
-    dict: ("an object", lambda one: isinstance(one, dict)),
+    dict: ("an object", lambda value: isinstance(value, dict)),
 }
-"""By the type of a value: what is expected of JSON, and whether something is such."""
+"""Description of each JSON type, and a test of a value."""
 
 
 def _is_list(kind: Any, given: Any) -> bool:
@@ -164,7 +168,6 @@ def _is_number(given: Any) -> bool:
 
 
 def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
-    """Whether a value is of a type; it is told if not."""
     expected, is_such = _EXPECTED[kind]
     if is_such(given):
         return True
@@ -173,12 +176,12 @@ def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
 
 
 def _read(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
-    """What a type makes of JSON; what is wrong is told, and something stands in its place."""
+    """Convert JSON to a type; record problems and return an empty value for invalid data."""
     return _within(kind, _outside(kind, given, where, problems), where, problems)
 
 
 def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
-    """The same, but for what is in an object."""
+    """Convert JSON to a type, but leave the contents of an object unchanged."""
     if kind in (str, Any):
         return given if kind is Any else str(given)
     if kind == str | None:
@@ -192,17 +195,17 @@ def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
 
 
 def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
-    """What is in an object, of a record only when all of its keys are looked at."""
+    """Convert the contents of an object; a record is created after all keys are checked."""
     if hasattr(kind, "_fields"):
         kinds = _kinds(kind)
         parts = {
-            key: _outside(one, value.get(key), f"{where}.{key}", problems)
-            for key, one in kinds.items()
+            key: _outside(part_kind, value.get(key), f"{where}.{key}", problems)
+            for key, part_kind in kinds.items()
         }
         return kind(
             **{
-                key: _within(one, parts[key], f"{where}.{key}", problems)
-                for key, one in kinds.items()
+                key: _within(part_kind, parts[key], f"{where}.{key}", problems)
+                for key, part_kind in kinds.items()
             }
         )
     if kind == tuple[tuple[float, ...], ...]:
@@ -210,4 +213,4 @@ def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
     if get_origin(kind) is not Mapping:
         return value
     of_each = get_args(kind)[1]
-    return {name: _read(of_each, one, f"{where}.{name}", problems) for name, one in value.items()}
+    return {name: _read(of_each, part, f"{where}.{name}", problems) for name, part in value.items()}

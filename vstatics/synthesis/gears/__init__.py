@@ -1,8 +1,8 @@
-"""The gears of a scheme: what combinations of its shift elements give.
+"""Gears of a scheme: the effect of each combination of its shift elements.
 
-`speed_forms` has all speeds of a case in as few free ones as its equations leave, `kinds` tells
-what a set of engaged elements does with input and output, and its torques; `ports` gives the case
-other ones. `search` chooses the elements, and goes
-through all combinations of them. `found_gears` makes gears of a case of what is found,
-`case_of_scheme` a whole case of a scheme; `names` has the names of its gears and sets.
+`speed_forms` expresses all speeds of a case by as few free speeds as its equations leave. `kinds`
+determines the effect of a set of engaged elements on input and output, and the torques; `ports`
+changes the input and output of a case. `search` chooses the elements and examines all combinations.
+`found_gears` converts the results to gears of a case, `case_of_scheme` a scheme to a case; `names`
+has the names of its gears and gear sets.
 """

@@ -1,4 +1,4 @@
-"""A scheme as a case: its sets, shift elements and the gears that these give."""
+"""Conversion of a scheme to a case with gear sets, shift elements and gears."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from vstatics.synthesis.structures.arrays import LEAST_MOBILITY
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FEW_COMBINATIONS = 60
-"""If clutches to all links gave more combinations the input has none but that to the output."""
+"""Number of combinations up to which the input gets clutches to all links."""
 MOST_OF_SCHEME = 100
-"""So many gears has a case, those that are found first."""
+"""Largest number of gears of a case; the first combinations are used."""
 NEUTRAL = "N"
-"""The gear of a case that no combination gives a ratio."""
+"""Name of the only gear of a case without a ratio."""
 INERTIA = 1.0
-"""Of input and output, so that the case can be in motion. [kg*m^2]"""
+"""Inertia of input and output, so that the case can be simulated. [kg*m^2]"""
 
 
 @refusing()
 def scheme_case(
     scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
 ) -> Transmission:
-    """A case with brakes, clutches and all gears that they give.
+    """Return a case with brakes, clutches and all gears of a scheme.
 
-    Every link has a brake, but input and output; a clutch joins these two. Where more than one
-    element is engaged, clutches join the input to all other links too, unless that makes more
-    than `FEW_COMBINATIONS` combinations. Gears are the combinations with a ratio that no other
-    has, by descending ratio; direct drive is one of them.
+    Every link except input and output has a brake, and a clutch connects input and output. If more
+    than one element is engaged, clutches also connect the input to all other links, unless there
+    are more than `FEW_COMBINATIONS` combinations then. The gears are the combinations with
+    different ratios, including direct drive, by descending ratio.
 
     Parameters
     ----------
@@ -41,19 +41,20 @@ def scheme_case(
     input_link, output_link : int
         Links of the scheme, from 0.
     ratios : sequence of float
-        Internal ratio of each set, sun to ring with the carrier held. [-]
+        Basic ratio of each set, sun to ring with the carrier held. [-]
 
     Returns
     -------
     Transmission
+        The case, with unit inertias of input and output.
 
     Raises
     ------
     ValueError
-        If the scheme can't be a gearbox. One with `locked_sets` can be. If there is not a ratio
-        for each set.
+        If the scheme cannot be a gearbox (schemes with `locked_sets` can), or the number of ratios
+        differs from the number of sets.
     CaseError
-        If a ratio is none.
+        If a ratio is not valid.
 
     Examples
     --------
@@ -84,16 +85,17 @@ def scheme_case(
         description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
         inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
     )
-    found = _gears(case, scheme.mobility - 1)
-    return case.replace(gears=found) if found else case
+    gears = _gears(case, scheme.mobility - 1)
+    return case.replace(gears=gears) if gears else case
 
 
 def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
-    """Refuse what can't be a gearbox.
+    """Refuse a scheme that cannot be a gearbox.
 
     Raises
     ------
     ValueError
+        If input and output are equal, or the scheme is not connected or not mobile.
     """
     if input_link == output_link:
         raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
@@ -106,7 +108,6 @@ def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
 
 
 def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:
-    """Its brakes and clutches."""
     others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
     elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
     clutches = [_clutch(input_link, output_link)]
@@ -124,15 +125,15 @@ def _clutch(first: int, second: int) -> ShiftElement:
 
 
 def _gears(case: Transmission, engaged: int) -> list[Gear]:
-    """The combinations of so many elements that give ratios, each of these once."""
-    found: dict[str, tuple[float, tuple[int, ...]]] = {}
+    """Return the gears with a number of engaged elements, each ratio once."""
+    by_ratio: dict[str, tuple[float, tuple[int, ...]]] = {}
     for batch in CombinationSearch(case, [engaged]).batches():
         good = batch.where(batch.gears & ~batch.free)
         for ratio, members in zip(good.ratios.tolist(), good.members.tolist(), strict=True):
-            found.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
-        if len(found) >= MOST_OF_SCHEME:
+            by_ratio.setdefault(f"{ratio:.9e}", (ratio, tuple(index + 1 for index in members)))
+        if len(by_ratio) >= MOST_OF_SCHEME:
             break
-    chosen = list(found.values())[:MOST_OF_SCHEME]
+    chosen = list(by_ratio.values())[:MOST_OF_SCHEME]
     ratios = [ratio for ratio, _ in chosen]
     names = names_of_gears(ratios)
     return [Gear(chosen[index][1], name=names[index]) for index in in_order(ratios)]

@@ -1,11 +1,10 @@
-"""What sets of engaged elements do with input and output: for many sets at once, and for one.
+"""Effect of sets of engaged elements on input and output, for many sets at once or for one.
 
-The rows of many systems are eliminated as `numerics.elimination` does it with those of one:
-each value carries the size that tells when a difference is nothing but rounding, so rank needs
-no tolerance that somebody has to choose.
+The rows of many systems are eliminated as in `numerics.elimination`. Each value carries a size that
+shows when a difference is only rounding noise, so the rank needs no chosen tolerance.
 
-It takes longer than `engaged_kinds`, but eliminates what is engaged together with the
-mechanisms, in the order that loses least: for sets in which that may lose too many digits.
+`kind_alone` takes longer than `engaged_kinds`, but eliminates the engaged elements together with
+the mechanisms in the order that loses least. It serves sets for which too many digits may be lost.
 """
 
 from __future__ import annotations
@@ -34,50 +33,50 @@ Indices = NDArray[np.intp]
 
 
 class EngagedKind(IntEnum):
-    """What a combination does, by all speeds of input and output that the equations allow."""
+    """Effect of a combination on the possible speeds of input and output."""
 
     BLOCKED = 0
-    """The input can't turn."""
+    """Input that cannot turn."""
     PARKING = 1
-    """The output stands, the input turns."""
+    """Output at rest while the input turns."""
     NEUTRAL = 2
-    """Input and output turn independently of each other."""
+    """Input and output that turn independently."""
     GEAR = 3
-    """One ratio."""
+    """Fixed ratio."""
     DIRECT = 4
-    """The ratio 1, whatever the ratios of the mechanisms are."""
+    """Ratio 1 for any ratios of the mechanisms."""
 
     @property
     def word(self) -> str:
-        """As it is written."""
+        """Name in lower case, as printed."""
         return self.name.lower()
 
 
 class EngagedKinds(NamedTuple):
-    """What each set of elements does."""
+    """Effect of each set of elements; arrays of shape (sets,)."""
 
     kinds: NDArray[np.int8]
-    """(sets,), numbers of `EngagedKind`; a direct drive is not told from another gear."""
+    """Numbers of `EngagedKind`; direct drives count as `GEAR`."""
     ratios: Floats
-    """(sets,), input speed by output speed; NaN where there is none. [-]"""
+    """Input speed divided by output speed; NaN without a ratio. [-]"""
     free: Booleans
-    """(sets,), whether links can turn while input and output stand."""
+    """True if links can turn while input and output are at rest."""
     unity: Booleans
-    """(sets,), whether input and output turn alike, or both stand."""
+    """True if input and output turn alike, or both are at rest."""
     doubtful: Booleans
-    """(sets,), whether too many digits are lost to believe this."""
+    """True if too many digits were lost to trust the result."""
 
 
-@np.errstate(all="ignore")  # what overflows is doubtful
+@np.errstate(all="ignore")  # overflows are marked as doubtful
 def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
-    """What sets of engaged elements do.
+    """Determine the effect of sets of engaged elements.
 
     Parameters
     ----------
     forms : SpeedForms
-        The slips of all elements, then the speeds of input and output, then their difference.
+        Slips of all elements, then speeds of input and output, then their difference.
     members : ndarray, shape (sets, elements)
-        Which elements each set engages.
+        Elements that each set engages.
 
     Examples
     --------
@@ -113,29 +112,29 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
 
 
 class _SizedRows:
-    """Rows of many systems, (rows, unknowns, systems), which are eliminated in place."""
+    """Rows of many systems, shape (rows, unknowns, systems), eliminated in place."""
 
     def __init__(self, forms: SpeedForms, chosen: Indices) -> None:
-        """Take of all rows those of `chosen`, (rows, systems)."""
+        """Select the rows `chosen`, shape (rows, systems), of each system."""
         self.values = np.ascontiguousarray(np.moveaxis(forms.values[chosen], 2, 1))
         self.sizes = np.ascontiguousarray(np.moveaxis(forms.sizes[chosen], 2, 1))
         self.systems = np.arange(chosen.shape[1])
         self.doubtful: Booleans = np.full(chosen.shape[1], forms.doubtful)
 
     def left(self, row: int) -> Booleans:
-        """In which systems anything is left of a row."""
+        """Return the systems in which a row is not zero."""
         turns: Booleans = self.values[row].any(axis=0)
         return turns
 
     def eliminate(self, row: int, others: slice) -> tuple[Booleans, Floats]:
-        """Take a row from others, so that these lose its largest entry.
+        """Subtract a row from further rows to clear the column of the largest entry.
 
         Returns
         -------
         there : ndarray, shape (systems,)
-            Whether anything is left of the row.
+            True if the row is not zero.
         factors : ndarray, shape (others, systems)
-            How much of it was taken.
+            Multiples of the row that were subtracted.
         """
         mine, its_size = self.values[row], self.sizes[row]
         if not len(mine):
@@ -148,7 +147,7 @@ class _SizedRows:
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
         of_factors = np.where(there, of_factors / abs(divisor), 0.0)
-        # `less` of the entries of `numerics`, on arrays
+        # The same rule as `less` of the entries of `numerics`, on arrays.
         values, sizes = self.values[others], self.sizes[others]
         products = factors[:, None] * mine
         sizes += of_factors[:, None] * abs(mine) + abs(factors[:, None]) * its_size
@@ -159,21 +158,21 @@ class _SizedRows:
         values -= products
         rounding = np.minimum(ZERO * sizes, larger)
         values[(abs(values) <= rounding) & (rounding < np.inf)] = 0.0
-        values[:, *(one[there] for one in place)] = 0.0
+        values[:, *(index[there] for index in place)] = 0.0
         return there, factors
 
 
 class KindAlone(NamedTuple):
-    """What a set of elements does; a direct drive is not told from another gear."""
+    """Effect of a set of elements; direct drives count as `GEAR`."""
 
     kind: EngagedKind
     ratio: float
-    """NaN where there is none. [-]"""
+    """Input speed divided by output speed; NaN without a ratio. [-]"""
     free: bool
 
 
 def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
-    """What a set of elements does, each given by the links that it joins.
+    """Determine the effect of a set of elements, each given by two links.
 
     Examples
     --------
@@ -182,8 +181,9 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
     >>> kind_alone(case, [(2, 0)]).ratio, kind_alone(case, [(1, 0)]).kind.word
     (3.5, 'blocked')
     """
-    own = columns(case, [one.ratio for one in case.mechanisms])[len(case.shift_elements) :]
-    rows: list[Equation] = [{link - 1: part for link, part in column.items()} for column in own]
+    ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    fixed = columns(case, ratios)[len(case.shift_elements) :]
+    rows: list[Equation] = [{link - 1: part for link, part in column.items()} for column in fixed]
     for pair in engaged:
         joined = zip(pair, ON_ELEMENT, strict=True)
         rows.append({link - 1: float(part) for link, part in joined if link != HOUSING})
@@ -203,27 +203,28 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
     return KindAlone(EngagedKind.GEAR, 1 / speed, free)
 
 
-@np.errstate(all="ignore")  # what overflows misses its ratio
+@np.errstate(all="ignore")  # an overflow misses the ratio
 def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floats:
-    """What the first link of each engaged element gives to it, shape (sets, elements) [-].
+    """Return the torque of each engaged element on the first link, shape (sets, elements) [-].
 
-    In each motion that the mechanisms allow the power of the input goes to the elements and to the
-    output: ``w_in = sum M_e (w_first - w_second) + M_out w_out`` for all free speeds, by torques
-    over that of the input. So the rows of speeds that tell a gear's ratio tell its torques, too.
+    Torques are relative to the input torque. In each motion that the mechanisms allow, the input
+    power goes to the elements and the output: ``w_in = sum M_e (w_first - w_second) + M_out w_out``
+    for all free speeds. The rows of speeds that give the ratio of a gear therefore give its
+    torques.
 
-    NaN where several elements share what only their sum has, and where so many digits are lost
-    that the torque of the output misses the ratio. Of a direct drive by one element the
-    torque is ``1/slip`` by its slip while the output stands and nothing is engaged (Voloshko,
-    Salakhov and others, (17) to (19)): then no other power is left.
+    A torque is NaN if only the sum over several elements is determined, or if so many digits are
+    lost that the output torque misses the ratio. In a direct drive by a single element its torque
+    is ``1/slip``, with the slip while the output is at rest and no element is engaged (Voloshko,
+    Salakhov and others, eqs. 17 to 19).
 
     Parameters
     ----------
     forms : SpeedForms
-        As of `engaged_kinds`.
+        As for `engaged_kinds`.
     members : ndarray, shape (sets, elements)
-        Sets that have a ratio.
+        Elements of sets with a ratio.
     ratios : ndarray, shape (sets,)
-        Theirs. [-]
+        Ratio of each set. [-]
 
     Examples
     --------
@@ -243,46 +244,46 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     sizes = np.where(large > 0, large, 1.0)
     inverse = np.linalg.pinv(np.swapaxes(rows / sizes, 1, 2), rcond=DETERMINED)
     torques = inverse @ values[-3] / sizes[..., 0]
-    own = np.einsum("sef,sef->se", inverse, rows / sizes)
+    share = np.einsum("sef,sef->se", inverse, rows / sizes)
     torques = np.where(abs(torques) > NO_TORQUE, torques, 0.0)
     met = abs(torques[:, -1] - ratios) <= MET_RATIO * abs(ratios)
-    known: Floats = np.where((own > 1 - DETERMINED) & met[:, None], torques, np.nan)
+    known: Floats = np.where((share > 1 - DETERMINED) & met[:, None], torques, np.nan)
     return known[:, :-1]
 
 
 class EngagedSet(NamedTuple):
-    """A combination of shift elements, and what it does."""
+    """Combination of shift elements with the effect on input and output."""
 
     engaged: Sequence[str]
-    """Their names; a freewheel among them holds."""
-    kind: Annotated[str, tuple(one.word for one in EngagedKind)]
-    """The word of an `EngagedKind`."""
+    """Names of the elements, including freewheels that hold."""
+    kind: Annotated[str, tuple(kind.word for kind in EngagedKind)]
+    """Word of an `EngagedKind`."""
     ratio: float
-    """Input speed by output speed; NaN but for `gear` and `direct`. [-]"""
+    """Input speed divided by output speed; NaN except for `gear` and `direct`. [-]"""
     free: bool
-    """Whether a link besides input and output is left undetermined."""
+    """True if a link other than input and output is undetermined."""
     torques: Sometimes[Mapping[str, float]] = None
-    """Of `gear` and `direct`: what the first link of each element gives to it, without losses,
-    over the torque of the input; NaN where nothing tells how elements share it. [-]"""
+    """Lossless torque of each element on the first link, relative to the input torque, for `gear`
+    and `direct`; NaN where the torque split is indeterminate. [-]"""
     slip: Sometimes[float] = None
-    """Of `direct` by one element: its slip while the output stands and nothing is engaged, over
-    the speed of the input; NaN where that is not determined. [-]"""
+    """Slip of a single element of `direct` while the output is at rest and no element is engaged,
+    relative to the input speed; NaN if undetermined. [-]"""
 
     @property
     def by_torque(self) -> tuple[int, float]:
-        """Sort key: direct drives, gears, others, each by the largest torque of an element."""
+        """Sort key: direct drives, gears, then all else, each by the largest torque."""
         largest = max(map(abs, (self.torques or {}).values()), default=math.inf)
         return -EngagedKind[self.kind.upper()], math.inf if math.isnan(largest) else largest
 
 
 class EngagedSetList(NamedTuple):
-    """All combinations."""
+    """List of all combinations."""
 
     combinations: Sequence[EngagedSet]
 
 
 class EngagedSetsOfPorts(NamedTuple):
-    """All combinations between two links."""
+    """List of all combinations between two links."""
 
     input: str
     output: str
@@ -290,51 +291,51 @@ class EngagedSetsOfPorts(NamedTuple):
 
 
 class EngagedSetsOfAllPorts(NamedTuple):
-    """The same of several pairs of links."""
+    """Lists of all combinations for several pairs of links."""
 
     ports: Sequence[EngagedSetsOfPorts]
 
 
 class EngagedSets(NamedTuple):
-    """Some combinations in their order, as arrays."""
+    """Combinations in order, as arrays."""
 
     elements: Sequence[ShiftElement]
-    """Those to choose from."""
+    """Elements to choose from."""
     members: Indices
-    """(sets, elements), indices of the engaged ones."""
+    """Indices of the engaged elements, shape (sets, elements)."""
     kinds: Indices
-    """(sets,), numbers of `EngagedKind`."""
+    """Numbers of `EngagedKind`, shape (sets,)."""
     ratios: Floats
-    """(sets,), NaN where there is none. [-]"""
+    """Input speed divided by output speed, NaN without a ratio, shape (sets,). [-]"""
     free: Booleans
-    """(sets,)"""
+    """True if a further link is undetermined, shape (sets,)."""
     torques: Floats
-    """(sets, elements), NaN where there is none. [-]"""
+    """Torques of the elements, NaN without a ratio, shape (sets, elements). [-]"""
 
     def each(self) -> Iterator[EngagedSet]:
-        """One by one."""
+        """Yield the combinations as records."""
         names = [element.name for element in self.elements]
         words = [kind.word for kind in EngagedKind]
         columns = (column.tolist() for column in self[1:])
         for members, kind, ratio, free, torques in zip(*columns, strict=True):
-            engaged = [names[one] for one in members]
+            engaged = [names[index] for index in members]
             known = dict(zip(engaged, torques, strict=True)) if kind >= EngagedKind.GEAR else None
             alone = kind == EngagedKind.DIRECT and len(engaged) == 1
             slip = 1 / (torques[0] or math.nan) if alone else None
             yield EngagedSet(engaged, words[kind], ratio, free, known, slip)
 
     def where(self, chosen: Booleans) -> EngagedSets:
-        """Some of them."""
+        """Return a selection of the combinations."""
         return EngagedSets._make((self.elements, *(column[chosen] for column in self[1:])))
 
     @property
     def gears(self) -> Booleans:
-        """(sets,), which have a ratio."""
+        """True for combinations with a ratio, shape (sets,)."""
         return self.kinds >= EngagedKind.GEAR
 
 
 def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
-    """A row for each combination; then how many there are of each kind.
+    """Yield a table with a row for each combination, and a table of the numbers of each kind.
 
     Examples
     --------
@@ -344,10 +345,19 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
     """
     kinds: Counter[str] = Counter()
     rows = []
-    for one in found:
-        kinds[one.kind] += 1
-        torques = _torque_cell([*(one.torques or {}).values()])
-        rows.append((one.engaged, one.kind, one.ratio, sign(one.free), torques, one.slip))
+    for combination in found:
+        kinds[combination.kind] += 1
+        torques = _torque_cell([*(combination.torques or {}).values()])
+        rows.append(
+            (
+                combination.engaged,
+                combination.kind,
+                combination.ratio,
+                sign(combination.free),
+                torques,
+                combination.slip,
+            )
+        )
     headings = "engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"
     yield grid_of("Combinations", headings, rows, key="combinations")
     named = (kind.word for kind in reversed(EngagedKind))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def set_name(number: int) -> str:
-    """The name of a set in a case, by its number from 1.
+    """Return the name of a gear set in a case, by a number from 1.
 
     >>> set_name(1)
     'P1'
@@ -15,7 +15,7 @@ def set_name(number: int) -> str:
 
 
 def in_order(ratios: Sequence[float]) -> list[int]:
-    """The indices of ratios in the order of their gears.
+    """Return the indices of ratios in the order of gears.
 
     >>> in_order([1, -2.5, 3.2])
     [2, 0, 1]
@@ -24,7 +24,7 @@ def in_order(ratios: Sequence[float]) -> list[int]:
 
 
 def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
-    """The name of the gear of each ratio: forward by descending ratio, then those backward.
+    """Return the names of the gears of ratios: forward by descending ratio, then reverse.
 
     >>> names_of_gears([1, -2.5, 3.2]), names_of_gears([-2, 1, -4])
     (('2', 'R', '1'), ('R2', '1', 'R1'))
@@ -35,7 +35,7 @@ def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
 
 
 def names_of_mean(ratios: Sequence[float]) -> list[str]:
-    """The names of the gears of which a mean is made: those forward, or all if there are none.
+    """Return the names of gears in a mean: forward gears, or all without a forward gear.
 
     >>> names_of_mean([1, -2.5, 3.2]), names_of_mean([-2, -4])
     (['1', '2'], ['R1', 'R2'])
@@ -45,7 +45,7 @@ def names_of_mean(ratios: Sequence[float]) -> list[str]:
 
 
 def gear_names(forward: int, backward: int) -> list[str]:
-    """Names of gears from the slowest, those forward and then those backward.
+    """Return names of gears from the slowest, forward gears before reverse gears.
 
     >>> gear_names(2, 1), gear_names(1, 2)
     (['1', '2', 'R'], ['1', 'R1', 'R2'])

@@ -1,4 +1,4 @@
-"""A case between any two of its links: the pairs that are asked for, and the case of each."""
+"""Choice of other links as input and output of a case."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.synthesis.gears.speed_forms import Pair
 
 ALL = "all"
-"""What asks for all ordered pairs of different links."""
+"""Request for all ordered pairs of different links."""
 
 
 def port_pairs(case: Transmission, asked: Sequence[str]) -> list[Pair]:
-    """Inputs and outputs, each pair once.
+    """Return the requested pairs of input and output, each once.
 
     Parameters
     ----------
     asked : sequence of str
-        ``all`` alone, or pairs ``IN:OUT`` of names or numbers of links; names may have colons.
+        ``all`` alone, or pairs ``IN:OUT`` of names or numbers of links; names can contain colons.
 
     Raises
     ------
     ValueError
-        If one is no pair of two links.
+        If a text does not name two different links.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def port_pairs(case: Transmission, asked: Sequence[str]) -> list[Pair]:
 
 
 def _pair(case: Transmission, text: str) -> Pair:
-    """The two links of a text; where several colons can part it, the first that gives two."""
+    """Return the two links of a text, split at the first colon that follows the name of a link."""
     first, colon, second = text.partition(":")
     names = case.link_names[: case.own_links]
     while second.count(":") and first not in names:
@@ -55,7 +55,7 @@ def _pair(case: Transmission, text: str) -> Pair:
 
 
 def between(case: Transmission, pair: Pair) -> Transmission:
-    """The case with another input and output; what gears and loads give is left out.
+    """Return the case with a new input and output, but without gears and loads.
 
     >>> from vstatics import Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])

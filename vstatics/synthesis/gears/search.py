@@ -1,4 +1,4 @@
-"""The search through all combinations of shift elements of a case, and which these may be."""
+"""Search through all combinations of shift elements of a case, and choice of the elements."""
 
 from __future__ import annotations
 
@@ -29,22 +29,22 @@ from vstatics.synthesis.gears.speed_forms import FreeSpeeds, Pair, SpeedForms
 from vstatics.synthesis.tolerances import NEAR_DIRECT
 
 AUTO = "auto"
-"""What asks for all elements that a scheme may have."""
+"""Request for all elements that a scheme can have."""
 
 
 def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement]:
-    """The shift elements that combinations are made of.
+    """Return the shift elements that form combinations.
 
     Parameters
     ----------
     asked : sequence of str
-        Names or numbers of elements of the case; all of them when not given. Or ``auto``
-        alone: see `all_elements`.
+        Names or numbers of elements of the case, by default all, or ``auto`` alone for
+        `all_elements`.
 
     Raises
     ------
     CaseError
-        If there is no such element.
+        If an element does not exist.
 
     Examples
     --------
@@ -61,12 +61,12 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
     if AUTO in asked:
         expected = f"expected `{AUTO}` alone, or names of shift elements"
         raise CaseError("E812", f"read {quoted(', '.join(asked))}, {expected}")
-    numbers = sorted({_number(case, one) for one in asked}) or range(len(case.shift_elements))
+    numbers = sorted({_number(case, text) for text in asked}) or range(len(case.shift_elements))
     return [case.shift_elements[number] for number in numbers]
 
 
 def _number(case: Transmission, asked: str) -> int:
-    """The index of an element: the one of a name, else the one of a number."""
+    """Return the index of an element with a name, or else a number."""
     names = [element.name for element in case.shift_elements]
     if asked in names:
         return names.index(asked)
@@ -80,11 +80,11 @@ def _number(case: Transmission, asked: str) -> int:
 
 
 def all_elements(case: Transmission) -> list[ShiftElement]:
-    """All clutches and brakes that the scheme of a case may have.
+    """Return all clutches and brakes that the scheme of a case can have.
 
-    A clutch between any two links, then a brake on any link but the input and outputs.
-    Links of planets have none. What the case has between the same links stands in place of
-    a new one, with its own name; freewheels do not.
+    There is a clutch between any two links, and a brake on any link except input and outputs, but
+    none on planets. Elements of the case, except freewheels, replace new elements between the same
+    links.
     """
     ports = {case.input, case.output, *case.outputs}
     links = range(1, case.own_links + 1)
@@ -92,19 +92,19 @@ def all_elements(case: Transmission) -> list[ShiftElement]:
         *subsets(links, 2),
         *((link, HOUSING) for link in links if link not in ports),
     ]
-    own: dict[frozenset[int], ShiftElement] = {}
+    existing: dict[frozenset[int], ShiftElement] = {}
     for element in case.shift_elements:
         if not element.is_freewheel:
-            own.setdefault(frozenset(element.links), element)
-    known = [own.get(frozenset(pair)) for pair in pairs]
-    new = [pair for pair, one in zip(pairs, known, strict=True) if not one]
-    names = iter(_names(case, new, {one.name for one in known if one}))
+            existing.setdefault(frozenset(element.links), element)
+    known = [existing.get(frozenset(pair)) for pair in pairs]
+    new = [pair for pair, element in zip(pairs, known, strict=True) if not element]
+    names = iter(_names(case, new, {element.name for element in known if element}))
     both = zip(pairs, known, strict=True)
-    return [one or ShiftElement(*pair, name=next(names)) for pair, one in both]
+    return [element or ShiftElement(*pair, name=next(names)) for pair, element in both]
 
 
 def count_all_elements(case: Transmission) -> int:
-    """How many elements `all_elements` gives.
+    """Return the number of elements of `all_elements`.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
@@ -116,7 +116,7 @@ def count_all_elements(case: Transmission) -> int:
 
 
 def _names(case: Transmission, pairs: Sequence[Pair], taken: set[str]) -> list[str]:
-    """Names that tell the links: ``F-sun-ring``, ``T-ring``; numbers of links if need be."""
+    """Return names of elements by links, ``F-sun-ring``, ``T-ring``, or by numbers if necessary."""
     by_name = [_name([case.link_name(link) for link in pair if link]) for pair in pairs]
     if len(set(by_name)) == len(by_name) and not taken & set(by_name):
         return by_name
@@ -130,66 +130,66 @@ def _name(links: Sequence[str]) -> str:
     return "-".join(["T" if len(links) == 1 else "F", *links])
 
 
-MOST_COMBINATIONS = 1_000_000
-"""So many combinations are tried unless more are asked for: about ten seconds."""
+MOST_TRIED_COMBINATIONS = 1_000_000
+"""Default limit of the number of combinations, about ten seconds of work."""
 ROW_NUMBERS_AT_ONCE = 500_000
-"""So many numbers have the rows of the combinations that are calculated together."""
+"""Number of values in the rows of combinations that are calculated together."""
 MOST_ROW_NUMBERS = 20_000_000
-"""So many numbers may have the rows of all elements."""
+"""Largest number of values in the rows of all elements."""
 DRAWS = 3
-"""So many times the ratios of all mechanisms are drawn, to tell direct drives."""
+"""Number of random draws of the ratios of all mechanisms that identify direct drives."""
 WORK = 30_000
-"""So many steps of elimination a combination may take for each that may be tried, on average."""
+"""Average number of elimination steps per combination above which a search is refused."""
 
 
 def refuse_converters(case: Transmission) -> None:
-    """Refuse a train whose power, and whose equations, combinations change.
+    """Refuse a train with a converter, whose power and equations combinations change.
 
     Raises
     ------
     CaseError
-        If it has a converter.
+        If the train has a converter.
     """
-    for number, one in enumerate(case.mechanisms, 1):
-        if one.kind == "converter":
+    for number, part in enumerate(case.mechanisms, 1):
+        if part.kind == "converter":
             message = (
-                f"{one.name} loses power, and a lock-up clutch bypasses it: expected the train "
+                f"{part.name} loses power, and a lock-up clutch bypasses it: expected the train "
                 "behind it, its turbine as `input`"
             )
             raise CaseError("E456", message, ("mechanisms", number))
 
 
 class CombinationSearch:
-    """All combinations of some elements of a case; nothing is calculated before it is asked for.
+    """Search through all combinations of elements of a case, evaluated lazily.
 
     Parameters
     ----------
     case : Transmission
     engaged : sequence of int
-        How many elements are engaged; as many as leave one degree of freedom when not given.
+        Numbers of engaged elements; by default as many as leave one degree of freedom.
     elements : sequence of str
-        Those to choose from, by name or number, or ``auto``; all of the case when not given.
+        Elements to choose from, by name or number, or ``auto``; by default all of the case.
 
     Raises
     ------
     CaseError
-        If there is no such element, or not as many of them, or the case has a converter.
+        If an element does not exist, there are too few elements, or the case has a converter.
     """
 
     def __init__(
         self, case: Transmission, engaged: Sequence[int] = (), elements: Sequence[str] = ()
     ) -> None:
-        """Only look at what is asked for."""
+        """Check the request."""
         refuse_converters(case)
         self.case = case
         self._asked = elements
         self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
         self.are_own = list(elements) != [AUTO]
-        """Whether the elements are those of the case, or some of them."""
+        """True if all elements belong to the case."""
         self.choice = (
             len(chosen_elements(case, elements)) if self.are_own else count_all_elements(case)
         )
-        """So many elements there are to choose from."""
+        """Number of elements to choose from."""
         for size in engaged:
             if not 0 <= size <= self.choice:
                 message = (
@@ -206,7 +206,7 @@ class CombinationSearch:
 
     @cached_property
     def count(self) -> float:
-        """How many combinations there are; infinite where nobody will count them."""
+        """Number of combinations, infinite above 1e200 or so."""
         return sum(map(self._count, self.sizes))
 
     def _count(self, size: int) -> float:
@@ -217,11 +217,11 @@ class CombinationSearch:
 
     @cached_property
     def elements(self) -> list[ShiftElement]:
-        """Those to choose from."""
+        """Elements to choose from."""
         return chosen_elements(self.case, self._asked)
 
-    def check(self, at_most: int | None = MOST_COMBINATIONS) -> None:
-        """Refuse more combinations than these, if any, or larger ones than memory has room for.
+    def check(self, at_most: int | None = MOST_TRIED_COMBINATIONS) -> None:
+        """Refuse more combinations than a limit, or more than memory has room for.
 
         Raises
         ------
@@ -234,7 +234,7 @@ class CombinationSearch:
             )
             raise CaseError("E420", message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
-        free = needed(self.case) + 1  # of the steps of elimination, about
+        free = needed(self.case) + 1  # about as many elimination steps per row
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
         if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
@@ -245,35 +245,34 @@ class CombinationSearch:
             raise CaseError("E817", message, ("shift_elements",))
 
     def batches(self) -> Iterator[EngagedSets]:
-        """All combinations in the order of the elements, some thousands at a time."""
+        """Yield all combinations in the order of the elements, some thousands at a time."""
         for size in self.sizes:
             chosen = subsets(range(self.choice), size)
             while True:
                 members = _members(chosen, size, self._room(size))
                 if not len(members):
                     break
-                yield self._found(members)
+                yield self._examined(members)
                 if not size:
                     break
 
     def samples(self) -> Iterator[EngagedSets]:
-        """The first combinations of each size."""
+        """Yield the first combinations of each size."""
         for size in self.sizes:
             yield self._first(size, 100)
 
     def seconds(self) -> float:
-        """About how long all of them take, by a piece of them [s]."""
+        """Estimate the time for all combinations from a sample [s]."""
         self._first(self.sizes[0], 1)
         total = 0.0
         for size in self.sizes:
             began = time.perf_counter()
-            found = list(self._first(size, min(self._room(size), 2000)).each())
-            total += (time.perf_counter() - began) / len(found) * self._count(size)
+            sample = list(self._first(size, min(self._room(size), 2000)).each())
+            total += (time.perf_counter() - began) / len(sample) * self._count(size)
         return total
 
     def _first(self, size: int, most: int) -> EngagedSets:
-        """What the first combinations of a size do."""
-        return self._found(_members(subsets(range(self.choice), size), size, most))
+        return self._examined(_members(subsets(range(self.choice), size), size, most))
 
     def _room(self, size: int) -> int:
         return max(ROW_NUMBERS_AT_ONCE // ((size + 3) * max(self._forms.free, 1)), 1)
@@ -284,7 +283,7 @@ class CombinationSearch:
 
     @cached_property
     def _drawn_forms(self) -> list[SpeedForms]:
-        """The same with other ratios of the mechanisms, drawn at random, but always alike."""
+        """Speed forms for random ratios of the mechanisms, with a fixed seed."""
         draw = random.Random(1)  # noqa: S311
 
         def drawn() -> list[float]:
@@ -297,16 +296,15 @@ class CombinationSearch:
         pairs = [*(element.links for element in self.elements), *ports]
         return FreeSpeeds(self.case, ratios).forms(pairs)
 
-    def _found(self, members: Indices) -> EngagedSets:
-        """What some combinations do."""
-        found = engaged_kinds(self._forms, members)
-        kinds, ratios, free = found.kinds.astype(np.intp), found.ratios, found.free
-        for index in np.flatnonzero(found.doubtful):
-            engaged = [self.elements[one].links for one in members[index]]
+    def _examined(self, members: Indices) -> EngagedSets:
+        effects = engaged_kinds(self._forms, members)
+        kinds, ratios, free = effects.kinds.astype(np.intp), effects.ratios, effects.free
+        for index in np.flatnonzero(effects.doubtful):
+            engaged = [self.elements[element].links for element in members[index]]
             kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
         near = np.flatnonzero(abs(ratios - 1) < NEAR_DIRECT)
         for forms in self._drawn_forms if len(near) else ():
-            again = engaged_kinds(forms, members[near])  # one that loses digits says nothing
+            again = engaged_kinds(forms, members[near])  # doubtful results are not conclusive
             near = near[(again.kinds == EngagedKind.GEAR) & again.unity | again.doubtful]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
         torques = np.full(members.shape, np.nan)
@@ -316,7 +314,7 @@ class CombinationSearch:
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
-    """The next combinations as rows of an array."""
+    """Return the next combinations as rows of an array."""
     if not size:
         return np.zeros((1, 0), dtype=np.intp)
     flat = chain.from_iterable(islice(chosen, most))
@@ -324,7 +322,7 @@ def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices
 
 
 def count_text(count: float) -> str:
-    """A number of combinations as one says it.
+    """Return a number of combinations in words.
 
     >>> count_text(66), count_text(10**30), count_text(math.inf)
     ('66', 'about 1e+30', 'more than 1e+200')
@@ -339,37 +337,39 @@ def combinations(
     case: Transmission,
     engaged: int | Sequence[int] = (),
     elements: str | Sequence[str] = (),
-    at_most: int = MOST_COMBINATIONS,
+    at_most: int = MOST_TRIED_COMBINATIONS,
 ) -> list[EngagedSet]:
-    """All combinations of shift elements of a case, with their kinds and ratios.
+    """Return all combinations of shift elements of a case, with kinds and ratios.
 
-    The kind follows from all speeds of input and output that mechanisms, springs at mean
-    speeds and engaged elements allow:
-    ``blocked``: the input can't turn;
-    ``parking``: the output stands, while the input turns;
-    ``neutral``: they are independent of each other;
-    ``gear``: they have a fixed ratio; ``direct``: it is 1 whatever the ratios of the mechanisms.
+    The kind follows from the speeds of input and output that mechanisms, springs at mean speeds and
+    engaged elements allow:
+    ``blocked``: the input cannot turn;
+    ``parking``: the output is at rest while the input turns;
+    ``neutral``: input and output turn independently;
+    ``gear``: input and output have a fixed ratio;
+    ``direct``: the ratio is 1 for any ratios of the mechanisms.
 
     Parameters
     ----------
     case : Transmission
+        Gearbox, possibly without gears.
     engaged : int or sequence of int
-        How many elements; as many as leave one degree of freedom when not given.
+        Numbers of engaged elements; by default as many as leave one degree of freedom.
     elements : str or sequence of str
-        To choose from, by names or numbers; all of the case when not given. ``"auto"``: all
-        clutches and brakes that its scheme may have. A freewheel counts as one that holds.
+        Elements to choose from, by names or numbers; by default all of the case. ``"auto"`` stands
+        for all clutches and brakes that the scheme can have. Freewheels count as engaged.
     at_most : int
-        So many combinations may be tried.
+        Largest number of combinations.
 
     Returns
     -------
     list of EngagedSet
-        Names of the engaged elements, the kind, and the ratio [-] where there is one.
+        Names of the engaged elements, the kind, and the ratio [-] if it exists.
 
     Raises
     ------
     CaseError
-        If there is no such element, or there are more combinations.
+        If an element does not exist, or there are more combinations.
 
     Source
     ------
@@ -389,4 +389,4 @@ def combinations(
     asked = [elements] if isinstance(elements, str) else elements
     search = CombinationSearch(case, sizes, asked)
     search.check(at_most)
-    return [one for batch in search.batches() for one in batch.each()]
+    return [combination for batch in search.batches() for combination in batch.each()]

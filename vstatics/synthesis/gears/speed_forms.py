@@ -1,7 +1,7 @@
-"""Speeds in as few free ones as the equations of a case leave, whatever is engaged.
+"""Speeds of a case as linear forms in as few free speeds as its equations leave.
 
-Mechanisms, and springs at mean speeds, are the same in every combination of shift elements:
-they are eliminated once. What is left are short rows, one for each element and each port.
+Mechanisms, and springs at mean speeds, are the same in every combination of shift elements, so
+they are eliminated once. The remaining rows are short, one for each element and each port.
 """
 
 from __future__ import annotations
@@ -20,28 +20,29 @@ from vstatics.core.statics.matrix import columns
 from vstatics.synthesis.tolerances import KEPT_PART
 
 Pair = tuple[int, int]
-"""Two links, whose difference of speeds is asked for; the housing is 0."""
+"""Two links whose difference of speeds is wanted; 0 is the housing."""
 NOTHING: Entry = (0.0, 0.0)
+"""Entry for zero."""
 
 
 class SpeedForms(NamedTuple):
-    """Linear forms in the free speeds: differences of speeds of pairs of links."""
+    """Differences of speeds of pairs of links, as linear forms in the free speeds."""
 
     values: Floats
-    """(pairs, free speeds) [-]"""
+    """Coefficients of the forms, shape (pairs, free speeds). [-]"""
     sizes: Floats
-    """Of the same shape: what bounds the rounding of each value, see `numerics.entries`. [-]"""
+    """Bounds for the rounding of each coefficient, of equal shape, see `numerics.entries`. [-]"""
     doubtful: bool
-    """Whether too many digits were lost to tell by them what is zero."""
+    """True if too many digits were lost to recognise zeros."""
 
     @property
     def free(self) -> int:
-        """The degrees of freedom of the train without its shift elements."""
+        """Degrees of freedom of the train without shift elements."""
         return int(self.values.shape[-1])
 
 
 class _GivenSpeed(NamedTuple):
-    """An equation that gives the speed of a link by those of others."""
+    """Equation that gives the speed of a link by the speeds of further links."""
 
     number: int
     link: int
@@ -50,12 +51,12 @@ class _GivenSpeed(NamedTuple):
 
 
 class FreeSpeeds:
-    """The speeds that the mechanisms and springs of a case leave free, and all others by them.
+    """Speeds that the mechanisms and springs of a case leave free, and dependent speeds.
 
     Parameters
     ----------
     ratios : sequence of float, optional
-        In place of the internal ratios of the case. [-]
+        Basic ratios that replace those of the case. [-]
 
     Examples
     --------
@@ -68,26 +69,28 @@ class FreeSpeeds:
     """
 
     def __init__(self, case: Transmission, ratios: Sequence[float] | None = None) -> None:
-        """Eliminate what is the same in every combination."""
-        own = [mechanism.ratio for mechanism in case.mechanisms]
+        """Eliminate the equations that hold in every combination."""
+        basic = [mechanism.ratio for mechanism in case.mechanisms]
         self.doubtful = False
         self._numbered: list[_GivenSpeed] = []
         self._pivots: dict[int, _GivenSpeed] = {}
-        for column in columns(case, own if ratios is None else ratios)[len(case.shift_elements) :]:
+        for column in columns(case, basic if ratios is None else ratios)[
+            len(case.shift_elements) :
+        ]:
             row = self._reduced(row_of(column, FLOATS))
-            if row:  # it gives one of its speeds by the others
-                link = max(row, key=lambda one: (abs(row[one][0]), -one))
+            if row:  # the row determines one of its speeds
+                link = max(row, key=lambda candidate: (abs(row[candidate][0]), -candidate))
                 pivot = _GivenSpeed(len(self._numbered), link, row.pop(link), row)
                 self._numbered.append(pivot)
                 self._pivots[link] = pivot
         links = range(1, case.links + 1)
         self.free = [link for link in links if link not in self._pivots]
-        """Links."""
+        """Links with free speeds."""
 
     def _reduced(self, row: Row) -> Row:
-        """A row without the links that others give, and without zeros.
+        """Eliminate the dependent speeds from a row, and remove zeros.
 
-        No row of `_pivots` has the link of one before it: in their order each is met once.
+        No row of `_pivots` contains the link of an earlier row, so in their order each is met once.
         """
         left = {link: entry for link, entry in row.items() if entry[0]}
         met = [self._pivots[link].number for link in left if link in self._pivots]
@@ -106,14 +109,14 @@ class FreeSpeeds:
         return left
 
     def _less(self, entry: Entry, factor: Entry, term: Entry) -> Entry:
-        """``entry - factor * term``, with an eye on digits that are lost."""
+        """Return ``entry - factor * term``, and note a loss of digits."""
         less = FLOATS.less(entry, factor, term)
         larger = max(absolute(entry[0]), absolute(factor[0] * term[0]))
         self.doubtful |= bool(less[1] * KEPT_PART > larger)
         return less
 
     def forms(self, pairs: Sequence[Pair]) -> SpeedForms:
-        """Differences of speeds by the free ones."""
+        """Return differences of speeds as linear forms in the free speeds."""
         place = {link: index for index, link in enumerate(self.free)}
         values = np.zeros((len(pairs), len(place)))
         sizes = np.zeros_like(values)
@@ -122,9 +125,9 @@ class FreeSpeeds:
             for link in (first, second):
                 if link not in by_link:
                     by_link[link] = self._reduced({link: (1.0, 1.0)})
-            one, other = by_link[first], by_link[second]
-            for link in dict.fromkeys([*one, *other]):
-                pair = one.get(link, NOTHING), other.get(link, NOTHING)
+            first_row, second_row = by_link[first], by_link[second]
+            for link in dict.fromkeys([*first_row, *second_row]):
+                pair = first_row.get(link, NOTHING), second_row.get(link, NOTHING)
                 value, size = self._less(*pair, EXACTLY_ONE)
                 values[number, place[link]], sizes[number, place[link]] = float(plain(value)), size
         return SpeedForms(values, sizes, self.doubtful)

@@ -1,7 +1,7 @@
-"""Ratios of mechanisms for wanted ratios of gears.
+"""Fitting of mechanism ratios to wanted gear ratios.
 
-`formula` has the ratio of a gear as a quotient of `multilinear` polynomials, `arrays` calculates
-it for many ratios of mechanisms at once. `problem` checks what is asked, with its bounds; `space`
-is what varies. `search` goes from starts all over the bounds to minima, by `least_squares`;
-`fitting` does all this, and makes a case with what is found. `tables` tell of it before and after.
+`formula` expresses the ratio of a gear as a quotient of `multilinear` polynomials; `arrays`
+evaluates it for many sets of mechanism ratios. `problem` checks the request and its bounds, `space`
+contains the variables. `search` starts all over the bounds and finds minima by `least_squares`.
+`fitting` combines all steps and builds the case. `tables` present the problem and the result.
 """

@@ -1,4 +1,4 @@
-"""Ratios of gears and how they change, from their formulas, on arrays of ratios of mechanisms."""
+"""Gear ratios and sensitivities from formulas, for arrays of mechanism ratios."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from vstatics.synthesis.ratios.formula import GearFormula
 from vstatics.synthesis.ratios.multilinear import Polynomial, bits
 
 MOST_CORNERS = 2**16
-"""So many corners of bounds are looked at: those of 16 ratios."""
+"""Largest number of corners of the bounds to evaluate, enough for 16 ratios."""
 PRODUCTS_AT_ONCE = 4_000_000
-"""So many products are calculated together."""
+"""Number of products that are calculated together."""
 
 
 class RatioArrays(NamedTuple):
-    """The formulas of some gears as arrays.
+    """Formulas of gears as arrays.
 
     Examples
     --------
@@ -35,58 +35,59 @@ class RatioArrays(NamedTuple):
     """
 
     powers: Booleans
-    """(products, mechanisms): which ratios a product has."""
+    """True for each ratio in a product, shape (products, mechanisms)."""
     above: Floats
-    """(products, gears)."""
+    """Coefficients of the numerators, shape (products, gears)."""
     below: Floats
+    """Coefficients of the denominators, shape (products, gears)."""
 
     def ratios(self, of_mechanisms: Floats) -> Floats:
-        """The ratios of the gears.
+        """Return the ratios of the gears.
 
         Parameters
         ----------
         of_mechanisms : ndarray, shape (variants, mechanisms)
-            [-]
+            Ratios of the mechanisms. [-]
 
         Returns
         -------
         ndarray, shape (variants, gears)
-            Not finite where the output stands. [-]
+            Gear ratios, not finite where the output is at rest. [-]
         """
         pieces = -(-len(of_mechanisms) * len(self.powers) // PRODUCTS_AT_ONCE)
         with np.errstate(all="ignore"):
-            found = [
+            quotients = [
                 (products @ self.above) / (products @ self.below)
                 for products in map(self.products, np.array_split(of_mechanisms, max(pieces, 1)))
             ]
-        return np.concatenate(found)
+        return np.concatenate(quotients)
 
     def sensitivities(self, of_mechanisms: Floats) -> Floats:
-        """Relative sensitivities ``(u/i) di/du`` of the gears.
+        """Return the relative sensitivities ``(u/i) di/du`` of the gears.
 
         Parameters
         ----------
         of_mechanisms : ndarray, shape (variants, mechanisms)
-            [-]
+            Ratios of the mechanisms. [-]
 
         Returns
         -------
         ndarray, shape (variants, gears, mechanisms)
-            [-]
+            Sensitivity of each gear ratio to each mechanism ratio. [-]
         """
         with np.errstate(all="ignore"):
             products = self.products(of_mechanisms)
             return self._part(products, self.above) - self._part(products, self.below)
 
     def products(self, of_mechanisms: Floats) -> Floats:
-        """The products of ratios, (variants, products)."""
-        found = np.ones((len(of_mechanisms), len(self.powers)))
+        """Return the products of mechanism ratios, shape (variants, products)."""
+        results = np.ones((len(of_mechanisms), len(self.powers)))
         for has_it, ratios in zip(self.powers.T, of_mechanisms.T, strict=True):
-            found *= np.where(has_it, ratios[:, np.newaxis], 1.0)
-        return found
+            results *= np.where(has_it, ratios[:, np.newaxis], 1.0)
+        return results
 
     def _part(self, products: Floats, factors: Floats) -> Floats:
-        """``(u/p) dp/du`` of each polynomial p: its products with u by all of them."""
+        """Return ``(u/p) dp/du`` of each polynomial p: the share of products that contain u."""
         count, mechanisms = self.powers.shape
         with_ratio = factors[:, :, np.newaxis] * self.powers[:, np.newaxis, :]
         parts = products @ with_ratio.reshape(count, -1)
@@ -95,7 +96,7 @@ class RatioArrays(NamedTuple):
 
 
 def ratio_arrays(formulas: Sequence[GearFormula], mechanisms: int) -> RatioArrays:
-    """The formulas of some gears, which all have a ratio, as arrays."""
+    """Return the formulas of gears as arrays; every gear must have a ratio."""
     places: dict[int, int] = {}
     for formula in formulas:
         for ratios in (*formula.above, *formula.below):
@@ -116,11 +117,11 @@ def _factors(polynomials: Sequence[Polynomial], places: dict[int, int]) -> Float
 
 
 def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float] | None:
-    """The least and the largest ratio of a gear while those of mechanisms are within bounds.
+    """Return the smallest and the largest ratio of a gear within bounds of mechanism ratios.
 
-    Each polynomial is linear in each ratio, so it has its least and largest values at corners of
-    the bounds. Where the lower one keeps its sign, the quotient grows or falls with each ratio all
-    the way, and so has them there, too.
+    Each polynomial is linear in each ratio, so its extremes are at corners of the bounds. If the
+    denominator does not change sign, the quotient is monotonic in each ratio, so its extremes are
+    at corners, too.
 
     Parameters
     ----------
@@ -131,7 +132,8 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
     Returns
     -------
     tuple of float, optional
-        None where the output may stand, so that the ratio has no bounds, or has too many corners.
+        None if the output can be at rest, so that the ratio is unbounded, or there are too many
+        corners.
 
     Examples
     --------
@@ -146,27 +148,27 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
         return None
     with np.errstate(all="ignore"):
         above, below = (
-            at_corners(factors(one, varied, low), low[varied], high[varied])
-            for one in (formula.above, formula.below)
+            at_corners(factors(polynomial, varied, low), low[varied], high[varied])
+            for polynomial in (formula.above, formula.below)
         )
-        found = above / below
-    if not np.isfinite(found).all() or not ((below > 0).all() or (below < 0).all()):
+        quotients = above / below
+    if not np.isfinite(quotients).all() or not ((below > 0).all() or (below < 0).all()):
         return None
-    return float(found.min()), float(found.max())
+    return float(quotients.min()), float(quotients.max())
 
 
 def factors(
     polynomial: Polynomial, varied: Sequence[int], given: Sequence[float] | Floats = ()
 ) -> Floats:
-    """The factors of a polynomial, linear in each ratio, as `at_corners` takes them.
+    """Return the coefficients of a polynomial in the order that `at_corners` expects.
 
     Parameters
     ----------
     polynomial : mapping
     varied : sequence of int
-        Indices of the ratios that stay; for others there is one in `given`.
+        Indices of the ratios that remain variables.
     given : sequence of float
-        By index. [-]
+        Values of the other ratios, by index. [-]
 
     Examples
     --------
@@ -175,30 +177,32 @@ def factors(
     array([ 1., -3.])
     """
     places = {ratio: 1 << place for place, ratio in enumerate(varied)}
-    found = np.zeros(2 ** len(varied))
+    coefficients = np.zeros(2 ** len(varied))
     for ratios, coefficient in polynomial.items():
         indices = bits(ratios)
         fixed = [float(given[index]) for index in indices if index not in places]
         place = sum(places.get(index, 0) for index in indices)
-        found[place] += float(coefficient) * math.prod(fixed)
-    return found
+        coefficients[place] += float(coefficient) * math.prod(fixed)
+    return coefficients
 
 
 def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
-    """Polynomials, linear in each ratio, at all corners of bounds.
+    """Evaluate polynomials, linear in each ratio, at all corners of bounds.
 
-    A ratio after the other is put in: the half without it, and the half with it at each bound.
+    The ratios are inserted one after the other: the half of the coefficients with the ratio is
+    multiplied by each bound and added to the half without it.
 
     Parameters
     ----------
     factors : ndarray, shape (2**ratios,)
-        By product; the bits of its place are the ratios in it.
+        Coefficients; the bits of the index are the ratios in the product.
     low, high : ndarray, shape (..., ratios)
-        [-]
+        Bounds of the ratios. [-]
 
     Returns
     -------
     ndarray, shape (..., 2**ratios)
+        Values at the corners; the bits of the index select the bounds.
 
     Examples
     --------
@@ -208,11 +212,11 @@ def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
     array([5. , 2.5])
     """
     outer = low.shape[:-1]
-    found = np.broadcast_to(factors, (*outer, len(factors)))
+    values = np.broadcast_to(factors, (*outer, len(factors)))
     for place in range(low.shape[-1]):
-        halves = found.reshape(*outer, len(factors) >> place + 1, 2, 1 << place)
+        halves = values.reshape(*outer, len(factors) >> place + 1, 2, 1 << place)
         without, with_it = halves[..., 0, :], halves[..., 1, :]
-        ends = (one[..., place, np.newaxis, np.newaxis] for one in (low, high))
-        found = np.stack([without + end * with_it for end in ends], axis=-2)
-        found = found.reshape(*outer, len(factors))
-    return found
+        ends = (bound[..., place, np.newaxis, np.newaxis] for bound in (low, high))
+        values = np.stack([without + end * with_it for end in ends], axis=-2)
+        values = values.reshape(*outer, len(factors))
+    return values

@@ -1,4 +1,4 @@
-"""Ratios of mechanisms for wanted ratios of gears: least squares, and the case with them."""
+"""Mechanism ratios for wanted gear ratios: least squares, and the case with the result."""
 
 from __future__ import annotations
 
@@ -30,41 +30,44 @@ from vstatics.synthesis.ratios.problem import (
 from vstatics.synthesis.ratios.search import found_ratios
 
 TOLERANCE = 0.005
-"""So much ``|ln(i/target)|`` is met: half a per cent."""
+"""Largest ``|ln(i/target)|`` of a gear that counts as met, 0.5 %. [-]"""
 
 _NONE: Mapping[str, float] = MappingProxyType({})
 _NO_BOUNDS: Mapping[str, tuple[float, float]] = MappingProxyType({})
 
 
 class FitSolution(NamedTuple):
-    """Ratios of mechanisms, and what they give."""
+    """Ratios of mechanisms and the resulting gear ratios."""
 
     ratios: Mapping[str, float]
-    """By mechanism [-]."""
+    """Ratio by mechanism. [-]"""
     gears: Mapping[str, float]
-    """The ratio of every gear of the case [-]; NaN where it has none."""
+    """Ratio of every gear of the case, NaN for a gear without a ratio. [-]"""
     residual: float
-    """The largest ``|ln(i/target)|`` [-]."""
+    """Largest ``|ln(i/target)|``. [-]"""
     unmet: Sequence[str]
-    """Gears with more than the tolerance."""
+    """Gears with a deviation above the tolerance."""
 
 
 @told(*FitSolution._fields, "solutions")
 class Fit(NamedTuple):
-    """The best solution, and all."""
+    """Best solution and all solutions."""
 
     ratios: Mapping[str, float]
     gears: Mapping[str, float]
     residual: float
     unmet: Sequence[str]
     solutions: Sequence[FitSolution]
-    """Minima of the sum of squares, the best first: where it meets all, those that do."""
+    """Minima of the sum of squares, the best first; only complete solutions if the best is
+    complete."""
     problem: FitProblem
     free: Sequence[str]
-    """Mechanisms whose ratios the wanted ones do not determine, those among them that matter for
-    none: they stay as near as may be to the case's own."""
+    """Mechanisms with ratios that the wanted ratios do not determine.
+
+    Undetermined ratios stay as near as possible to the ratios of the case.
+    """
     warnings: Sequence[str]
-    """What else is to be known of it."""
+    """Further remarks on the result."""
 
 
 @refusing()
@@ -77,36 +80,36 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     tolerance: float = TOLERANCE,
     advance: Advance = untold,
 ) -> Fit:
-    """Ratios of mechanisms with which gears have the ratios that are wanted.
+    """Find ratios of mechanisms with which gears have wanted ratios.
 
-    The sum of ``weight ln(i/target)^2`` is least. Where the teeth of a drawn element mesh with
-    shared planets, its ratios are those between its central wheels, the carrier held.
+    The fit minimises the sum of ``weight ln(i/target)^2``. For a drawn gear set with shared
+    planets, the ratios are those between its central gears with the carrier held.
 
     Parameters
     ----------
     case : Transmission
-        What its mechanisms have does not matter, but for their signs and where there is a choice.
+        Gearbox; its own ratios only give signs, and decide where there is a choice.
     ratios : mapping of str to float
-        By the name of a gear, never by its number: what it should have. [-]
+        Wanted ratio by the name of a gear, never by its number. [-]
     bounds : mapping of str to (float, float)
-        By mechanism, or `all`: least and largest ratio. Without, one keeps its sign, and its size
-        is up to 14, where it has moving links on the same side of 1. [-]
+        Smallest and largest ratio by mechanism, or for `all`. By default a ratio keeps its sign and
+        has a size up to 14; between moving links it stays on the same side of 1. [-]
     weights : mapping of str to float
-        By the name of a gear; 1 when not given. [-]
+        Weight by the name of a gear, by default 1. [-]
     tolerance : float
-        The largest ``|ln(i/target)|`` of a gear that is met. [-]
+        Largest ``|ln(i/target)|`` of a gear that counts as met. [-]
     advance : callable
-        Called with how many steps more are done, from the first formula of a gear on.
+        Called with the number of further finished steps, from the first formula of a gear on.
 
     Returns
     -------
     Fit
-        Ratios of the mechanisms [-], ratios of the gears with them [-], what is not met.
+        Ratios of the mechanisms [-], resulting ratios of the gears [-], unmet gears.
 
     Raises
     ------
     CaseError
-        If no ratios can be looked for; the path of each problem begins with the argument.
+        If the problem cannot be solved; the path of each problem begins with the argument.
 
     Examples
     --------
@@ -117,11 +120,11 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     (-3.0, True, [])
     """
     problem = fit_problem(case, ratios, bounds, weights, tolerance, advance=advance)
-    found, free = found_ratios(problem, advance)
+    solutions, free = found_ratios(problem, advance)
     free = [*free, *problem.unused]
-    minima = [_solution(problem, one) for one in found]
+    minima = [_solution(problem, solution) for solution in solutions]
     best = minima[0]
-    solutions = minima if best.unmet else [one for one in minima if not one.unmet]
+    complete = minima if best.unmet else [minimum for minimum in minima if not minimum.unmet]
     names = [mechanism.name for mechanism in problem.own.case.mechanisms]
     loose = [name for index, name in enumerate(names) if index in free]
     warnings = [
@@ -129,24 +132,23 @@ def fit(  # noqa: PLR0913 - all but the first two by name
         *(_kept(problem) if best.unmet else ()),
         *_freewheels(case, problem, best),
     ]
-    return Fit(*best, solutions, problem, loose, warnings)
+    return Fit(*best, complete, problem, loose, warnings)
 
 
 def _solution(problem: FitProblem, ratios: Floats) -> FitSolution:
-    """What ratios of all mechanisms give."""
     case = problem.own.case
-    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
+    named = dict(zip((part.name for part in case.mechanisms), ratios.tolist(), strict=True))
     gears = dict(zip((gear.name for gear in case.gears), _gears(problem, ratios), strict=True))
     deviations = {
         case.gears[index].name: deviation(gears[case.gears[index].name], target)
         for index, target in problem.targets.items()
     }
-    unmet = [name for name, one in deviations.items() if not one <= problem.tolerance]
+    unmet = [name for name, size in deviations.items() if not size <= problem.tolerance]
     return FitSolution(named, gears, max(deviations.values()), unmet)
 
 
 def deviation(ratio: float, target: float) -> float:
-    """How far a ratio is from what is wanted: ``|ln(i/target)|`` [-].
+    """Return the deviation ``|ln(i/target)|`` of a ratio [-], infinite for the wrong sign.
 
     >>> round(deviation(4.04, 4.0), 6), deviation(-4.0, 4.0)
     (0.00995, inf)
@@ -156,50 +158,50 @@ def deviation(ratio: float, target: float) -> float:
 
 
 def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
-    """The ratios of all gears of the case; by the solver where there is a formula too long."""
+    """Yield the ratios of all gears of the case, by the solver if a formula is too long."""
     formulas = problem.formulas
-    if any(one.kind == "too long" for one in formulas):
+    if any(formula.kind == "too long" for formula in formulas):
         yield from solve(problem.own.case, ratios=ratios).ratio.tolist()
         return
-    of_ratios = [index for index, one in enumerate(formulas) if one.kind == "ratio"]
+    of_ratios = [index for index, formula in enumerate(formulas) if formula.kind == "ratio"]
     arrays = ratio_arrays([formulas[index] for index in of_ratios], len(ratios))
-    found = dict(zip(of_ratios, arrays.ratios(ratios[np.newaxis])[0].tolist(), strict=True))
+    fitted = dict(zip(of_ratios, arrays.ratios(ratios[np.newaxis])[0].tolist(), strict=True))
     for index, formula in enumerate(formulas):
-        yield formula.constant if formula.kind == "constant" else found.get(index, math.nan)
+        yield formula.constant if formula.kind == "constant" else fitted.get(index, math.nan)
 
 
 def _kept(problem: FitProblem) -> Iterator[str]:
-    """Mechanisms that keep a ratio of -1, which may be meant as a start only."""
-    own = problem.own
-    for index, mechanism in enumerate(own.case.mechanisms):
-        if own.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
+    """Yield remarks on mechanisms that keep a ratio of -1, perhaps only meant as a start."""
+    links = problem.own
+    for index, mechanism in enumerate(links.case.mechanisms):
+        if links.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
             hint = f"--bounds {mechanism.name}=-{LARGEST_SET_RATIO:g}:-1 lets it vary"
             yield f"{mechanism.name} keeps -1, as a symmetrical differential has it; {hint}"
 
 
 def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> Iterator[str]:
-    """Gears in which other freewheels hold with these ratios than with the case's own."""
+    """Yield remarks on gears in which the new ratios change the holding freewheels."""
     if not case.freewheels:
         return
     ratios = list(best.ratios.values())
     before = problem.own.case
     states = solve(on_own_links(case).case, ratios=ratios).with_freewheels_engaged
-    for one, other in zip(before.gears, states.gears, strict=True):
-        if set(one.engaged) != set(other.engaged):
-            yield f"gear {one.name}: with these ratios other freewheels hold, so its own is another"
+    for old, new in zip(before.gears, states.gears, strict=True):
+        if set(old.engaged) != set(new.engaged):
+            yield f"gear {old.name}: with these ratios other freewheels hold, so its own is another"
 
 
 def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission:
-    """The case with other ratios of its mechanisms.
+    """Return the case with new ratios of the mechanisms.
 
-    A drawn element has teeth, and no other ratio: it becomes its mechanisms, without planets as
-    links. The ratio of a planet is left out where that of its mechanism is another.
+    A drawn gear set is defined by teeth, so it is replaced by its mechanisms, without planets as
+    links. The planet ratio is omitted where the mechanism ratio changes.
 
     Parameters
     ----------
     case : Transmission
     ratios : mapping of str to float
-        By mechanism, as a `Fit` has them. [-]
+        Ratio by mechanism, as in a `Fit`. [-]
 
     Examples
     --------
@@ -210,16 +212,16 @@ def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission
     """
     plain = on_own_links(case).case
     mechanisms = [
-        one
-        if is_same(one.ratio, ratios[one.name])
-        else one._replace(ratio=ratios[one.name], planet_ratio=None)
-        for one in plain.mechanisms
+        part
+        if is_same(part.ratio, ratios[part.name])
+        else part._replace(ratio=ratios[part.name], planet_ratio=None)
+        for part in plain.mechanisms
     ]
     return plain.replace(mechanisms=mechanisms, description="", source="")
 
 
 def lost_by_fit(case: Transmission) -> list[str]:
-    """What a fitted case does not have of its case."""
+    """Return the data of a case that a fitted case lacks."""
     drawing = drawing_of(case)
     if drawing is None:
         return []
@@ -228,16 +230,16 @@ def lost_by_fit(case: Transmission) -> list[str]:
 
 
 def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str]:
-    """What a fitted case can't tell of planets, in words.
+    """Return the data on planets that a fitted case cannot contain, in words.
 
-    A planet ratio follows from that of the mechanism in a plain set only. Nothing is lost where
-    that was so before.
+    A planet ratio follows from the mechanism ratio only in a plain set. Planet ratios that already
+    followed from it are not lost.
 
     Parameters
     ----------
     case : Transmission
     ratios : mapping of str to float
-        By mechanism, as a `Fit` has them. [-]
+        Ratio by mechanism, as in a `Fit`. [-]
 
     Examples
     --------
@@ -247,11 +249,11 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
     >>> left_out_by_fit(case, {"set": 2.5}), left_out_by_fit(case, {"set": 2.7})
     ([], ['planet speeds of set: with these ratios no planet ratio is known'])
     """
-    own = on_own_links(case)
+    plain_case = on_own_links(case)
     after = fitted_case(case, ratios).mechanisms
     unknown, plain = [], []
-    for index, (old, new) in enumerate(zip(own.case.mechanisms, after, strict=True)):
-        if new.third == HOUSING or own.is_fixed(index):
+    for index, (old, new) in enumerate(zip(plain_case.case.mechanisms, after, strict=True)):
+        if new.third == HOUSING or plain_case.is_fixed(index):
             continue
         if not _has_planet(new):
             if _has_planet(old) or case.drawing is not None:
@@ -259,19 +261,18 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
         elif (
             old.planet_ratio is not None
             and new.planet_ratio is None
-            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # as it is in a plain set
+            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # as in a plain set
         ):
             plain.append(new.name)
-    found = []
+    lost = []
     if unknown:
         reason = "with these ratios no planet ratio is known"
-        found.append(f"planet speeds of {listed(unknown)}: {reason}")
+        lost.append(f"planet speeds of {listed(unknown)}: {reason}")
     if plain:
         reason = "with these ratios planets turn as in plain sets"
-        found.append(f"planet_ratio of {listed(plain)}: {reason}")
-    return found
+        lost.append(f"planet_ratio of {listed(plain)}: {reason}")
+    return lost
 
 
 def _has_planet(mechanism: Mechanism) -> bool:
-    """Whether there is a planet speed."""
     return mechanism.planet_ratio is not None or bool(mechanism.is_plain(mechanism.ratio))

@@ -1,4 +1,4 @@
-"""The ratio of a gear as a quotient of two polynomials in the ratios of its mechanisms."""
+"""Gear ratios as quotients of two polynomials in the ratios of the mechanisms."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ from vstatics.synthesis.ratios.multilinear import (
 )
 
 FormulaKind = Literal["ratio", "constant", "tied up", "open", "output stands", "too long"]
-"""Whether there is a ratio, or one whatever the ratios of the mechanisms are; else why not."""
+"""Kind of a formula: a ratio, a constant, or the reason why no ratio exists."""
 
 ONE, ZERO = Fraction(1), Fraction(0)
 
 
 class GearFormula(NamedTuple):
-    """``w_input/w_output = above/below``, both in ratios of mechanisms, whose indices are bits.
+    """Formula ``w_input/w_output = above/below`` in mechanism ratios, whose indices are bits.
 
-    Both are sums of products of some of the ratios, with factors of 1 and -1 but for given speeds.
+    Both polynomials are sums of products of some of the ratios. The factors are 1 and -1, except
+    with given speeds.
     """
 
     kind: FormulaKind
@@ -39,7 +40,7 @@ class GearFormula(NamedTuple):
 
     @property
     def ratios(self) -> list[int]:
-        """The indices of the mechanisms whose ratios matter."""
+        """Indices of the mechanisms in the formula."""
         occurring = 0
         for ratios in (*self.above, *self.below):
             occurring |= ratios
@@ -47,21 +48,21 @@ class GearFormula(NamedTuple):
 
     @property
     def constant(self) -> float:
-        """The ratio, where it is one whatever the ratios of the mechanisms are [-]."""
+        """Ratio of a formula of kind `constant` [-]."""
         return float(self.above[0] / self.below[0])
 
 
-def gear_formula(own: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearFormula:
-    """The formula of a gear's ratio.
+def gear_formula(links: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearFormula:
+    """Return the formula of the ratio of a gear.
 
     Parameters
     ----------
-    own : OwnLinks
-        The case, without planets among its links.
+    links : OwnLinks
+        Case without planets among its links.
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        Gear with holding freewheels among the engaged elements.
     fixed : mapping of int to float
-        Ratios of mechanisms, by their indices, that are numbers in the formula. [-]
+        Ratios of mechanisms by index that are inserted as numbers. [-]
 
     Raises
     ------
@@ -70,7 +71,7 @@ def gear_formula(own: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearF
 
     Examples
     --------
-    The ring is braked: ``i = (w_sun/w_carrier) = 1 - u``.
+    With the ring braked, ``i = w_sun/w_carrier = 1 - u``.
 
     >>> from vstatics.core.explain.bodies import on_own_links
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
@@ -83,20 +84,20 @@ def gear_formula(own: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> GearF
     >>> direct.kind, direct.constant
     ('constant', 1.0)
     """
-    case = own.case
+    case = links.case
     bodies = case.bodies(gear)
     output = bodies[case.gear_output(gear)]
     try:
         known = _known(case, gear, bodies)
-        found = independent([*_rows(own, gear, bodies, known, fixed)])
+        equations = independent([*_rows(links, gear, bodies, known, fixed)])
     except SingularError:
         return _without(TIED_UP.name)
     if output in known:
         speed = known[output]
         return _constant(speed) if speed else _without(OUTPUT_STANDS.name)
-    if output not in found.needed:
+    if output not in equations.needed:
         return _without(NEUTRAL.name)
-    rows = found.needed[output]
+    rows = equations.needed[output]
     unknowns = independent(rows).unknowns
     rows = _ordered(rows)
     replaced = [-1 if unknown == output else unknown for unknown in unknowns]
@@ -115,7 +116,7 @@ def _without(name: str) -> GearFormula:
 
 
 def _times(factor: int, polynomial: Polynomial) -> Polynomial:
-    return {ratios: factor * one for ratios, one in polynomial.items()}
+    return {ratios: factor * coefficient for ratios, coefficient in polynomial.items()}
 
 
 def _constant(speed: Fraction) -> GearFormula:
@@ -123,14 +124,15 @@ def _constant(speed: Fraction) -> GearFormula:
 
 
 def _known(case: Transmission, gear: Gear, bodies: Sequence[int]) -> dict[int, Fraction]:
-    """The speeds of bodies that are given, by the input's.
+    """Return the given speeds of bodies, relative to the input speed.
 
     Raises
     ------
     SingularError
+        If given speeds contradict each other.
     """
     known = {HOUSING: ZERO}
-    given = {link: one for link, one in gear.speeds.items() if not isinstance(one, SpeedOf)}
+    given = {link: speed for link, speed in gear.speeds.items() if not isinstance(speed, SpeedOf)}
     for link, speed in {case.gear_input(gear): 1.0, **given}.items():
         if known.setdefault(bodies[link], as_typed(speed)) != as_typed(speed):
             raise SingularError
@@ -138,14 +140,13 @@ def _known(case: Transmission, gear: Gear, bodies: Sequence[int]) -> dict[int, F
 
 
 def _rows(
-    own: OwnLinks,
+    links: OwnLinks,
     gear: Gear,
     bodies: Sequence[int],
     known: Mapping[int, Fraction],
     fixed: Mapping[int, float],
 ) -> Iterator[LinearRow]:
-    """The speed equations of a gear in its bodies."""
-    case = own.case
+    case = links.case
     for index, mechanism in enumerate(case.mechanisms):
         of_links: Sequence[Term] = ((ONE, ZERO), (ZERO, -ONE), (-ONE, ONE))
         ratio = index
@@ -168,7 +169,7 @@ def _row(
     bodies: Sequence[int],
     known: Mapping[int, Fraction],
 ) -> LinearRow:
-    """An equation in links as one in bodies; what is known goes to the right."""
+    """Convert an equation in links to bodies, with known speeds on the right side."""
     unknown: dict[int, Term] = {}
     right: Term = (ZERO, ZERO)
     for link, (plain, more) in terms:
@@ -182,7 +183,7 @@ def _row(
 
 
 def _ordered(rows: Sequence[LinearRow]) -> list[LinearRow]:
-    """Each row behind those that have most of its unknowns: so few are to be kept in mind."""
+    """Order rows so that few unknowns are open at a time: greedily by new unknowns."""
     left = list(rows)
     ordered: list[LinearRow] = []
     met: set[int] = set()

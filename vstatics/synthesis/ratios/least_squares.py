@@ -1,4 +1,4 @@
-"""Least squares within bounds, from many starts at once."""
+"""Least squares within bounds by the Levenberg-Marquardt method, from many starts at once."""
 
 from __future__ import annotations
 
@@ -17,47 +17,52 @@ from vstatics.synthesis.tolerances import (
 )
 
 MOST_FIT_STEPS = 300
-"""So many steps a start may take."""
+"""Largest number of steps of a start."""
 LAST_STEPS = 10
-"""So many such steps are taken."""
+"""Number of steps without progress after which a start has converged."""
 LONGEST_STEP = 1.0
-"""No unknown changes by more in a step: their logarithms are asked for."""
+"""Largest change of an unknown (a logarithm) in a step."""
 
 Residuals = Callable[[Floats, Integers], tuple[Floats, Floats]]
-"""Unknowns (some starts, unknowns), indices of these starts -> residuals (some starts, residuals),
-their derivatives by the unknowns; NaN where there are none."""
+"""Function of unknowns, shape (some starts, unknowns), and of the indices of the starts.
+
+Returns residuals, shape (some starts, residuals), and derivatives with respect to the unknowns;
+NaN where undefined.
+"""
 
 
 class Minima(NamedTuple):
-    """Where each start came to."""
+    """End points of the starts."""
 
     unknowns: Floats
-    """(starts, unknowns)."""
+    """Unknowns at the end points, shape (starts, unknowns)."""
     squares: Floats
-    """(starts,): the sum of squares; infinite where the start has none."""
+    """Sums of squares, infinite for invalid starts, shape (starts,)."""
     settled: Booleans
-    """(starts,): whether it is a minimum."""
+    """True if the end point is a minimum, shape (starts,)."""
 
 
 @np.errstate(all="ignore")
 def minimize(
     residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = MOST_FIT_STEPS
 ) -> Minima:
-    """Go from each start to a minimum of the sum of squares.
+    """Minimise the sum of squares from each start.
 
-    By the method of Levenberg and Marquardt. An unknown that stands at a bound, and would leave,
-    takes no part in a step; a step ends at the bounds.
+    In a Levenberg-Marquardt step, an unknown at a bound does not move if the slope points outward;
+    steps are clipped to the bounds.
 
     Parameters
     ----------
     residuals : callable
+        See `Residuals`.
     starts, low, high : ndarray, shape (starts, unknowns)
+        Starting points and bounds.
     steps : int
-        So many a start may take.
+        Largest number of steps of a start.
 
     Examples
     --------
-    ``x^2 = 4`` from both sides, and where 2 is out of bounds:
+    ``x^2 = 4`` from both sides, and with 2 out of bounds:
 
     >>> def square(x, starts):
     ...     return x**2 - 4, 2 * x[:, :, np.newaxis]
@@ -90,13 +95,13 @@ def minimize(
         normal[:, range(count), range(count)] += diagonal
         step = np.linalg.solve(normal, downhill[:, :, np.newaxis])[:, :, 0]
         there = np.clip(here + np.clip(step, -LONGEST_STEP, LONGEST_STEP), least, most)
-        found = residuals(there, going)
-        reached = _squares(found[0])
+        trial = residuals(there, going)
+        reached = _squares(trial[0])
         better = reached <= squares[going] * (1 + EQUAL_SUM_OF_SQUARES)
         flat[going] += better & (reached >= squares[going] * (1 - EQUAL_SUM_OF_SQUARES))
         unknowns[going[better]] = there[better]
         squares[going[better]] = reached[better]
-        values[going[better]], slopes[going[better]] = (one[better] for one in found)
+        values[going[better]], slopes[going[better]] = (part[better] for part in trial)
         damping[going] *= np.where(better, 0.1, 8.0)
         np.maximum(damping, LEAST_DAMPING, out=damping)
         stays = np.abs(there - here).max(axis=1) <= LEAST_FIT_STEP
@@ -112,5 +117,5 @@ def minimize(
 
 
 def _squares(values: Floats) -> Floats:
-    found = np.square(values).sum(axis=1)
-    return np.where(np.isfinite(found), found, np.inf)
+    sums = np.square(values).sum(axis=1)
+    return np.where(np.isfinite(sums), sums, np.inf)

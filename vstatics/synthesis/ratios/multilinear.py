@@ -1,7 +1,7 @@
-"""Determinants of equations in which every ratio stands in one row: multilinear polynomials.
+"""Determinants of equations as multilinear polynomials, where each ratio appears in one row.
 
-A polynomial is a mapping: the set of its ratios, as bits of a number, to the coefficient. Each
-ratio occurs in it at most to the first power, as each belongs to one mechanism, which is one row.
+A polynomial maps the set of ratios of a term, as bits of an integer, to the coefficient. Each ratio
+has at most the first power, since it belongs to one mechanism, which is one row.
 """
 
 from __future__ import annotations
@@ -15,40 +15,42 @@ from typing import NamedTuple
 from vstatics.core.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
-"""Bits of ratios -> coefficient."""
+"""Coefficients by bits of ratios."""
 Term = tuple[Fraction, Fraction]
-"""A coefficient without the ratio of its row, and one with it."""
+"""Two coefficients: without and with the ratio of the row."""
 
-MOST_TERMS = 30_000
-"""So many products may be added up; the formula of a gearbox has some dozens."""
+MOST_FORMULA_TERMS = 30_000
+"""Largest number of products to add; the formula of a gearbox has some dozens."""
 PRIME = 2**61 - 1
-"""Modulus in which it is asked whether anything is 0 whatever the ratios are: it is taken for 0
-by chance once in 1e17 times."""
+"""Modulus of the test for zero, with a chance of error of 1e-17.
+
+The test is whether an expression is zero for all ratios.
+"""
 
 
 class LinearRow(NamedTuple):
-    """The equation ``sum of terms = right`` of a mechanism, or of anything without a ratio."""
+    """Equation ``sum of terms = right`` of a mechanism, or of a part without a ratio."""
 
     ratio: int
-    """Index of its ratio; -1 without."""
+    """Index of the ratio, -1 without a ratio."""
     terms: Mapping[int, Term]
-    """By unknown."""
+    """Coefficients by unknown."""
     right: Term
 
 
 class SingularError(Exception):
-    """The rows contradict each other."""
+    """Contradiction between the rows."""
 
 
 def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomial:
-    """The determinant of as many rows as unknowns; unknown -1 stands for the right sides.
+    """Return the determinant of as many rows as unknowns; -1 stands for the right sides.
 
-    Row by row, with all sets of unknowns that the rows before may have used.
+    The expansion adds row after row to the sums for all sets of unknowns used until then.
 
     Raises
     ------
     CaseError
-        If it has too many terms.
+        If the polynomial has too many terms.
 
     Examples
     --------
@@ -60,7 +62,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
     >>> determinant(rows, [0, 1]), determinant(rows, [-1, 1])
     ({0: Fraction(1, 1)}, {1: Fraction(2, 1)})
     """
-    found: dict[int, dict[int, Fraction]] = {0: {0: Fraction(1)}}
+    minors: dict[int, dict[int, Fraction]] = {0: {0: Fraction(1)}}
     work = 0
     for row in rows:
         after: dict[int, dict[int, Fraction]] = {}
@@ -69,7 +71,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
             for place, unknown in enumerate(unknowns)
             if (any(row.right) if unknown < 0 else unknown in row.terms)
         ]
-        for used, polynomial in found.items():
+        for used, polynomial in minors.items():
             for place, (plain, with_ratio) in entries:
                 if used >> place & 1:
                     continue
@@ -82,33 +84,33 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
                     if with_ratio:
                         more = ratios | 1 << row.ratio
                         sums[more] = sums.get(more, 0) + sign * with_ratio * coefficient
-        kept = (
-            (used, {ratios: one for ratios, one in sums.items() if one})
+        nonzero = (
+            (used, {ratios: value for ratios, value in sums.items() if value})
             for used, sums in after.items()
         )
-        found = {used: sums for used, sums in kept if sums}
-        if work > MOST_TERMS:
-            message = f"the formula of its ratio has more than {MOST_TERMS} terms"
+        minors = {used: sums for used, sums in nonzero if sums}
+        if work > MOST_FORMULA_TERMS:
+            message = f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
             raise CaseError("E818", f"{message}; expected more ratios that are given")
-    return found.get((1 << len(unknowns)) - 1, {})
+    return minors.get((1 << len(unknowns)) - 1, {})
 
 
 class Independent(NamedTuple):
-    """Rows that do not imply one another, and unknowns for which they can be solved."""
+    """Independent rows, and unknowns for which the rows can be solved."""
 
     rows: list[LinearRow]
     unknowns: list[int]
     needed: Mapping[int, list[LinearRow]]
-    """Unknowns that have a value, whatever the others have: the rows that it follows from."""
+    """Rows that determine each unknown with a unique value."""
 
 
 def independent(rows: Sequence[LinearRow]) -> Independent:
-    """Rows that do not imply one another, for ratios of which nothing is known.
+    """Select independent rows, for arbitrary ratios.
 
     Raises
     ------
     SingularError
-        If they contradict each other.
+        If the rows contradict each other.
 
     Examples
     --------
@@ -118,11 +120,11 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
     >>> len(found.rows), found.unknowns, found.needed
     (1, [0], {})
     """
-    reduced: dict[int, dict[int, int]] = {}  # by unknown: the row that is solved for it
-    kept: list[LinearRow] = []
+    reduced: dict[int, dict[int, int]] = {}  # rows by the unknown for which they are solved
+    selected: list[LinearRow] = []
     for row in rows:
         numbers = _modular(row)
-        numbers[_name(len(kept))] = 1
+        numbers[_name(len(selected))] = 1
         for unknown, other in reduced.items():
             _take(numbers, other, unknown)
         pivot = next((unknown for unknown in numbers if unknown >= 0), None)
@@ -131,30 +133,30 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
                 raise SingularError
             continue
         inverse = pow(numbers[pivot], -1, PRIME)
-        numbers = {unknown: one * inverse % PRIME for unknown, one in numbers.items()}
+        numbers = {unknown: entry * inverse % PRIME for unknown, entry in numbers.items()}
         for other in reduced.values():
             _take(other, numbers, pivot)
         reduced[pivot] = numbers
-        kept.append(row)
+        selected.append(row)
     needed = {
-        unknown: [row for number, row in enumerate(kept) if _name(number) in numbers]
+        unknown: [row for number, row in enumerate(selected) if _name(number) in numbers]
         for unknown, numbers in reduced.items()
         if not any(other >= 0 for other in numbers if other != unknown)
     }
-    return Independent(kept, list(reduced), needed)
+    return Independent(selected, list(reduced), needed)
 
 
 _RIGHT = -1
-"""Stands for the right sides among unknowns."""
+"""Key of the right sides among unknowns."""
 
 
 def _name(number: int) -> int:
-    """What stands for a row itself, to see of which rows another is made."""
+    """Return the key of a row, to trace the combinations of rows."""
     return _RIGHT - 1 - number
 
 
 def _modular(row: LinearRow) -> dict[int, int]:
-    """A row with a number for its ratio that nobody has chosen."""
+    """Return a row with a random number for the ratio, modulo `PRIME`."""
     ratio = ratio_number(row.ratio)
     numbers = {
         unknown: (_residue(plain) + _residue(with_ratio) * ratio) % PRIME
@@ -168,27 +170,27 @@ def _residue(number: Fraction) -> int:
 
 
 def _take(row: dict[int, int], other: Mapping[int, int], unknown: int) -> None:
-    """Subtract so much of another row, which has 1 there, that an unknown goes; in place."""
+    """Subtract a multiple of a normalised row to eliminate an unknown, in place."""
     factor = row.get(unknown, 0)
     if factor:
-        for one, number in other.items():
-            left = (row.get(one, 0) - factor * number) % PRIME
+        for key, number in other.items():
+            left = (row.get(key, 0) - factor * number) % PRIME
             if left:
-                row[one] = left
+                row[key] = left
             else:
-                row.pop(one, None)
+                row.pop(key, None)
 
 
 @cache
 def ratio_number(index: int, trial: int = 0) -> int:
-    """A residue for the ratio of an index, the same in every run."""
+    """Return a pseudo-random residue for the ratio of an index, equal in every run."""
     return random.Random(f"{index} {trial}").randrange(2, PRIME)  # noqa: S311 - no secret
 
 
 def without_common(
     above: Polynomial, below: Polynomial, ratios: Sequence[int]
 ) -> tuple[Polynomial, Polynomial]:
-    """A quotient of polynomials without the ratios that it does not depend on.
+    """Remove the ratios that a quotient of polynomials does not depend on.
 
     >>> above, below = {0: Fraction(2), 1: Fraction(-2)}, {0: Fraction(1), 1: Fraction(-1)}
     >>> without_common(above, below, [0])
@@ -203,20 +205,20 @@ def without_common(
             - value(plain, trial) * value(more_below, trial)
             for trial in (0, 1)
         ]
-        if not any(one % PRIME for one in crossed):
+        if not any(difference % PRIME for difference in crossed):
             above, below = (plain, plain_below) if plain_below else (more, more_below)
     return above, below
 
 
 def split(polynomial: Polynomial, ratio: int) -> tuple[Polynomial, Polynomial]:
-    """What stands without a ratio, and what with it, divided by it."""
+    """Split a polynomial into the part without a ratio, and the factor of the ratio."""
     bit = 1 << ratio
-    plain = {ratios: one for ratios, one in polynomial.items() if not ratios & bit}
-    return plain, {ratios ^ bit: one for ratios, one in polynomial.items() if ratios & bit}
+    plain = {ratios: factor for ratios, factor in polynomial.items() if not ratios & bit}
+    return plain, {ratios ^ bit: factor for ratios, factor in polynomial.items() if ratios & bit}
 
 
 def value(polynomial: Polynomial, trial: int) -> int:
-    """The residue of a polynomial where each ratio is its `ratio_number`."""
+    """Evaluate a polynomial modulo `PRIME`, with `ratio_number` for each ratio."""
     total = 0
     for ratios, coefficient in polynomial.items():
         product = _residue(coefficient)
@@ -227,7 +229,7 @@ def value(polynomial: Polynomial, trial: int) -> int:
 
 
 def bits(ratios: int) -> list[int]:
-    """The indices of a set of ratios.
+    """Return the indices of the bits of a set of ratios.
 
     >>> bits(0b1010)
     [1, 3]

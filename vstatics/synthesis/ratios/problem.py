@@ -1,4 +1,4 @@
-"""What is asked of a fit, checked before anything is calculated at length."""
+"""Request of a fit, checked before any long calculation."""
 
 from __future__ import annotations
 
@@ -30,37 +30,38 @@ from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
 from vstatics.synthesis.tolerances import PART_FOR_ZERO_BOUND
 
 LARGEST_SET_RATIO = 14.0
-"""The ratio of a planetary set with three planets is below 13.93, as they must not touch."""
+"""Largest default ratio; without contact of three planets a set stays below 13.93. [-]"""
 SMALLEST, LARGEST = 1e-9, 1e9
-"""No bound is smaller or larger: products of ratios are to be numbers."""
+"""Smallest and largest size of a bound, so that products of ratios are finite. [-]"""
 ALL = "all"
-"""Stands for all mechanisms that are not named themselves."""
+"""Name that stands for all mechanisms that are not named."""
 
 
 class Bounds(NamedTuple):
-    """Least and largest ratio of each mechanism [-]."""
+    """Smallest and largest ratio of each mechanism [-]."""
 
     low: Sequence[float]
     high: Sequence[float]
 
     def is_fixed(self, index: int) -> bool:
-        """Whether a ratio is given."""
+        """Return whether the bounds of a ratio are equal."""
         return self.low[index] == self.high[index]
 
 
-def bounds_of(own: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds:
-    """The bounds of all mechanisms: as they are given, else as suit the case.
+def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds:
+    """Return the bounds of all mechanisms, given or by default.
 
     Parameters
     ----------
-    own : OwnLinks
+    links : OwnLinks
+        Case without planets among its links.
     given : mapping of str to (float, float)
-        By the name of a mechanism; `all` for those that are not named. [-]
+        Bounds by the name of a mechanism; `all` stands for mechanisms that are not named. [-]
 
     Raises
     ------
     CaseError
-        If there is no such mechanism, or no ratio is within the bounds.
+        If a mechanism does not exist, or bounds are not valid.
 
     Examples
     --------
@@ -73,20 +74,20 @@ def bounds_of(own: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds
     >>> bounds_of(own, {"D1": (-4, -1.5)}).low
     (-4.0, 0.07142857142857142)
     """
-    names = [mechanism.name for mechanism in own.case.mechanisms]
+    names = [mechanism.name for mechanism in links.case.mechanisms]
     problems: list[Problem] = []
-    found = [usual(own, index) for index in range(len(names))]
+    pairs = [usual(links, index) for index in range(len(names))]
     by_index: dict[int, tuple[float, float]] = {}
     for name, pair in given.items():
         path = ("bounds", name)
         problems += (Problem("E819", f"{name}: {text}", path) for text in _wrong(*pair))
         try:
-            index = None if name == ALL and ALL not in names else mechanism_index(own, name)
+            index = None if name == ALL and ALL not in names else mechanism_index(links, name)
         except ValueError as error:
             problems.append(Problem("E820", str(error), path))
             continue
         if index is None:
-            free = [n for n in range(len(names)) if not own.is_fixed(n)]
+            free = [n for n in range(len(names)) if not links.is_fixed(n)]
             by_index |= {n: pair for n in free if n not in by_index}
         elif index in by_index and ALL not in given:
             problems.append(Problem("E821", f"{names[index]} is given twice", path))
@@ -95,19 +96,19 @@ def bounds_of(own: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds
     if problems:
         raise CaseError(problems)
     for index, pair in by_index.items():
-        found[index] = _without_zero(*map(float, pair))
-    return Bounds(tuple(low for low, _ in found), tuple(high for _, high in found))
+        pairs[index] = _without_zero(*map(float, pair))
+    return Bounds(tuple(low for low, _ in pairs), tuple(high for _, high in pairs))
 
 
-def usual(own: OwnLinks, index: int) -> tuple[float, float]:
-    """The bounds of a mechanism for which none are given.
+def usual(links: OwnLinks, index: int) -> tuple[float, float]:
+    """Return the default bounds of a mechanism.
 
-    Its ratio keeps its sign, and between moving links stays above or below 1; what is no matter
-    of teeth stays as it is.
+    The ratio keeps its sign, and between moving links stays above or below 1. A ratio that does not
+    depend on teeth is fixed.
     """
-    mechanism = own.case.mechanisms[index]
+    mechanism = links.case.mechanisms[index]
     size = abs(mechanism.ratio)
-    if own.is_fixed(index):
+    if links.is_fixed(index):
         return mechanism.ratio, mechanism.ratio
     widest = max(LARGEST_SET_RATIO, 2 * size, 2 / size)
     least, most = 1 / widest, widest
@@ -116,20 +117,20 @@ def usual(own: OwnLinks, index: int) -> tuple[float, float]:
     return (least, most) if mechanism.ratio > 0 else (-most, -least)
 
 
-def mechanism_index(own: OwnLinks, asked: str) -> int:
-    """The index of the mechanism of a name, or else of a number from 1.
+def mechanism_index(links: OwnLinks, asked: str) -> int:
+    """Return the index of the mechanism with a name, or else with a number from 1.
 
     Raises
     ------
     ValueError
-        If there is none, or an element that is called has several; it tells which.
+        If the mechanism does not exist, or a named gear set has several; the message lists them.
     """
-    names = [mechanism.name for mechanism in own.case.mechanisms]
+    names = [mechanism.name for mechanism in links.case.mechanisms]
     if asked in names:
         return names.index(asked)
     of_element = [
         lowered.mechanism.name
-        for part in own.parts
+        for part in links.parts
         if part.name == asked
         for lowered in part.lowered
     ]
@@ -144,7 +145,7 @@ def mechanism_index(own: OwnLinks, asked: str) -> int:
 
 
 def _wrong(low: float, high: float) -> Iterator[str]:
-    """What is wrong with bounds."""
+    """Yield messages about bounds."""
     if not (math.isfinite(low) and math.isfinite(high)):
         yield f"read {low:g}:{high:g}, expected finite numbers"
     elif low > high:
@@ -152,7 +153,7 @@ def _wrong(low: float, high: float) -> Iterator[str]:
         yield f"read {low:g}:{high:g}, expected the lower bound first; {hint}"
     elif low == high == 0:
         yield "read 0:0, expected a ratio other than 0"
-    elif any(one and not SMALLEST <= abs(one) <= LARGEST for one in (low, high)):
+    elif any(bound and not SMALLEST <= abs(bound) <= LARGEST for bound in (low, high)):
         yield f"read {low:g}:{high:g}, expected sizes from {SMALLEST:g} to {LARGEST:g}"
 
 
@@ -163,52 +164,52 @@ def _without_zero(low: float, high: float) -> tuple[float, float]:
 
 
 Advance = Callable[[int], None]
-"""Told how many steps more are done."""
+"""Function that is called with the number of further finished steps."""
 
 
 def untold(_steps: int) -> None:
-    """Tell nobody."""
+    """Ignore the progress."""
 
 
 class FitProblem(NamedTuple):
-    """Ratios wanted of gears, and the ratios of mechanisms that may be varied for them."""
+    """Wanted gear ratios, and the mechanism ratios to vary."""
 
     own: OwnLinks
-    """The case on its own links, each freewheel as it is with the case's own ratios."""
+    """Case without planets among the links, with freewheels as at the given ratios."""
     formulas: Sequence[GearFormula]
-    """By gear; those that are too long are asked of none that is wanted."""
+    """Formula of each gear; gears without a target can have a formula that is too long."""
     targets: Mapping[int, float]
-    """Index of a gear -> the ratio wanted [-]."""
+    """Wanted ratio by the index of a gear. [-]"""
     weights: Mapping[int, float]
-    """Index of a gear -> weight of the square of its deviation [-]."""
+    """Weight of the squared deviation by the index of a gear. [-]"""
     bounds: Bounds
     tolerance: float
 
     @property
     def fitted(self) -> list[int]:
-        """The gears whose ratios can be fitted: of those wanted, all that are no constants."""
+        """Indices of wanted gears with a variable ratio."""
         return [index for index in self.targets if self.formulas[index].kind == "ratio"]
 
     @property
     def varied(self) -> list[int]:
-        """The indices of mechanisms that matter for what is wanted, and are not fixed."""
+        """Indices of mechanisms that affect a wanted gear and are not fixed."""
         matter = {ratio for index in self.fitted for ratio in self.formulas[index].ratios}
         return [index for index in sorted(matter) if not self.bounds.is_fixed(index)]
 
     @property
     def unused(self) -> list[int]:
-        """The indices of mechanisms that matter for nothing that is wanted, and are not fixed."""
+        """Indices of mechanisms that affect no wanted gear and are not fixed."""
         varied, every = self.varied, range(len(self.own.case.mechanisms))
-        return [one for one in every if one not in varied and not self.bounds.is_fixed(one)]
+        return [index for index in every if index not in varied and not self.bounds.is_fixed(index)]
 
     @property
     def anchor(self) -> Floats:
-        """The case's own ratios, or the bounds nearest to them [-]."""
+        """Ratios of the case, clipped to the bounds [-]."""
         ratios = [mechanism.ratio for mechanism in self.own.case.mechanisms]
         return np.clip(ratios, self.bounds.low, self.bounds.high)
 
     def reach(self, index: int) -> tuple[float, float] | None:
-        """The least and the largest ratio of a gear within the bounds, where it has these [-]."""
+        """Return the smallest and the largest ratio of a gear within the bounds, if bounded [-]."""
         formula = self.formulas[index]
         if formula.kind == "constant":
             return formula.constant, formula.constant
@@ -224,21 +225,21 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     *,
     advance: Advance = untold,
 ) -> FitProblem:
-    """What is asked, by `fit`, in numbers.
+    """Check the arguments of `fit` and return the problem.
 
     Raises
     ------
     CaseError
-        With all that can't be; each problem's path begins with the argument that it is about.
+        If arguments are not valid, with all problems; each path begins with the argument.
     """
-    own = on_engaged_links(case)
+    links = on_engaged_links(case)
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:
         message = f"read {tolerance:g}, expected a number above 0"
         problems.append(Problem("E822", message, ("tolerance",)))
     limits = None
     try:
-        limits = bounds_of(own, bounds)
+        limits = bounds_of(links, bounds)
     except CaseError as error:
         problems += error.problems
     targets, wrong = _by_gear(case, "ratios", ratios)
@@ -252,62 +253,62 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     fixed = {n: low for n, low in enumerate(limits.low) if limits.is_fixed(n)}
     formulas = []
     for index in range(len(case.gears)):
-        formulas.append(_formula(own, index, fixed, targets))
+        formulas.append(_formula(links, index, fixed, targets))
         advance(1)
-    made = FitProblem(own, formulas, targets, weighted, limits, tolerance)
-    problems = [one for index in targets for one in _impossible(made, index)]
+    problem = FitProblem(links, formulas, targets, weighted, limits, tolerance)
+    problems = [fault for index in targets for fault in _impossible(problem, index)]
     if problems:
-        problems += (Problem("E824", text, ("bounds",)) for text in _other_signs(made))
+        problems += (Problem("E824", text, ("bounds",)) for text in _other_signs(problem))
         raise CaseError(problems)
-    return made
+    return problem
 
 
 def on_engaged_links(case: Transmission) -> OwnLinks:
-    """A case on its own links, each freewheel as it is with the case's own ratios."""
-    own = on_own_links(case)
+    """Return a case without planets among the links, with freewheels as at given ratios."""
+    links = on_own_links(case)
     if case.freewheels:
-        own = own._replace(case=solve(own.case).with_freewheels_engaged)
-    return own
+        links = links._replace(case=solve(links.case).with_freewheels_engaged)
+    return links
 
 
 def _formula(
-    own: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
+    links: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
 ) -> GearFormula:
-    """The formula of a gear; of a gear that nobody asked for one that is too long is none.
+    """Return the formula of a gear; a formula that is too long is an error only for a target.
 
     Raises
     ------
     CaseError
-        If it is too long.
+        If the formula of a target is too long.
     """
     try:
-        return gear_formula(own, own.case.gears[index], fixed)
+        return gear_formula(links, links.case.gears[index], fixed)
     except CaseError as error:
         if index not in targets:
             return GearFormula("too long", {}, {})
         raise CaseError(
-            [one._replace(path=("gears", index + 1)) for one in error.problems]
+            [problem._replace(path=("gears", index + 1)) for problem in error.problems]
         ) from None
 
 
 def _by_gear(
     case: Transmission, argument: str, given: Mapping[str, float]
 ) -> tuple[dict[int, float], list[Problem]]:
-    """Numbers by the index of the gear, and names that are none."""
-    found: dict[int, float] = {}
+    """Return numbers by the index of the gear, and problems with unknown names."""
+    numbers: dict[int, float] = {}
     problems = []
     names = [gear.name for gear in case.gears]
-    for name, number in given.items():
+    for name, value in given.items():
         if name in names:
-            found[names.index(name)] = float(number)
-        else:  # a number is no place here: `9=-3.3` would be any gear
+            numbers[names.index(name)] = float(value)
+        else:  # numbers of gears are not accepted, since `9=-3.3` could mean any gear
             hint = f"{nearest(name, names)}; gears are {listed(names, 12)}"
             problems.append(Problem("E825", f"no gear {quoted(name)}{hint}", (argument, name)))
     if problems and len(given) > len(case.gears):
         count = len(case.gears)
         message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
         problems.append(Problem("E826", message, (argument,)))
-    return found, problems
+    return numbers, problems
 
 
 def _wrong_numbers(
@@ -327,7 +328,6 @@ def _wrong_numbers(
 
 
 def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
-    """Why a gear can't have a ratio at all, or none of the sign that is wanted."""
     name, target = problem.own.case.gears[index].name, problem.targets[index]
     formula, path = problem.formulas[index], ("ratios", index)
     if formula.kind != "constant" or _is_constant(problem, index):
@@ -341,8 +341,8 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
 
 
 def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> str:
-    """Why a gear can't have a ratio that is wanted, whatever is varied; nothing if it may."""
-    status = {one.name: one for one in STATUSES}.get(formula.kind)
+    """Return the reason why a gear cannot have a ratio for any values of the variables, or ""."""
+    status = {known_status.name: known_status for known_status in STATUSES}.get(formula.kind)
     if status is not None:
         return f"gear {name} has no ratio: {status.meaning}"
     if formula.kind == "constant" and not is_same(formula.constant, wanted):
@@ -352,7 +352,7 @@ def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> 
 
 
 def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
-    """What is wrong with a ratio of the other sign than all within limits; nothing if it has not.
+    """Return the fault of a ratio with the opposite sign of all possible ratios, or "".
 
     >>> sign_fault("gear 1", -2.0, (2.5, 5.0))
     'gear 1: read -2, but within the bounds its ratio is 2.5 to 5: expected a ratio above 0'
@@ -364,7 +364,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """What may not be meant, and ratios that can't be met by themselves or together, in words."""
+    """Yield doubtful requests, and ratios that cannot be met alone or together."""
     yield from _other_signs(problem)
     names = [gear.name for gear in problem.own.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
@@ -375,7 +375,9 @@ def doubts(problem: FitProblem) -> Iterator[str]:
             if not (part > 0 and abs(math.log(part)) <= problem.tolerance):
                 yield f"gear {names[index]} can't have {target:g}: {reach_text(*limits)}"
         _, *polynomials = problem.formulas[index]
-        first = alike.setdefault(tuple(frozenset(one.items()) for one in polynomials), index)
+        first = alike.setdefault(
+            tuple(frozenset(polynomial.items()) for polynomial in polynomials), index
+        )
         other = problem.targets[first]
         if abs(math.log(target / other)) > 2 * problem.tolerance:
             both = f"gears {names[first]} and {names[index]}"
@@ -383,7 +385,7 @@ def doubts(problem: FitProblem) -> Iterator[str]:
 
 
 def _other_signs(problem: FitProblem) -> Iterator[str]:
-    """Mechanisms that are to have the other sign than in the case."""
+    """Yield mechanisms whose bounds have the opposite sign of the ratio in the case."""
     limits = zip(problem.own.case.mechanisms, *problem.bounds, strict=True)
     for mechanism, low, high in limits:
         if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:
@@ -393,7 +395,7 @@ def _other_signs(problem: FitProblem) -> Iterator[str]:
 
 
 def reach_text(low: float, high: float) -> str:
-    """What a gear can have, in words.
+    """Return the possible ratios of a gear in words.
 
     >>> reach_text(2.5, 5.0), reach_text(5.0, 5.0)
     ('within the bounds its ratio is 2.5 to 5', 'within the bounds its ratio is 5')
@@ -403,7 +405,7 @@ def reach_text(low: float, high: float) -> str:
 
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
-    """Whether a gear has one ratio also where no mechanism is given but those of ratio 1."""
-    own = problem.own
-    fixed = {n: 1.0 for n, one in enumerate(own.case.mechanisms) if one.ratio == 1}
-    return gear_formula(own, own.case.gears[index], fixed).kind == "constant"
+    """Return whether a gear has a constant ratio if only ratios of 1 are inserted."""
+    links = problem.own
+    fixed = {n: 1.0 for n, mechanism in enumerate(links.case.mechanisms) if mechanism.ratio == 1}
+    return gear_formula(links, links.case.gears[index], fixed).kind == "constant"

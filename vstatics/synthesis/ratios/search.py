@@ -1,4 +1,4 @@
-"""The search for ratios of mechanisms: from starts all over the bounds to minima that differ."""
+"""Search for mechanism ratios: from starts all over the bounds to different minima."""
 
 from __future__ import annotations
 
@@ -14,26 +14,28 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Weights of the case's own ratios, one after the other, where the wanted ones leave a choice;
-at last they are let go."""
+"""Decreasing weights of the ratios of the case, where the wanted ratios leave a choice.
+
+A last step without them follows.
+"""
 
 
 class FoundRatios(NamedTuple):
-    """Where a search has come to."""
+    """Results of a search."""
 
     solutions: list[Floats]
-    """Ratios of all mechanisms, the best first [-]."""
+    """Ratios of all mechanisms, the best first. [-]"""
     free: list[int]
-    """The indices of mechanisms that the wanted ratios leave a choice."""
+    """Indices of mechanisms that the wanted ratios leave undetermined."""
 
 
 def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
-    """The ratios of all mechanisms in all minima that differ.
+    """Return the ratios of all mechanisms in all different minima.
 
     Raises
     ------
     CaseError
-        If nothing is found to start from.
+        If no starting point is found.
     """
     space = fit_space(problem, advance)
     if not space.varied:
@@ -42,16 +44,16 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     free = _free(space, points)
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
         minima = space.minima(points, weight)
-        kept = _distinct(space, points.signs, minima)
-        points = FitPoints(points.signs, minima.unknowns).at(kept)
+        chosen = _distinct(space, points.signs, minima)
+        points = FitPoints(points.signs, minima.unknowns).at(chosen)
     ratios = space.full(points)
-    for bound in map(np.array, problem.bounds):  # as they are given, but for rounding
+    for bound in map(np.array, problem.bounds):  # exactly at a bound, apart from rounding
         ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
     return FoundRatios(list(ratios), free)
 
 
 def _free(space: FitSpace, points: FitPoints) -> list[int]:
-    """The indices of mechanisms that the wanted ratios leave a choice."""
+    """Return the indices of mechanisms that the wanted ratios leave undetermined."""
     slopes = space.deviations(points)[1]
     slopes = slopes[np.isfinite(slopes).all(axis=(1, 2))]
     if not len(slopes):
@@ -60,93 +62,94 @@ def _free(space: FitSpace, points: FitPoints) -> list[int]:
     ranks = (parts > DEPENDENT_RATIOS * parts[:, :1]).sum(axis=1)
     where = int(np.argmax(ranks))
     loose = np.abs(rows[where, ranks[where] :]).max(axis=0, initial=0.0)
-    return [index for index, one in zip(space.varied, loose, strict=True) if one > DEPENDENT_RATIOS]
+    return [
+        index for index, size in zip(space.varied, loose, strict=True) if size > DEPENDENT_RATIOS
+    ]
 
 
 def _distinct(space: FitSpace, signs: Floats, minima: Minima) -> list[int]:
-    """The starts that came to minima that differ: the best first, of equals the nearest."""
-    own = space.own
+    """Return the starts of different minima: the best first, of equal minima the nearest."""
+    anchor = space.case_point
     settled = minima.settled & np.isfinite(minima.squares)
     if not settled.any():
         settled = np.isfinite(minima.squares)
     squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
-    turned = (signs != own.signs).sum(axis=1)
-    away = np.square(minima.unknowns - own.sizes).sum(axis=1)
+    turned = (signs != anchor.signs).sum(axis=1)
+    away = np.square(minima.unknowns - anchor.sizes).sum(axis=1)
     order = np.lexsort((away, turned, squares))
-    kept: list[int] = []
-    for one in order[settled[order]].tolist():
-        apart = np.abs(minima.unknowns[kept] - minima.unknowns[one]).max(axis=1)
-        if (apart[(signs[kept] == signs[one]).all(axis=1)] >= SAME_SOLUTION).all():
-            kept.append(one)
-    return kept
+    distinct: list[int] = []
+    for start in order[settled[order]].tolist():
+        apart = np.abs(minima.unknowns[distinct] - minima.unknowns[start]).max(axis=1)
+        if (apart[(signs[distinct] == signs[start]).all(axis=1)] >= SAME_SOLUTION).all():
+            distinct.append(start)
+    return distinct
 
 
 MOST_STARTS, LEAST_STARTS = 128, 8
 START_NUMBERS = 12_800
-"""So large are the matrices of all starts together: with many ratios there are fewer starts."""
+"""Number of values in the matrices of all starts; more ratios mean fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
-"""Points that are tried at a time, and how many times."""
+"""Number of points that are tried at a time, and number of trials."""
 
 
 def start_count(space: FitSpace) -> int:
-    """How many starts a search has: 128, but for more than ten ratios fewer."""
+    """Return the number of starts of a search: 128, or fewer for more than ten ratios."""
     count = len(space.varied)
     return max(LEAST_STARTS, min(MOST_STARTS, START_NUMBERS // max(count**2, 1)))
 
 
 def fit_starts(space: FitSpace) -> FitPoints:
-    """The points at which a search begins: the case's own ratios if they do, half of them good.
+    """Return the starting points: the ratios of the case if valid, half good points, half any.
 
     Raises
     ------
     CaseError
-        If no point is found at which all gears turn as wanted.
+        If no point is found at which all gears have the wanted sign.
     """
     count = start_count(space)
     random = np.random.default_rng(14)
     turning = np.zeros(len(space.targets))
     with np.errstate(all="ignore"):
         for number in range(ROUNDS):
-            points = _sampled(space, random, own=not number)
+            points = _sampled(space, random, with_case=not number)
             turning += turns(space, points).sum(axis=0)
-            found = _turning(space, points)
-            if len(found.sizes) < count:
+            valid = _turning(space, points)
+            if len(valid.sizes) < count:
                 most = np.argsort(-turns(space, points).sum(axis=1), kind="stable")[:count]
                 more = _turning(space, space.turned(points.at(most)))
-                found = FitPoints(*map(np.concatenate, zip(found, more, strict=True)))
-            if len(found.sizes):
-                return _chosen(space, found, count)
+                valid = FitPoints(*map(np.concatenate, zip(valid, more, strict=True)))
+            if len(valid.sizes):
+                return _chosen(space, valid, count)
     raise CaseError([_no_start(space, turning)])
 
 
 def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
-    """Those at which all gears turn as wanted."""
     return points.at(np.all(turns(space, points), axis=1))
 
 
 def turns(space: FitSpace, points: FitPoints) -> Booleans:
-    """Whether gears turn as wanted, (points, gears)."""
+    """Return whether gears have the wanted sign, shape (points, gears)."""
     quotients = space.quotients(points)
     return (quotients > 0) & np.isfinite(quotients)
 
 
-def _sampled(space: FitSpace, random: np.random.Generator, *, own: bool) -> FitPoints:
-    """Points all over the bounds; the first of them may be the case's own ratios."""
-    low, high = (np.array(one)[space.varied] for one in space.problem.bounds)
+def _sampled(space: FitSpace, random: np.random.Generator, *, with_case: bool) -> FitPoints:
+    """Return random points within the bounds, the first optionally with the ratios of the case."""
+    low, high = (np.array(bound)[space.varied] for bound in space.problem.bounds)
     shape = (SAMPLES, len(space.varied))
     signs = np.where(random.random(shape) * (high - low) < np.maximum(high, 0), 1.0, -1.0)
     signs = np.where(low >= 0, 1.0, np.where(high <= 0, -1.0, signs))
-    if own:
-        signs[0] = space.own.signs
+    if with_case:
+        signs[0] = space.case_point.signs
     nearest, farthest = space.within(signs)
     sizes = nearest + random.random(shape) * (farthest - nearest)
-    if own:
-        sizes[0] = space.own.sizes
+    if with_case:
+        sizes[0] = space.case_point.sizes
     return FitPoints(signs, sizes)
 
 
 def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
-    """The first point, which may be the case's own, half good ones, and half any."""
+    """Return the first point (perhaps of the case), then half the best, then any points."""
     squares = np.square(np.log(space.quotients(points)) * space.roots).sum(axis=1)
     best = np.argsort(squares, kind="stable")[: count // 2]
     chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]

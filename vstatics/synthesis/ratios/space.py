@@ -1,6 +1,6 @@
-"""What a search varies, and how far its gears are off: on arrays of points.
+"""Variables of a search, and deviations of its gears, for arrays of points.
 
-A point has a sign and the logarithm of a size for each ratio that is varied.
+A point has a sign and the logarithm of a size for each varied ratio.
 """
 
 from __future__ import annotations
@@ -18,60 +18,60 @@ from vstatics.synthesis.tolerances import NARROWEST_RATIO
 
 
 class FitPoints(NamedTuple):
-    """Some points: both of shape (points, varied ratios)."""
+    """Points with signs and sizes, each of shape (points, varied ratios)."""
 
     signs: Floats
     sizes: Floats
-    """Logarithms."""
+    """Logarithms of the sizes."""
 
     def at(self, chosen: Sequence[int] | Integers | Booleans) -> FitPoints:
-        """Some of them."""
+        """Return a selection of the points."""
         return FitPoints(self.signs[chosen], self.sizes[chosen])
 
 
 class FitSpace(NamedTuple):
-    """The ratios that are varied, and the gears that are fitted by them."""
+    """Varied ratios, and the gears to fit."""
 
     problem: FitProblem
     arrays: RatioArrays
-    """Of the gears."""
+    """Formulas of the gears."""
     varied: Sequence[int]
-    """Indices of mechanisms."""
+    """Indices of the varied mechanisms."""
     targets: Floats
-    """By gear [-]."""
+    """Wanted ratio of each gear. [-]"""
     roots: Floats
-    """Of the weights, the largest of which is 1."""
+    """Square roots of the weights, the largest 1."""
     advance: Advance
-    """Called at every step of a search."""
+    """Function that is called at every step of a search."""
 
     @property
-    def own(self) -> FitPoints:
-        """The case's own ratios, or the bounds nearest to them: one point."""
+    def case_point(self) -> FitPoints:
+        """Ratios of the case, clipped to the bounds, as a single point."""
         ratios = self.problem.anchor[np.newaxis, self.varied]
         return FitPoints(np.sign(ratios), np.log(np.abs(ratios)))
 
     def full(self, points: FitPoints) -> Floats:
-        """The ratios of all mechanisms, (points, mechanisms) [-]."""
+        """Return the ratios of all mechanisms, shape (points, mechanisms) [-]."""
         ratios = np.tile(self.problem.anchor, (len(points.sizes), 1))
         ratios[:, self.varied] = points.signs * np.exp(points.sizes)
         return ratios
 
     def within(self, signs: Floats) -> tuple[Floats, Floats]:
-        """The least and the largest logarithms within the bounds, for signs of each point."""
-        low, high = (np.array(one)[self.varied] for one in self.problem.bounds)
+        """Return the smallest and largest logarithms within the bounds for given signs."""
+        low, high = (np.array(bound)[self.varied] for bound in self.problem.bounds)
         least = np.where(signs > 0, np.maximum(low, 0), np.maximum(-high, 0))
         most = np.where(signs > 0, high, -low)
         return np.log(np.where(least > 0, least, NARROWEST_RATIO * most)), np.log(most)
 
     def quotients(self, points: FitPoints) -> Floats:
-        """The ratios of gears by those that are wanted, (points, gears) [-]."""
+        """Return the gear ratios divided by the wanted ratios, shape (points, gears) [-]."""
         self.advance(1)
         return self.arrays.ratios(self.full(points)) / self.targets
 
     def deviations(self, points: FitPoints) -> tuple[Floats, Floats]:
-        """``ln(i/target)`` by the roots of weights, and derivatives by the logarithms of sizes.
+        """Return weighted ``ln(i/target)`` and derivatives with respect to the logarithms.
 
-        NaN where a gear turns the other way.
+        Values are NaN where a gear has the wrong sign.
         """
         full = self.full(points)
         quotients = self.arrays.ratios(full) / self.targets
@@ -80,21 +80,21 @@ class FitSpace(NamedTuple):
         return values, slopes * self.roots[:, np.newaxis]
 
     def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = MOST_FIT_STEPS) -> Minima:
-        """The minima to which starts lead, with a weight of the case's own ratios."""
-        own = self.own.sizes
+        """Return the minima reached from starts, with a weight on the ratios of the case."""
+        anchor = self.case_point.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
             self.advance(1)
-            found = self.deviations(FitPoints(starts.signs[which], sizes))
-            return _anchored(*found, weight, sizes - own) if weight else found
+            deviations = self.deviations(FitPoints(starts.signs[which], sizes))
+            return _anchored(*deviations, weight, sizes - anchor) if weight else deviations
 
         return minimize(residuals, starts.sizes, *self.within(starts.signs), steps)
 
     def turned(self, starts: FitPoints) -> FitPoints:
-        """Points at which gears may turn as wanted, from starts at which they do not.
+        """Return points at which gears can have the wanted sign, from starts with wrong signs.
 
-        For ``i = Q/P`` the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` has no poles, and
-        is the same where a gear turns the other way.
+        For ``i = Q/P`` the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` has no poles and
+        does not depend on the direction of the gear.
         """
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
@@ -106,12 +106,12 @@ class FitSpace(NamedTuple):
             slopes = slopes[:, :, np.newaxis] * self.arrays.sensitivities(full)[:, :, self.varied]
             return (quotients - 1) / size, slopes
 
-        found = minimize(residuals, starts.sizes, *self.within(starts.signs))
-        return FitPoints(starts.signs, found.unknowns)
+        minima = minimize(residuals, starts.sizes, *self.within(starts.signs))
+        return FitPoints(starts.signs, minima.unknowns)
 
 
 def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
-    """The space of a problem."""
+    """Return the search space of a problem."""
     fitted = problem.fitted
     formulas = [problem.formulas[index] for index in fitted]
     mechanisms = len(problem.own.case.mechanisms)
@@ -123,7 +123,7 @@ def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
 
 
 def _anchored(values: Floats, slopes: Floats, weight: float, off: Floats) -> tuple[Floats, Floats]:
-    """Deviations, and how far the logarithms are off the case's own."""
+    """Append the weighted differences from the ratios of the case to the deviations."""
     count = off.shape[1]
     held = np.broadcast_to(weight * np.eye(count), (len(off), count, count))
     return (

@@ -1,7 +1,7 @@
-"""Schemes of planetary sets: which there are, which are one class, how many.
+"""Schemes of planetary gear sets: enumeration, classes of equal schemes, and counts.
 
-`scheme` is one scheme, by its code; `arrays` has many as rows, adds sets to them and knows which
-are sound. `least_codes` has the least code of each class, and the renamings that keep it.
-`growth` makes all schemes, set by set, `counts` counts them without that, `estimate` says before
-how many, how large and how long; `json_lines` writes them.
+`scheme` is a single scheme, given by its code. `arrays` contains many schemes as rows, adds sets to
+them and checks soundness. `least_codes` finds the least code of each class, and the renamings that
+keep it. `growth` generates all schemes, set by set, `counts` counts them without a list, and
+`estimate` predicts number, size and time; `json_lines` writes them.
 """

@@ -1,8 +1,8 @@
-"""Many schemes as rows of an array: how sets are added to them, and which of them are sound.
+"""Many schemes as rows of an array, with addition of gear sets and a check of soundness.
 
-A row holds the links of sun, carrier and ring of each set in turn, numbered in the order in
-which they appear (a restricted growth string). Its first sets are such a row too, so rows of
-one set more grow from them, and what is unsound in a row stays so in all that grow from it.
+A row contains the links of sun, carrier and ring of each set in turn, numbered in the order of
+their first appearance (a restricted growth string). Its leading sets form such a row, too, so rows
+with one set more grow from it. An unsound row only has unsound descendants.
 """
 
 from __future__ import annotations
@@ -15,16 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Bits = NDArray[np.uint64]
+"""Sets of links as bits."""
 Codes = NDArray[np.uint8]
 """Schemes by rows, shape (schemes, 3*sets)."""
 MEMBERS = 3
-"""Sun, carrier and ring of a set."""
+"""Number of members of a gear set: sun, carrier and ring."""
 LEAST_MOBILITY = 2
-"""Links less sets of every group of sets: with fewer it is one body."""
+"""Smallest difference of links and sets in every group of sets that is not locked up."""
 
 
 def first_codes() -> Codes:
-    """The one scheme of one set.
+    """Return the only scheme with a single set.
 
     >>> first_codes()
     array([[0, 1, 2]], dtype=uint8)
@@ -33,7 +34,7 @@ def first_codes() -> Codes:
 
 
 def link_counts(codes: Codes) -> NDArray[np.intp]:
-    """The number of links of each scheme, shape (schemes,).
+    """Return the number of links of each scheme, shape (schemes,).
 
     >>> link_counts(first_codes())
     array([3])
@@ -43,14 +44,14 @@ def link_counts(codes: Codes) -> NDArray[np.intp]:
 
 @cache
 def next_sets(links: int, *, apart: bool) -> Codes:
-    """The links that a further set may have, in ascending order, shape (choices, 3).
+    """Return the possible links of a further set, in ascending order, shape (choices, 3).
 
     Parameters
     ----------
     links : int
-        Of the scheme so far.
+        Number of links of the scheme.
     apart : bool
-        Whether it may share none of them.
+        True to allow sets that share no link with the scheme.
 
     Examples
     --------
@@ -58,30 +59,30 @@ def next_sets(links: int, *, apart: bool) -> Codes:
     (33, array([3, 4, 5], dtype=uint8))
     """
     new = links, links + 1, links + 2
-    found = []
+    choices = []
     for chosen in product(range(links + 1), repeat=MEMBERS):
         fresh = iter(new)
-        one = tuple(next(fresh) if link == links else link for link in chosen)
-        if len(set(one)) == MEMBERS and (apart or one != new):
-            found.append(one)
-    return np.array(sorted(found), dtype=np.uint8)
+        members = tuple(next(fresh) if link == links else link for link in chosen)
+        if len(set(members)) == MEMBERS and (apart or members != new):
+            choices.append(members)
+    return np.array(sorted(choices), dtype=np.uint8)
 
 
 def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
-    """All schemes of one set more.
+    """Return all schemes with a further set.
 
     Parameters
     ----------
     codes : array, shape (schemes, 3*sets)
     apart : bool
-        Whether the set may share no link with the others.
+        True to allow sets that share no link with the scheme.
 
     Returns
     -------
     parents : array, shape (grown,)
-        The row that each grew from.
+        Row from which each scheme grew.
     grown : array, shape (grown, 3*sets + 3)
-        In the order of their parents, and ascending from each.
+        Schemes in the order of their parents, ascending from each parent.
 
     Examples
     --------
@@ -95,15 +96,15 @@ def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
         sets = next_sets(count, apart=apart)
         parents = np.repeat(rows, len(sets))
         parts.append((parents, np.tile(sets, (len(rows), 1))))
-    parents = np.concatenate([one for one, _ in parts])
+    parents = np.concatenate([rows for rows, _ in parts])
     order = np.argsort(parents, kind="stable")
     parents = parents[order]
-    last = np.concatenate([one for _, one in parts])[order]
+    last = np.concatenate([sets for _, sets in parts])[order]
     return parents, np.concatenate([codes[parents], last], axis=1)
 
 
 def link_masks(codes: Codes) -> Bits:
-    """The links of each set as bits, shape (schemes, sets).
+    """Return the links of each set as bits, shape (schemes, sets).
 
     >>> link_masks(first_codes())
     array([[7]], dtype=uint64)
@@ -113,26 +114,28 @@ def link_masks(codes: Codes) -> Bits:
 
 
 def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDArray[np.bool_]:
-    """Whether the last set of each child locks no group of sets; the parents are sound.
+    """Return whether the last set of each child locks no group of sets.
 
-    A group locks into one body where it has fewer than two links more than sets.
+    A group rotates as a block if it has fewer than two links more than sets.
 
     Parameters
     ----------
     parents : array, shape (parents, 3*sets)
+        Sound schemes.
     which : array, shape (children,)
-        The parent of each.
+        Parent of each child.
     children : array, shape (children, 3*sets + 3)
 
     Returns
     -------
     array, shape (children,)
+        True for sound schemes.
 
     Examples
     --------
-    >>> one = first_codes()
-    >>> which, two = grown(one, apart=False)
-    >>> int(stays_sound(one, which, two).sum())  # not: six that share three links
+    >>> parents = first_codes()
+    >>> which, children = grown(parents, apart=False)
+    >>> int(stays_sound(parents, which, children).sum())  # without six that share three links
     27
     """
     masks = link_masks(parents)
@@ -147,7 +150,7 @@ def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDA
 
 
 def are_connected(codes: Codes) -> NDArray[np.bool_]:
-    """Whether all sets of a scheme hang together by common links, shape (schemes,).
+    """Return whether common links connect all sets of a scheme, shape (schemes,).
 
     >>> are_connected(np.array([[0, 1, 2, 3, 4, 5], [0, 1, 2, 3, 4, 0]], dtype=np.uint8))
     array([False,  True])
@@ -155,13 +158,13 @@ def are_connected(codes: Codes) -> NDArray[np.bool_]:
     masks = link_masks(codes)
     reached = masks[:, 0].copy()
     for _ in range(masks.shape[1] - 1):
-        for one in masks.T:
-            reached |= np.where(reached & one, one, np.uint64(0))
+        for mask in masks.T:
+            reached |= np.where(reached & mask, mask, np.uint64(0))
     return np.asarray(reached == np.bitwise_or.reduce(masks, axis=1))
 
 
 def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
-    """How many bits are set in each number, where NumPy is too old to tell.
+    """Count the bits of each number, for versions of NumPy without `bitwise_count`.
 
     >>> _bit_counts(np.array([0, 7, 2**63 + 256], dtype=np.uint64))
     array([0, 3, 2], dtype=uint8)
@@ -174,7 +177,7 @@ bit_counts: Callable[[Bits], NDArray[np.uint8]] = getattr(np, "bitwise_count", _
 
 
 def orders(classes: str) -> tuple[tuple[int, ...], ...]:
-    """The orders of the members of a set that a class does not tell apart.
+    """Return the orders of the members of a set that a class does not distinguish.
 
     >>> orders("sets"), orders("members"), len(orders("order"))
     (((0, 1, 2),), ((0, 1, 2), (2, 1, 0)), 6)

@@ -1,9 +1,9 @@
-"""How many schemes there are.
+"""Numbers of schemes by the number of links.
 
-Classes are counted as they are listed. Schemes whose sets have numbers are counted with few
-lists: connected ones are all less those in parts. One of these is sound, or it is one body, or
-it is a sound scheme of some of its sets in which bodies of the others stand in the place of
-links. So sound ones follow from those of two sets less.
+Classes are counted while they are listed. Schemes with numbered sets need only small lists:
+connected schemes are all schemes without those in parts. A connected scheme is sound, or it is one
+body, or it is a sound scheme of some of its sets in which bodies formed by the other sets replace
+links. The sound schemes therefore follow from those with two sets less.
 """
 
 from __future__ import annotations
@@ -26,21 +26,23 @@ from vstatics.synthesis.structures.growth import (
 )
 
 ByLinks = dict[int, int]
+"""Numbers of schemes by number of links."""
 LinkSizes = tuple[int, ...]
-"""How many members each link of a scheme joins, ascending."""
+"""Number of members of each link of a scheme, ascending."""
 
 
 @refusing()
 def count(
     search: StructureSearch, advance: Callable[[int], None] = lambda _: None
 ) -> dict[int, int]:
-    """How many schemes there are, by their number of links.
+    """Count schemes by the number of links.
 
     Parameters
     ----------
     search : StructureSearch
+        Requested schemes.
     advance : callable
-        Is told how many more are counted, now and then.
+        Called from time to time with the number of further schemes.
 
     Returns
     -------
@@ -50,7 +52,7 @@ def count(
     Raises
     ------
     ValueError
-        If there can be none such.
+        If such schemes cannot exist.
 
     Examples
     --------
@@ -64,50 +66,52 @@ def count(
         all_of_them = connected(search.sets) if search.unsound else sound(search.sets)
         choices = {links: perm(links, 2) if search.ports else 1 for links in search.wanted}
         return {links: all_of_them[links] * choices[links] for links in search.wanted}
-    found = dict.fromkeys(search.wanted, 0)
+    numbers_of = dict.fromkeys(search.wanted, 0)
     for batch in batches(search):
         numbers = weights(search, batch)
         for links in np.unique(batch.links).tolist():
-            found[links] += int(numbers[batch.links == links].sum())
+            numbers_of[links] += int(numbers[batch.links == links].sum())
         advance(int(numbers.sum()))
-    return found
+    return numbers_of
 
 
 @cache
 def labelled(sets: int) -> ByLinks:
-    """All schemes, connected or not: a set takes some links that are there, and new ones.
+    """Count all schemes with numbered sets, connected or not.
 
     >>> labelled(2)
     {6: 1, 5: 9, 4: 18, 3: 6}
     """
     if not sets:
         return {0: 1}
-    found: Counter[int] = Counter()
+    numbers: Counter[int] = Counter()
     for links, number in labelled(sets - 1).items():
         for new in range(MEMBERS, -1, -1):
             ways = comb(MEMBERS, new) * perm(links, MEMBERS - new)
             if ways:
-                found[links + new] += number * ways
-    return dict(found)
+                numbers[links + new] += number * ways
+    return dict(numbers)
 
 
 @cache
 def connected(sets: int) -> ByLinks:
-    """Those that hang together: all, less those where the first set hangs with fewer.
+    """Count the connected schemes with numbered sets.
+
+    These are all schemes without those where the first set is connected to fewer sets.
 
     >>> connected(2)
     {5: 9, 4: 18, 3: 6}
     """
-    found = Counter(labelled(sets))
+    numbers = Counter(labelled(sets))
     for part in range(1, sets):
         for links, number in connected(part).items():
             for others, ways in labelled(sets - part).items():
-                found[links + others] -= comb(sets - 1, part - 1) * number * ways
-    return {links: number for links, number in found.items() if number}
+                numbers[links + others] -= comb(sets - 1, part - 1) * number * ways
+    return {links: number for links, number in numbers.items() if number}
 
 
 def sound(sets: int) -> ByLinks:
-    """Those in which no group of sets is one body.
+    """Count the schemes with numbered sets in which no group of sets is locked up.
 
     >>> sound(3)
     {7: 189, 6: 864, 5: 1080}
@@ -117,7 +121,7 @@ def sound(sets: int) -> ByLinks:
 
 @cache
 def _part(sets: int, *, is_body: bool) -> ByLinks:
-    """Connected schemes without mixed ones; few links make a body."""
+    """Count connected schemes without mixed schemes: either sound or locked up, by the links."""
     mixed = _mixed(sets)
     return {
         links: number - mixed[links]
@@ -128,43 +132,43 @@ def _part(sets: int, *, is_body: bool) -> ByLinks:
 
 @cache
 def _mixed(sets: int) -> Counter[int]:
-    """Connected schemes with a body that has not all of the sets."""
-    found: Counter[int] = Counter()
+    """Count connected schemes with a locked-up body that does not contain all sets."""
+    numbers: Counter[int] = Counter()
     for outside in range(1, sets - 1):
         for sizes, number in _link_sizes(outside).items():
             for links, ways in _with_bodies(sizes, sets - outside):
-                # a scheme of the outer sets without bodies has none of the others
-                found[links] += comb(sets, outside) * number * ways
-    return found
+                # without bodies, the outer sets alone do not contain the inner sets
+                numbers[links] += comb(sets, outside) * number * ways
+    return numbers
 
 
 @cache
 def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
-    """The ways to put bodies of so many sets in the place of links.
+    """Count the ways to replace links by bodies of a number of inner sets.
 
-    A member that the link has had may be joined to any of the links of the body.
+    Each member of a replaced link can be connected to any link of the body.
 
     Returns
     -------
     tuple
-        Pairs of a number of links, and the ways to have so many.
+        Pairs of a number of links, and the number of ways.
     """
     if not sizes:
         return () if inside else ((0, 1),)
-    found: Counter[int] = Counter()
-    for own in (0, *range(2, inside + 1)):
-        places = _part(own, is_body=True).items() if own else [(1, 1)]
-        for rest, ways in _with_bodies(sizes[1:], inside - own):
+    numbers: Counter[int] = Counter()
+    for body in (0, *range(2, inside + 1)):
+        places = _part(body, is_body=True).items() if body else [(1, 1)]
+        for other_links, ways in _with_bodies(sizes[1:], inside - body):
             for links, number in places:
-                joined = links ** sizes[0] if own else 1
-                found[rest + links] += comb(inside, own) * number * joined * ways
-    return tuple(found.items())
+                joined = links ** sizes[0] if body else 1
+                numbers[other_links + links] += comb(inside, body) * number * joined * ways
+    return tuple(numbers.items())
 
 
 @cache
 def _link_sizes(sets: int) -> dict[LinkSizes, int]:
-    """How many sound schemes have links of so many members each."""
-    found: Counter[LinkSizes] = Counter()
+    """Count the sound schemes by the numbers of members of links."""
+    totals: Counter[LinkSizes] = Counter()
     search = StructureSearch(sets)
     for batch in batches(counted_by(search)):
         sizes = np.zeros((len(batch.codes), 2 * sets + 1), np.intp)
@@ -174,5 +178,5 @@ def _link_sizes(sets: int) -> dict[LinkSizes, int]:
         numbers = np.zeros(len(kinds), np.int64)
         np.add.at(numbers, which.ravel(), weights(search, batch))
         for kind, number in zip(kinds.tolist(), numbers.tolist(), strict=True):
-            found[tuple(size for size in kind if size)] += number
-    return dict(found)
+            totals[tuple(size for size in kind if size)] += number
+    return dict(totals)

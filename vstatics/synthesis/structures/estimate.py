@@ -1,8 +1,8 @@
-"""How many schemes there will be, how large and how long, before they are all found.
+"""Estimate of the number of schemes, their size and the time, before all are found.
 
-Schemes grow set by set. Of those of each number of sets some are drawn, and what grows from
-them stands for all (Knuth 1975, Estimating the efficiency of backtrack programs). Where all
-are few all are taken, and the number is exact.
+Schemes grow set by set. A sample is drawn from those of each number of sets, and its descendants
+represent all (Knuth 1975, Estimating the efficiency of backtrack programs). If there are few, all
+are taken and the number is exact.
 """
 
 from __future__ import annotations
@@ -32,44 +32,45 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""About so many schemes grow for each number of sets, fewer where each has more renamings."""
+"""Approximate number of schemes that grow for each number of sets, per order of members."""
 FEW_SETS = 4
-"""Fewer grow where there are more sets, as all of them are more."""
+"""Number of sets above which fewer schemes grow in each step."""
 COUNTED_SETS = 6
-"""So many sets are counted as soon as estimated."""
+"""Number of sets up to which counting is as fast as an estimate."""
 WRITTEN = 2000
-"""Lines of so many schemes show how long a line is."""
+"""Number of schemes in the sample for the length of lines."""
 
 
 class Estimate(NamedTuple):
-    """What is known of a search beforehand."""
+    """Expected results of a search."""
 
     by_links: Mapping[int, float]
+    """Number of schemes by number of links."""
     exact: bool
-    """Whether these are counts."""
+    """True if the numbers are exact."""
     bytes: float
     """Size of the lines. [bytes]"""
     seconds: float
-    """How long it takes. [s]"""
+    """Time of the search. [s]"""
 
     @property
     def total(self) -> float:
-        """Schemes in all."""
+        """Number of all schemes."""
         return sum(self.by_links.values())
 
 
 def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
-    """What a search will give, from what grows of some schemes.
+    """Estimate the results of a search from the growth of a sample.
 
     Parameters
     ----------
     search : StructureSearch
     listed : bool
-        Whether the schemes are written, or only counted.
+        True if the schemes are written, False if only counted.
 
     Examples
     --------
-    >>> estimate(StructureSearch(3, "sets"), listed=False)[:2]  # all of them are tried
+    >>> estimate(StructureSearch(3, "sets"), listed=False)[:2]  # exact, since there are few
     ({5: 190, 6: 155, 7: 37}, True)
     """
     check_search(search)
@@ -77,7 +78,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
     if search.classes == "none":
         counts = _labelled(search)
     else:
-        assert grown is not None  # noqa: S101 - only labelled ones are counted without
+        assert grown is not None  # noqa: S101 - only labelled schemes are counted without a sample
         counts = _of_classes(search, grown)
     if grown is None or not listed:
         return counts
@@ -87,18 +88,18 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
 
 
 def _labelled(search: StructureSearch) -> Estimate:
-    """Schemes whose sets have numbers, and how long it takes to count them."""
+    """Estimate schemes with numbered sets, and the time to count schemes."""
     if _are_soon_counted(search):
         return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
     sample = _sample(counted_by(search))
     by_links = _by_links(search, sample, weights(search, sample.batch))
-    # they are counted by a list of those of two sets less
+    # The count needs a list of the schemes with two sets less.
     seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
     return Estimate(by_links, sample.exact, 0.0, seconds)
 
 
 def _of_classes(search: StructureSearch, sample: _DrawnSchemes) -> Estimate:
-    """Classes. Where labelled schemes are counted, those of the sample tell its error."""
+    """Estimate classes; a known count of labelled schemes corrects the sample."""
     by_links = _by_links(search, sample, weights(search, sample.batch))
     whole = search._replace(classes="none", ports=False)
     if not sample.exact and _are_soon_counted(whole):
@@ -118,27 +119,27 @@ def _are_soon_counted(search: StructureSearch) -> bool:
 def _by_links(
     search: StructureSearch, sample: _DrawnSchemes, numbers: NDArray[Any]
 ) -> dict[int, float]:
-    """How many there are, where each scheme of the sample stands for so many of a class."""
+    """Sum up the represented schemes by number of links."""
     all_of_them = numbers * sample.weights
     links = sample.batch.links
     sums = {wanted: float(all_of_them[links == wanted].sum()) for wanted in search.wanted}
-    return {wanted: int(one) if one.is_integer() else one for wanted, one in sums.items()}
+    return {wanted: int(total) if total.is_integer() else total for wanted, total in sums.items()}
 
 
 class _DrawnSchemes(NamedTuple):
-    """Some of the schemes of all sets."""
+    """Sample of the schemes with all sets."""
 
     batch: SchemeBatch
     weights: Floats
-    """Each stands for so many."""
+    """Number of schemes that each scheme represents, shape (schemes,)."""
     exact: bool
-    """Whether they are all."""
+    """True if the sample contains all schemes."""
     seconds: float
-    """That it takes to find all."""
+    """Expected time to find all schemes. [s]"""
 
 
 def _sample(search: StructureSearch) -> _DrawnSchemes:
-    """Schemes that grow from some of those with one set less, and so on."""
+    """Grow a sample of schemes set by set."""
     [batch] = batches(search._replace(sets=1, links=()))
     sizes, exact, seconds = np.ones(1), True, 0.0
     for _ in range(search.sets - 1):
@@ -156,9 +157,10 @@ def _sample(search: StructureSearch) -> _DrawnSchemes:
 def _drawn(
     search: StructureSearch, batch: SchemeBatch, sizes: Floats
 ) -> tuple[NDArray[np.intp], Floats]:
-    """The rows of some of the schemes, and for how many each stands; all if they are few.
+    """Return the rows of a sample, and the number that each row represents.
 
-    There are as many of each number of links, at equal steps of what they stand for.
+    All rows are returned if they are few. Otherwise the sample is equally large for each number of
+    links, and evenly spaced by weight.
     """
     orders = 1 if search.classes == "none" else len(arrays.orders(search.classes))
     tried = GROWN_SCHEMES // orders // max(search.sets - FEW_SETS, 1)
@@ -169,19 +171,19 @@ def _drawn(
     drawn, stand = [], []
     for group in groups:
         share = rows_at_once(search, batch.codes[group], tried // len(groups))
-        chosen, own = group, sizes[group]
+        chosen, sizes_of_rows = group, sizes[group]
         if len(group) > share:
-            reached = np.cumsum(own)
+            reached = np.cumsum(sizes_of_rows)
             step = reached[-1] / share
             chosen = group[np.searchsorted(reached, (np.arange(share) + 0.5) * step)]
-            own = np.full(share, step)
+            sizes_of_rows = np.full(share, step)
         drawn.append(chosen)
-        stand.append(own)
+        stand.append(sizes_of_rows)
     return np.concatenate(drawn), np.concatenate(stand)
 
 
 def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]:
-    """The mean length of a line, and the time it takes."""
+    """Return the mean length of a line, and the time to write a line."""
     step = math.ceil(len(batch.codes) / WRITTEN)
     if not step:
         return 0.0, 0.0
@@ -194,13 +196,13 @@ def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]
 
 
 def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
-    """Some of the schemes of a batch, with all their symmetries."""
-    found = batch.symmetries
-    if found is not None:
-        of_them = found.which % step == 0
-        found = found._replace(
-            least=found.least[::step],
-            which=found.which[of_them] // step,
-            links=found.links[of_them],
+    """Return every nth scheme of a batch, with all symmetries."""
+    reduced = batch.symmetries
+    if reduced is not None:
+        selected = reduced.which % step == 0
+        reduced = reduced._replace(
+            least=reduced.least[::step],
+            which=reduced.which[selected] // step,
+            links=reduced.links[selected],
         )
-    return SchemeBatch(batch.codes[::step], batch.links[::step], found, batch.parents[::step])
+    return SchemeBatch(batch.codes[::step], batch.links[::step], reduced, batch.parents[::step])

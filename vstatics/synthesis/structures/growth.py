@@ -1,8 +1,8 @@
-"""All schemes of so many planetary sets, as they grow set by set, and one by one.
+"""Enumeration of all schemes with a number of planetary gear sets, set by set.
 
-The first sets of a least code are a least code themselves, connected and sound as it is. So
-every class grows once, from one of one set less; nothing has to be compared with what was
-found before, and memory does not grow with their number.
+The leading sets of a least code form a least code themselves, which is connected and sound if the
+whole is. Every class therefore grows exactly once, from a class with one set less. Schemes need not
+be compared with earlier results, and memory does not grow with their number.
 """
 
 from __future__ import annotations
@@ -22,15 +22,16 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Schemes that count as one: none do; equal up to renaming of sets; also with sun and ring
-exchanged; with the members of a set in any order."""
+"""Equivalence of schemes: no, by renaming of sets, also by exchange of sun and ring, or by any
+order of members."""
 MOST_SETS = 10
+"""Largest number of gear sets."""
 SCHEMES_AT_ONCE = 50_000
-"""So many schemes grow at once, for the sake of memory."""
+"""Number of schemes that grow at once, because of memory."""
 
 
 class StructureSearch(NamedTuple):
-    """Which schemes are asked for.
+    """Request for schemes.
 
     Examples
     --------
@@ -41,17 +42,17 @@ class StructureSearch(NamedTuple):
     sets: int
     classes: Classes = "none"
     unsound: bool = False
-    """Whether also those where a group of sets is locked."""
+    """True to include schemes with a locked-up group of sets."""
     ports: bool = False
-    """Whether an input and an output are chosen."""
+    """True to choose an input and an output."""
     links: tuple[int, ...] = ()
-    """Only with so many; any when empty."""
+    """Wanted numbers of links; any when empty."""
     matrix: bool = False
-    """Whether their matrices are told, too."""
+    """True to include the matrix of each scheme."""
 
     @property
     def link_range(self) -> range:
-        """The numbers of links that connected schemes of two or more degrees of freedom have.
+        """Possible numbers of links of connected schemes with at least two degrees of freedom.
 
         >>> StructureSearch(4).link_range
         range(6, 10)
@@ -60,38 +61,39 @@ class StructureSearch(NamedTuple):
 
     @property
     def wanted(self) -> tuple[int, ...]:
-        """The numbers of links that are asked for, ascending."""
+        """Requested numbers of links, ascending."""
         return tuple(sorted(set(self.links))) or tuple(self.link_range)
 
 
 class SchemeBatch(NamedTuple):
-    """Some of the schemes, in ascending order of their codes."""
+    """Batch of schemes in ascending order of codes."""
 
     codes: Codes
-    """Shape (schemes, 3*sets)."""
+    """Codes of the schemes, shape (schemes, 3*sets)."""
     links: NDArray[np.intp]
-    """Shape (schemes,)."""
+    """Numbers of links, shape (schemes,)."""
     symmetries: Symmetries | None
-    """By which renamings they stay as they are; None where only they themselves are a class."""
+    """Renamings that leave each scheme unchanged; not known if every scheme counts separately."""
     parents: NDArray[np.intp]
-    """The row that each grew from, shape (schemes,)."""
+    """Row from which each scheme grew, shape (schemes,)."""
 
 
 class SchemePorts(NamedTuple):
     """Inputs and outputs of schemes."""
 
     which: NDArray[np.intp]
-    """The row of the scheme, ascending, shape (ports,)."""
+    """Row of the scheme, ascending, shape (ports,)."""
     input: NDArray[np.intp]
     output: NDArray[np.intp]
 
 
 def check_search(search: StructureSearch) -> None:
-    """Refuse what can't be asked for.
+    """Refuse an impossible request.
 
     Raises
     ------
     ValueError
+        If the number of sets or of links is out of range.
     """
     if not 1 <= search.sets <= MOST_SETS:
         raise ValueError(f"read {search.sets} sets, expected 1 to {MOST_SETS}")
@@ -104,7 +106,7 @@ def check_search(search: StructureSearch) -> None:
 
 
 def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
-    """All schemes, batch by batch, in ascending order of their codes.
+    """Yield all schemes, batch by batch, in ascending order of codes.
 
     Parameters
     ----------
@@ -119,13 +121,15 @@ def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
     """
     check_search(search)
     codes = arrays.first_codes()
-    found = None if search.classes == "none" else symmetries(codes, arrays.orders(search.classes))
-    first = SchemeBatch(codes, arrays.link_counts(codes), found, np.zeros(1, np.intp))
+    kept_renamings = (
+        None if search.classes == "none" else symmetries(codes, arrays.orders(search.classes))
+    )
+    first = SchemeBatch(codes, arrays.link_counts(codes), kept_renamings, np.zeros(1, np.intp))
     yield from _grown(search, first)
 
 
 def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]:
-    """What grows from some schemes in the end, depth first."""
+    """Yield the final descendants of a batch, depth first."""
     if batch.codes.shape[1] == MEMBERS * search.sets:
         if len(batch.codes):
             yield batch
@@ -135,14 +139,14 @@ def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]
 
 
 def rows_at_once(search: StructureSearch, codes: Codes, most: int = SCHEMES_AT_ONCE) -> int:
-    """From so many schemes about `most` may grow."""
+    """Return the number of schemes from which about `most` schemes grow."""
     links = int(codes.max(initial=0)) + 1
     choices = len(arrays.next_sets(links, apart=search.classes == "none"))
     return max(most // choices, 1)
 
 
 def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
-    """The schemes of one set more that grow from some, shape (schemes, 3*sets)."""
+    """Return the schemes with an additional set that grow from codes."""
     apart = search.classes == "none"
     which, grown = arrays.grown(codes, apart=apart)
     to_come = search.sets - grown.shape[1] // MEMBERS
@@ -158,52 +162,52 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
         which, grown, links = which[good], grown[good], links[good]
     if apart:
         return SchemeBatch(grown, links, None, which)
-    found = symmetries(grown, arrays.orders(search.classes))
-    numbers = np.cumsum(found.least) - 1
-    own = found._replace(which=numbers[found.which], least=found.least[found.least])
-    return SchemeBatch(grown[found.least], links[found.least], own, which[found.least])
+    least = symmetries(grown, arrays.orders(search.classes))
+    numbers = np.cumsum(least.least) - 1
+    renamings = least._replace(which=numbers[least.which], least=least.least[least.least])
+    return SchemeBatch(grown[least.least], links[least.least], renamings, which[least.least])
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
-    """The search by whose classes schemes are counted; each has a weight."""
+    """Return the search for the weighted classes by which schemes are counted."""
     return search._replace(classes="sets") if search.classes == "none" else search
 
 
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
-    """How many of the schemes that are asked for each class stands for, shape (schemes,).
+    """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    All orders of the sets, by the number of those that change nothing; the choices of input
-    and output that a symmetry does not change into each other, by Burnside's lemma.
+    These are the orders of the sets, divided by the number of symmetries, or the choices of input
+    and output that differ under symmetries, by Burnside's lemma.
 
     Parameters
     ----------
     search : StructureSearch
     batch : SchemeBatch
-        Of `counted_by`.
+        Batch of the search `counted_by`.
     """
-    assert batch.symmetries is not None  # noqa: S101 - they are counted by classes
+    assert batch.symmetries is not None  # noqa: S101 - classes have symmetries
     which, links = batch.symmetries.which, batch.symmetries.links
     rows = len(batch.codes)
-    own = np.bincount(which, minlength=rows).astype(np.int64)
+    counts = np.bincount(which, minlength=rows).astype(np.int64)
     choices = batch.links * (batch.links - 1) if search.ports else np.ones(rows, np.int64)
     if search.classes == "none":
-        return np.asarray(choices * (math.factorial(search.sets) // own))
+        return np.asarray(choices * (math.factorial(search.sets) // counts))
     if not search.ports:
         return choices
     fixed = (links == np.arange(links.shape[1])).sum(axis=1)
-    return np.asarray(np.bincount(which, fixed * (fixed - 1), rows).astype(np.int64) // own)
+    return np.asarray(np.bincount(which, fixed * (fixed - 1), rows).astype(np.int64) // counts)
 
 
 def labelled_weights(search: StructureSearch, batch: SchemeBatch) -> Floats:
-    """How many schemes each class has where sets have numbers and members names, (schemes,)."""
-    assert batch.symmetries is not None  # noqa: S101 - they are classes
-    own = np.bincount(batch.symmetries.which, minlength=len(batch.codes))
+    """Return the number of schemes with numbered sets and named members in each class."""
+    assert batch.symmetries is not None  # noqa: S101 - classes have symmetries
+    counts = np.bincount(batch.symmetries.which, minlength=len(batch.codes))
     orders = len(arrays.orders(search.classes))
-    return np.asarray(math.factorial(search.sets) * float(orders) ** search.sets / own)
+    return np.asarray(math.factorial(search.sets) * float(orders) ** search.sets / counts)
 
 
 def ports(batch: SchemeBatch) -> SchemePorts:
-    """The inputs and outputs of each scheme; of those that a symmetry makes equal the least.
+    """Return the inputs and outputs of each scheme, once for symmetric choices.
 
     Examples
     --------
@@ -212,13 +216,13 @@ def ports(batch: SchemeBatch) -> SchemePorts:
     SchemePorts(which=array([0]), input=array([0]), output=array([1]))
     """
     parts = [_ports_of(batch, links) for links in np.unique(batch.links).tolist()]
-    which, first, second = (np.concatenate(one) for one in zip(*parts, strict=True))
+    which, first, second = (np.concatenate(columns) for columns in zip(*parts, strict=True))
     order = np.argsort(which, kind="stable")
     return SchemePorts(which[order], first[order], second[order])
 
 
 def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
-    """Those of the schemes with so many links."""
+    """Return the inputs and outputs of the schemes with a number of links."""
     first, second = np.nonzero(~np.eye(links, dtype=bool))
     of_links = batch.links == links
     rows = np.flatnonzero(of_links)
@@ -234,11 +238,11 @@ def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
 
 
 SchemeCode = Annotated[str, Words(pattern="^[0-9]+(-[0-9]+)*$")]
-"""The links of sun, carrier and ring of each set as text."""
+"""Links of sun, carrier and ring of each set, as text."""
 
 
 class FoundScheme(NamedTuple):
-    """A scheme, or a choice of its input and output.
+    """Scheme, perhaps with a choice of input and output.
 
     Examples
     --------
@@ -248,16 +252,16 @@ class FoundScheme(NamedTuple):
 
     code: SchemeCode
     links: Count
-    """How many there are."""
+    """Number of links."""
     input: Count | None
-    """Links of the code; None where none are chosen."""
+    """Link of the code that is the input, if chosen."""
     output: Count | None
     matrix: Sometimes[Sequence[Sequence[int]]] = None
-    """A row for each link, a column for each sun, carrier and ring: 1 where it has that."""
+    """Incidence matrix with a row for each link and a column for each sun, carrier and ring."""
 
 
 def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
-    """The matrix of each scheme, as `FoundScheme` has it.
+    """Yield the matrix of each scheme, as in `FoundScheme`.
 
     >>> [batch] = batches(StructureSearch(1))
     >>> [*matrices(batch)]
@@ -269,21 +273,22 @@ def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
 
 @refusing()
 def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
-    """All schemes that are asked for, in ascending order of their codes.
+    """Yield all requested schemes in ascending order of codes.
 
     Parameters
     ----------
     search : StructureSearch
-        What schemes are asked for.
+        Requested schemes.
 
     Returns
     -------
     iterator of FoundScheme
+        Schemes, or choices of input and output.
 
     Raises
     ------
     ValueError
-        If there can be none such.
+        If such schemes cannot exist.
 
     Examples
     --------
@@ -299,8 +304,8 @@ def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
         links = batch.links.tolist()
         chosen: Iterable[Any]
         if search.ports:
-            chosen = zip(*(one.tolist() for one in ports(batch)), strict=True)
+            chosen = zip(*(column.tolist() for column in ports(batch)), strict=True)
         else:
             chosen = ((row, None, None) for row in range(len(codes)))
-        told = [*matrices(batch)] if search.matrix else [None] * len(codes)
-        yield from (FoundScheme(codes[k], links[k], i, o, told[k]) for k, i, o in chosen)
+        incidences = [*matrices(batch)] if search.matrix else [None] * len(codes)
+        yield from (FoundScheme(codes[k], links[k], i, o, incidences[k]) for k, i, o in chosen)

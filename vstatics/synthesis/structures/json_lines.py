@@ -1,7 +1,7 @@
 """Schemes as lines of JSON, many at a time.
 
-They are put together from texts that many of them share: a writer of JSON would take ten times
-as long, and longer than the schemes take to be found.
+The lines are composed of shared texts. A JSON encoder would take ten times as long, and longer
+than the search for the schemes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from vstatics.synthesis.structures.arrays import MEMBERS
 from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, matrices, ports
 
 NO_PORTS = '{}"input": null, "output": null}}\n'
-"""The end of a line, where no input and output are chosen."""
+"""End of a line without input and output."""
 ZERO, TEN = np.uint8(ord("0")), np.uint8(10)
 
 
 def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
-    """A line for each scheme, or for each choice of its input and output.
+    """Return a line for each scheme, or for each choice of input and output.
 
     Examples
     --------
@@ -37,14 +37,14 @@ def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
         return _without_ports(batch)
     heads = _heads(batch)
     if search.matrix:
-        told = zip(heads, matrices(batch), strict=True)
-        heads = [f'{head}"matrix": {matrix}, ' for head, matrix in told]
+        pairs = zip(heads, matrices(batch), strict=True)
+        heads = [f'{head}"matrix": {matrix}, ' for head, matrix in pairs]
     text = _with_ports(heads, batch) if search.ports else "".join(map(NO_PORTS.format, heads))
     return text.encode()
 
 
 def _without_ports(batch: SchemeBatch) -> bytes:
-    """All lines at once: each number has two places, and what stays empty is left out."""
+    """Write all lines at once: each number has two places, and empty places are removed."""
     places = "\0\0"
     code = "-".join([places] * batch.codes.shape[1])
     line = f'{{"code": "{code}", "links": {places}, "input": null, "output": null}}\n'
@@ -59,10 +59,10 @@ def _without_ports(batch: SchemeBatch) -> bytes:
 
 
 def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
-    """A line for each choice of a scheme, by the text that they share."""
-    found = ports(batch)
-    pairs = found.input * int(batch.links.max()) + found.output
-    counts = np.bincount(found.which, minlength=len(heads))
+    """Write a line for each choice of ports, with the text of the scheme as separator."""
+    choices = ports(batch)
+    pairs = choices.input * int(batch.links.max()) + choices.output
+    counts = np.bincount(choices.which, minlength=len(heads))
     stops = np.cumsum(counts).tolist()
     parts = []
     start = 0
@@ -78,7 +78,7 @@ def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
 
 
 def _heads(batch: SchemeBatch) -> list[str]:
-    """The code and the number of links of each scheme."""
+    """Return the beginnings of lines with code and number of links."""
     base = int(batch.links.max(initial=0))
     members = batch.codes.reshape(len(batch.codes), -1, MEMBERS).astype(np.intp)
     keys = (members[..., 0] * base + members[..., 1]) * base + members[..., 2]
@@ -92,20 +92,18 @@ def _heads(batch: SchemeBatch) -> list[str]:
 
 @cache
 def _set_texts(base: int) -> list[str]:
-    """The links of a set by their numbers, for so many links."""
     numbers = range(base)
-    return [f"{one}-{two}-{three}" for one in numbers for two in numbers for three in numbers]
+    return [f"{a}-{b}-{c}" for a in numbers for b in numbers for c in numbers]
 
 
 @cache
 def _ends(base: int) -> list[str]:
-    """Input and output by their numbers, for so many links."""
-    return [_end(one, two) for one in range(base) for two in range(base)]
+    return [_end(first, last) for first in range(base) for last in range(base)]
 
 
 @cache
 def _all_ends(links: int) -> list[str]:
-    return [_end(one, two) for one, two in permutations(range(links), 2)]
+    return [_end(first, last) for first, last in permutations(range(links), 2)]
 
 
 def _end(first: int, second: int) -> str:

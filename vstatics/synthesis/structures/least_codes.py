@@ -1,8 +1,8 @@
-"""Which code is the least of its class, and by which renamings it becomes itself.
+"""Test whether a code is the least of its class, and its symmetries.
 
-The least code of a class is found set by set: another order of the sets whose codes agree so
-far is followed further, one that is greater is left, one that is less shows that the code
-isn't the least. So few of all orders are looked at, whatever their number.
+The least code of a class is found set by set over all orders of the sets. An order is followed
+while its code agrees with the given code, and dropped when it is greater; when it is less, the
+given code is not the least. Few orders are examined in this way.
 """
 
 from __future__ import annotations
@@ -15,52 +15,52 @@ from numpy.typing import NDArray
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 
 UNSEEN = 255
-"""The new number of a link that has none so far."""
+"""New number of a link without a number."""
 MOST_RENAMINGS = 400_000
-"""So many are followed at once, for the sake of memory."""
+"""Number of renamings that are followed at once, because of memory."""
 
 
 class Symmetries(NamedTuple):
-    """Which codes are least, and the renamings that leave these as they are."""
+    """Least codes, and the renamings that leave least codes unchanged."""
 
     least: NDArray[np.bool_]
-    """Shape (schemes,)."""
+    """True for least codes, shape (schemes,)."""
     which: NDArray[np.intp]
-    """The row that each renaming is of, ascending, shape (renamings,)."""
+    """Row of the code of each renaming, ascending, shape (renamings,)."""
     links: Codes
-    """The new number of each link, shape (renamings, links)."""
+    """New number of each link, shape (renamings, links)."""
 
 
 class _Renamings(NamedTuple):
-    """Some sets of schemes in another order, where their code agrees so far."""
+    """Partial orders of the sets of schemes whose codes agree so far."""
 
     which: NDArray[np.intp]
-    """The scheme of each."""
+    """Scheme of each renaming, shape (renamings,)."""
     used: NDArray[np.uint16]
-    """The sets that have a place, as bits."""
+    """Sets with a place, as bits, shape (renamings,)."""
     links: Codes
-    """The new number of each link, shape (renamings, links)."""
+    """New number of each link, shape (renamings, links)."""
     next: NDArray[np.uint8]
-    """The next new number."""
+    """Next new number, shape (renamings,)."""
 
 
 def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
-    """Whether codes are the least of their classes, with the symmetries of those that are.
+    """Find the least codes and the symmetries of each.
 
     Parameters
     ----------
     codes : array, shape (schemes, 3*sets)
         Restricted growth strings.
     orders : tuple
-        The orders of the members of a set that are not told apart.
+        Equivalent orders of the members of a set.
 
     Examples
     --------
     >>> codes = np.array([[0, 1, 2, 0, 3, 4], [0, 1, 2, 3, 0, 4]], dtype=np.uint8)
     >>> found = symmetries(codes, ((0, 1, 2),))
-    >>> found.least  # with its sets in the other order the second one is 0-1-2-1-3-4
+    >>> found.least  # with exchanged sets, the second code becomes 0-1-2-1-3-4
     array([ True, False])
-    >>> found.links.tolist()  # the two sets of the first one change places
+    >>> found.links.tolist()  # the sets of the first code can be exchanged
     [[0, 3, 4, 1, 2], [0, 1, 2, 3, 4]]
     """
     search = _RenamingSearch(codes, orders)
@@ -75,10 +75,10 @@ def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
 
 
 class _RenamingSearch:
-    """The search for renamings that make a code less, or leave it as it is."""
+    """Search for renamings that reduce or keep a code."""
 
     def __init__(self, codes: Codes, orders: tuple[tuple[int, ...], ...]) -> None:
-        """Begin with every code as the least."""
+        """Start with every code as the least."""
         self.sets = codes.shape[1] // MEMBERS
         self.members = codes.reshape(len(codes), self.sets, MEMBERS)
         self.orders = orders
@@ -86,7 +86,7 @@ class _RenamingSearch:
         self.ends: list[_Renamings] = []
 
     def follow(self, renamings: _Renamings, place: int) -> None:
-        """Put every set in a place, and follow further what agrees there."""
+        """Put every set in a place, and follow the renamings that agree there."""
         if place == self.sets:
             self.ends.append(renamings)
             return
@@ -102,7 +102,7 @@ class _RenamingSearch:
     def _agreeing(
         self, before: _Renamings, place: int, number: int, order: tuple[int, ...]
     ) -> _Renamings:
-        """Those whose code agrees with a set in this place; one that is less is noted."""
+        """Return renamings that agree with a set in a place; mark codes that can be reduced."""
         free = (before.used >> np.uint16(number)) & np.uint16(1) == 0
         rows = np.flatnonzero(free & self.least[before.which])
         counts = before.next[rows]
@@ -124,10 +124,8 @@ class _RenamingSearch:
 
 
 def _of_rows(renamings: _Renamings, rows: slice | NDArray[np.intp]) -> _Renamings:
-    """Some of them; a copy where the rows are numbers."""
-    return _Renamings._make(one[rows] for one in renamings)
+    return _Renamings._make(column[rows] for column in renamings)
 
 
 def _joined(parts: list[_Renamings]) -> _Renamings:
-    """All of them; there is at least one part."""
     return _Renamings._make(map(np.concatenate, zip(*parts, strict=True)))

@@ -1,4 +1,4 @@
-"""A scheme of planetary sets: which of their members are one link, and its code."""
+"""Scheme of planetary gear sets: the common links of members, and the code."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, MEMBERS, are_co
 from vstatics.synthesis.structures.growth import MOST_SETS
 
 MEMBER_NAMES = ("sun", "carrier", "ring")
+"""Names of the members in the order of a code."""
 LONGEST = MEMBERS * 3 * MOST_SETS
-"""Characters of a code: a link has two figures and a hyphen."""
+"""Largest number of characters of a code, with two digits and a hyphen for each link."""
 
 
 class SetScheme(NamedTuple):
-    """The links of sun, carrier and ring of each set, from 0.
+    """Links of sun, carrier and ring of each gear set, numbered from 0.
 
     Examples
     --------
@@ -32,33 +33,33 @@ class SetScheme(NamedTuple):
 
     @classmethod
     def of_code(cls, code: str) -> SetScheme:
-        """The scheme of a code as `code` has it; its links may be numbered in any order.
+        """Return the scheme of a code with links numbered in any order.
 
         Raises
         ------
         ValueError
-            If it is none.
+            If the text is not a code.
         """
         return cls(_sets(_numbers(code)))
 
     @property
     def code(self) -> str:
-        """All links, joined by hyphens."""
-        return "-".join(str(link) for one in self.sets for link in one)
+        """Links of all sets, joined by hyphens."""
+        return "-".join(str(link) for members in self.sets for link in members)
 
     @property
     def links(self) -> int:
-        """The number of links."""
-        return 1 + max(link for one in self.sets for link in one)
+        """Number of links."""
+        return 1 + max(link for members in self.sets for link in members)
 
     @property
     def mobility(self) -> int:
-        """Links less sets, the degrees of freedom: so many speeds may be chosen."""
+        """Degrees of freedom: links less sets."""
         return self.links - len(self.sets)
 
     @property
     def is_connected(self) -> bool:
-        """Whether all sets hang together by links.
+        """True if common links connect all sets.
 
         >>> SetScheme.of_code("0-1-2-3-4-5").is_connected
         False
@@ -67,9 +68,9 @@ class SetScheme(NamedTuple):
 
     @property
     def locked_sets(self) -> tuple[int, ...]:
-        """The fewest sets, by numbers from 1, that turn as one body whatever their ratios.
+        """Smallest group of sets that rotates as a block for all ratios, by numbers from 1.
 
-        They have fewer than two links more than they are. A sound scheme has none.
+        The group has fewer than two links more than sets. For a sound scheme it is empty.
 
         >>> of_code = SetScheme.of_code
         >>> of_code("0-1-2-2-0-1").locked_sets, of_code("0-1-2-2-0-3").locked_sets
@@ -84,7 +85,7 @@ class SetScheme(NamedTuple):
 
 
 def link_name(link: int) -> str:
-    """The name of a link in a case; 0 stays the housing there.
+    """Return the name of a link in a case, where 0 is the housing.
 
     >>> link_name(0)
     'L0'
@@ -93,7 +94,6 @@ def link_name(link: int) -> str:
 
 
 def _numbers(code: str) -> list[int]:
-    """The numbers of a code."""
     if len(code) > LONGEST:
         raise ValueError(f"read {quoted(code)}, expected at most {MOST_SETS} sets")
     words = code.strip().split("-")
@@ -105,24 +105,23 @@ def _numbers(code: str) -> list[int]:
 
 
 def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
-    """The sets with these links in turn."""
     if len(numbers) % MEMBERS:
         expected = "expected three for each set: sun, carrier, ring"
         raise ValueError(f"read {len(numbers)} links in the code, {expected}")
     if len(numbers) > MEMBERS * MOST_SETS:
         raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
-    # so many links leave no more gaps than they are, however great the last one is
+    # There are at most as many gaps as links, however large the greatest number is.
     missing = sorted(set(range(min(max(numbers), 2 * len(numbers)))) - set(numbers))
     if missing:
         some = listed([str(link) for link in missing], 3)
         last = f"the greatest is {max(numbers)}"
         raise ValueError(f"no set has link {some}, but {last}; expected 0, 1, 2, ... without gaps")
     parts = range(0, len(numbers), MEMBERS)
-    sets = [(numbers[one], numbers[one + 1], numbers[one + 2]) for one in parts]
-    for number, one in enumerate(sets, 1):
-        [(link, count)] = Counter(one).most_common(1)
+    sets = [(numbers[start], numbers[start + 1], numbers[start + 2]) for start in parts]
+    for number, links in enumerate(sets, 1):
+        [(link, count)] = Counter(links).most_common(1)
         if count > 1:
-            members = (name for name, of in zip(MEMBER_NAMES, one, strict=True) if of == link)
+            members = (name for name, of in zip(MEMBER_NAMES, links, strict=True) if of == link)
             message = f"{spoken(members)} of set {number} are both link {link}"
             raise ValueError(f"{message}; expected three links")
     return tuple(sets)

@@ -1,8 +1,8 @@
-"""Integer teeth for wanted ratios of gears or sets.
+"""Integer tooth numbers for wanted ratios of gears or gear sets.
 
-`problem` checks what is asked, `layout` tells what of the case has teeth, `limits` between which
-they lie. `rows` has all teeth of an element that fulfil the `conditions`, `table` the ratios that
-these make. `targets` tells how far gears are from what is wanted, `search` finds the best teeth of
-all elements together, `solutions` what these are, and the case with them. `finding` does all this,
-`tables` are the tables.
+`problem` checks the request, `layout` describes the gear sets of a case with unknown tooth numbers,
+and `limits` their ranges. `rows` lists all tooth numbers of a gear set that fulfil the
+`conditions`, `table` their ratios. `targets` measures the deviations from the wanted ratios,
+`search` finds the best tooth numbers of all gear sets together, and `solutions` contains the
+results and the case with them. `finding` combines all steps, `tables` presents the results.
 """

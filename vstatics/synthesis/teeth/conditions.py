@@ -1,4 +1,4 @@
-"""The conditions on teeth as filters of candidates; the formulas are those of `elements.teeth`."""
+"""Conditions on tooth numbers as filters of candidates, with the formulas of `elements.teeth`."""
 
 from __future__ import annotations
 
@@ -27,56 +27,56 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
-"""What a ring is wider than its pitch circle: its teeth, and as much metal as makes it a body."""
+"""Excess of the diameter of a ring gear over the pitch circle, for teeth and rim. [modules]"""
 
 
 @dataclass(frozen=True)
 class TeethCandidates:
-    """Rows of teeth: of each wheel, then the number of planets, then the module by component.
+    """Rows of tooth numbers of each gear, then the number of planets, then modules by component.
 
-    Modules are numbers in `modules`.
+    Modules are indices into `modules`.
     """
 
     layout: TeethLayout
     modules: Floats
     rows: Integers
-    """(candidates, wheels + 1 + components)."""
+    """Candidates, shape (candidates, wheels + 1 + components)."""
 
     def teeth(self, wheel: int) -> Floats:
-        """Of a wheel."""
+        """Return the tooth numbers of a gear, shape (candidates,)."""
         return self.rows[:, wheel].astype(np.float64)
 
     @property
     def counts(self) -> Integers:
-        """Numbers of planets."""
+        """Numbers of planets, shape (candidates,)."""
         return self.rows[:, len(self.layout.wheels)]
 
     def module(self, component: int) -> Floats:
-        """Of a component."""
+        """Return the modules of a component, shape (candidates,)."""
         return self.modules[self.rows[:, len(self.layout.wheels) + 1 + component]]
 
     def span(self, rim: int) -> Floats:
-        """Twice the distance of a rim from the axis, in its own modules."""
+        """Return twice the distance of a planet gear from the axis, in modules of the gear."""
         axis = self.layout.axis(rim)
-        assert axis is not None  # noqa: S101 - no condition is made of others
+        assert axis is not None  # noqa: S101 - conditions need an axis
         wheel, other = axis
         teeth = self.teeth(wheel), self.teeth(other)
         span = teeth[0] - teeth[1] if self.layout.internal[wheel] else teeth[0] + teeth[1]
-        here, there = (self.layout.component[one] for one in (rim, other))
+        here, there = (self.layout.component[number] for number in (rim, other))
         return span if here == there else span * self.module(there) / self.module(here)
 
     def sides(self, pair: tuple[int, int]) -> tuple[Floats, Floats, Floats]:
-        """The radii of two axes of meshing planets, and their distance, in modules."""
-        one, other = pair
-        apart = (self.teeth(one) + self.teeth(other)) / 2
-        return self.span(one) / 2, self.span(other) / 2, apart
+        """Return the radii of two axes of meshing planets, and the centre distance, in modules."""
+        first, second = pair
+        apart = (self.teeth(first) + self.teeth(second)) / 2
+        return self.span(first) / 2, self.span(second) / 2, apart
 
 
 Test = Callable[[TeethCandidates], Booleans]
 
 
 class TeethCondition(NamedTuple):
-    """What is asked of candidates."""
+    """Condition on candidates."""
 
     label: str
     needs: frozenset[int]
@@ -85,7 +85,7 @@ class TeethCondition(NamedTuple):
 
 
 def teeth_conditions(layout: TeethLayout, limits: TeethLimits) -> Iterator[TeethCondition]:
-    """All conditions on the teeth of an element but for the equations of its axes."""
+    """Yield all conditions on the tooth numbers of a gear set except the equations of axes."""
     yield from _in_rings(layout)
     if limits.largest_diameter is not None:
         yield from _within(layout, limits.largest_diameter)
@@ -133,7 +133,7 @@ def _differ(rows: TeethCandidates) -> Booleans:
 
 
 def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
-    """Rings with their metal, tips of other wheels, tips of planets where they are farthest out."""
+    """Yield limits of ring gears with rim, gear tips, and tips of planets farthest out."""
     first, rims = len(layout.wheels) + 1, {rim for rims in layout.planets for rim in rims}
     for number in range(len(layout.wheels)):
         needs, is_rim = frozenset({number, first + layout.component[number]}), number in rims
@@ -154,13 +154,11 @@ def _is_within(number: int, largest: float, is_rim: bool, rows: TeethCandidates)
 
 
 def _have_room(rim: int, clearance: float, rows: TeethCandidates) -> Booleans:
-    """Whether planets do not touch one another; one planet has nothing to touch it."""
     room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
-    return (room - clearance >= TIP_CLEARANCE) | (rows.counts < 2)
+    return (room - clearance >= TIP_CLEARANCE) | (rows.counts < 2)  # a single planet is free
 
 
 def _pass(rim: int, wheel: int, clearance: float, rows: TeethCandidates) -> Booleans:
-    """Whether planets are clear of a wheel in their plane."""
     teeth = rows.teeth(rim), rows.teeth(wheel)
     room = passing_room(rows.span(rim), *teeth, internal=rows.layout.internal[wheel])
     return (room > TIP_CLEARANCE) & (room >= 2 * clearance - TIP_CLEARANCE)
@@ -171,7 +169,7 @@ def _close(pair: tuple[int, int], rows: TeethCandidates) -> Booleans:
 
 
 def _have_room_across(pair: tuple[int, int], clearance: float, rows: TeethCandidates) -> Booleans:
-    """Whether a planet does not touch the next one but one, with which it does not mesh."""
+    """Check the distance of a planet to the second next planet, which is not in mesh."""
     first, second, apart = rows.sides(pair)
     turn = 2 * math.pi / rows.counts
     room = crossing_distance(first, second, apart, turn) - apart - TIPS
@@ -180,33 +178,33 @@ def _have_room_across(pair: tuple[int, int], clearance: float, rows: TeethCandid
 
 
 def _go_in(train: list[int], rows: TeethCandidates) -> Booleans:
-    """Whether all planets of a train go in, at equal angles."""
+    """Check that all planets of a train can be assembled at equal angles."""
     layout = rows.layout
     column = {rim: place for place, planet in enumerate(train) for rim in layout.planets[planet]}
     lines = []
     for pair in (*layout.around, *layout.meshes):
         if pair[1] in column:
             line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
-            for wheel in pair:  # a central one stands in the last column
+            for wheel in pair:  # central gears share the last column
                 line[column.get(wheel, -1)] += rows.rows[:, wheel] * (
                     -1 if layout.internal[wheel] else 1
                 )
             lines.append(line)
-    found: Booleans = seated(common_step(np.stack(lines), len(train)), rows.counts)
-    return found
+    fits: Booleans = seated(common_step(np.stack(lines), len(train)), rows.counts)
+    return fits
 
 
 def solved(
     equation: AxisEquation, column: int, candidates: TeethCandidates
 ) -> tuple[Floats, Floats]:
-    """The teeth of a wheel by an equation in which all others are known."""
-    rest = np.full(len(candidates.rows), -equation.value)
+    """Return the range of tooth numbers of a gear by an equation with all other gears known."""
+    known_sum = np.full(len(candidates.rows), -equation.value)
     for wheel, (factor, component) in equation.terms.items():
         if wheel != column:
-            rest = rest + factor * candidates.module(component) * candidates.teeth(wheel)
+            known_sum = known_sum + factor * candidates.module(component) * candidates.teeth(wheel)
     factor, component = equation.terms[column]
     within, both = equation.tolerance
     slack = within * (candidates.module(both[0]) + candidates.module(both[1])) / 2
     by = factor * candidates.module(component)
-    ends = (-slack - rest) / by, (slack - rest) / by
+    ends = (-slack - known_sum) / by, (slack - known_sum) / by
     return np.minimum(*ends), np.maximum(*ends)

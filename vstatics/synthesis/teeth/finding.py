@@ -1,8 +1,8 @@
-"""Integer teeth for wanted ratios of gears or sets, as `vstatics synth teeth` finds them.
+"""Integer tooth numbers for wanted ratios of gears or gear sets, as in `vstatics synth teeth`.
 
-Where the teeth of an element are too many to list, only those with an error up to some limit are:
-it grows from the least error that any ratios could have, until enough teeth are found. All below
-it are known by then.
+If a gear set has too many tooth numbers to list, only those with an error up to a limit are listed.
+The limit grows from the least error that any real ratios can have until enough solutions are found.
+All solutions below the limit are then known.
 """
 
 from __future__ import annotations
@@ -43,21 +43,25 @@ from vstatics.synthesis.tolerances import (
 
 
 def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
-    """The least and largest ratios of all elements; by the ranges where no table tells them [-]."""
+    """Return the smallest and largest ratios of all gear sets [-].
+
+    The ranges of teeth bound the ratios of a gear set without a table.
+    """
     ends = [
-        ends_by_ranges(one) if table is None else (table.low[0], table.high[0])
-        for one, table in zip(rows, tables, strict=True)
+        ends_by_ranges(gear_set) if table is None else (table.low[0], table.high[0])
+        for gear_set, table in zip(rows, tables, strict=True)
     ]
     low, high = map(np.concatenate, zip(*ends, strict=True))
     return low, high
 
 
 def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
-    """Refuse what has the other sign than all that the teeth can make.
+    """Refuse targets with the opposite sign of all possible ratios.
 
     Raises
     ------
     CaseError
+        If a target has the wrong sign.
     """
     problems = []
     for target in problem.targets:
@@ -69,7 +73,7 @@ def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
 
 
 def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
-    """Which wanted ratios no ratios of the elements between two ends come to, in words.
+    """Yield messages on targets beyond the reach of the gear-set ratios.
 
     Examples
     --------
@@ -89,21 +93,21 @@ def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
 
 
 def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
-    """What the ranges of teeth stand in the way of, in words: of one wish, else of all together.
+    """Yield messages on ranges of teeth that exclude a target, or all targets together.
 
-    A ratio is at its end where none that differs has so small an error.
+    A ratio is at the end of its range if the least error needs this end.
 
     Examples
     --------
-    With gear 2 met gear 1 needs a ratio of P of -1.5, which the default ranges don't come to:
+    With gear 2 met, gear 1 needs a ratio of -1.5 of P, beyond the default ranges:
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> from vstatics.synthesis.teeth.finding import find_teeth
     >>> sets = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 5, -2.5, name="Q")]
     >>> gears = [Gear([1, 2], name="1"), Gear([2, 3], name="2")]
     >>> case = Transmission(5, [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2)], sets, gears)
-    >>> [told] = find_teeth(case, {"1": 2.5 * 3.6, "2": 3.6}).doubts
-    >>> told.partition("; ")[2]
+    >>> [doubt] = find_teeth(case, {"1": 2.5 * 3.6, "2": 3.6}).doubts
+    >>> doubt.partition("; ")[2]
     'at its end is P (-7.118 to -1.576): wider ranges may help'
     """
     alone = [*reach_doubts(problem, low, high)]
@@ -116,8 +120,8 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     names = [ratio.name for layout in problem.layouts for ratio in layout.ratios]
     at_end = [
         f"{name} ({first:.4g} to {last:.4g})"
-        for name, first, last, own in zip(names, low, high, zip(*ends, strict=True), strict=True)
-        if (first == own[0]) != (last == own[1])
+        for name, first, last, needed in zip(names, low, high, zip(*ends, strict=True), strict=True)
+        if (first == needed[0]) != (last == needed[1])
     ]
     if at_end:
         yield (
@@ -128,35 +132,36 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
 
 
 def doubts_before(problem: TeethProblem) -> Iterator[str]:
-    """The same by the ranges alone, before any teeth are looked for."""
+    """Yield messages as `range_doubts`, from the ranges alone before any search."""
     rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
     yield from range_doubts(problem, *reach(rows, [None] * len(rows)))
 
 
 MOST_WINDOWS = 4096
-"""The ranges of ratios are halved until so many parts of them are left."""
+"""Number of parts into which the ranges of ratios are halved."""
 LARGEST_ERROR_LIMIT = 20.0
-"""Larger limits of errors are none."""
+"""Limit of errors above which there is no limit."""
 HALVINGS = 30
+"""Number of bisection steps for the least possible error."""
 
 
 def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
-    """The least and largest ratios that the ranges of teeth alone allow [-]."""
-    found = []
+    """Return the smallest and largest ratios that the ranges of teeth alone allow [-]."""
+    bounds = []
     for ratio in rows.layout.ratios:
         sizes = [1.0, 1.0]
         for wheel, power in ratio.powers.items():
             ends = sorted(max(float(end), 1.0) ** power for end in rows.ends(wheel))
             sizes = [size * end for size, end in zip(sizes, ends, strict=True)]
-        found.append(sorted(ratio.sign * size for size in sizes))
-    low, high = np.array(found).T
+        bounds.append(sorted(ratio.sign * size for size in sizes))
+    low, high = np.array(bounds).T
     return low, high
 
 
 def narrowed(
     targets: Sequence[TeethTarget], low: Floats, high: Floats, most: float
 ) -> tuple[Floats, Floats] | None:
-    """Ranges of all ratios outside which every error is above `most`; None where all are.
+    """Return the ranges of ratios that contain all errors up to `most`, or `None`.
 
     Examples
     --------
@@ -179,15 +184,15 @@ def narrowed(
         upper, lower = low.copy(), high.copy()
         upper[widest], lower[widest] = middle, middle
         low, high = np.concatenate([low, upper]), np.concatenate([lower, high])
-        kept = least_errors(targets, low, high) <= most
-        if not kept.any():
+        possible = least_errors(targets, low, high) <= most
+        if not possible.any():
             return None
-        low, high = low[kept], high[kept]
+        low, high = low[possible], high[possible]
     return low.min(axis=0), high.max(axis=0)
 
 
 def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> float:
-    """An error that no ratios within bounds are below [-]."""
+    """Return a lower bound of the error of all ratios within bounds [-]."""
     least, most = 0.0, LARGEST_ERROR_LIMIT
     if narrowed(targets, low, high, most) is None:
         return most
@@ -201,7 +206,7 @@ def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) ->
 
 
 def growing_limits(least: float) -> Iterator[float]:
-    """Limits of errors to be tried in turn, from the least possible one; the last one is none.
+    """Yield limits of errors to try in turn, from the least possible to infinity.
 
     >>> [round(limit, 6) for limit in growing_limits(0.5)][:3]
     [0.50001, 0.50004, 0.50016]
@@ -214,26 +219,27 @@ def growing_limits(least: float) -> Iterator[float]:
 
 
 MOST_LISTED_CANDIDATES = 8_000_000
-"""An element with more candidates has only those listed whose ratios are of use."""
+"""Number of candidates above which only useful ratios of a gear set are listed."""
 
 
 class NoTeethError(CaseError):
-    """No teeth of an element fulfil all conditions."""
+    """Failure to find tooth numbers of a gear set that fulfil all conditions."""
 
 
 class FoundTeeth(NamedTuple):
-    """The best teeth, and what is proven of them."""
+    """Best tooth numbers, and the proof of optimality."""
 
     solutions: Sequence[TeethSolution]
-    """Each with other teeth, in the order of the error; the smaller first where it is equal."""
+    """Different tooth numbers in the order of the error; of equal errors the smaller teeth
+    first."""
     problem: TeethProblem
     tables: Sequence[TeethTable]
     bound: float
-    """All other teeth have an error that is no smaller [-]."""
+    """Lower bound of the error of all other tooth numbers. [-]"""
     is_proven: bool
-    """Whether no others are better than the last of the solutions."""
+    """True if no other tooth numbers are better than the last solution."""
     doubts: Sequence[str]
-    """Ratios that no teeth come to, in words."""
+    """Messages on ratios that no tooth numbers reach."""
 
 
 @refusing()
@@ -245,32 +251,32 @@ def find_teeth(
     error: TeethError = "ln",
     advance: Advance = untold,
 ) -> FoundTeeth:
-    """Integer teeth with which gears, or elements, have ratios as near as may be to those wanted.
+    """Find integer tooth numbers with ratios of gears or gear sets nearest to wanted ratios.
 
     Parameters
     ----------
     case : Transmission
-        The teeth and ratios that it has do not matter, but for their signs.
+        Gearbox; of its tooth numbers and ratios only the signs matter.
     ratios : mapping of str to float
-        By the name of a gear, or else of an element or one of its mechanisms. [-]
+        Wanted ratio by the name of a gear, or of a gear set or one of its mechanisms. [-]
     limits : TeethLimits, optional
+        Ranges and further requirements.
     error : {"ln", "absolute"}
-        What is least in its largest value.
+        Measure of deviation, whose largest value is minimised.
     advance : callable
-        Told how many regions of the search more are done.
+        Called with the number of further finished regions of the search.
 
     Returns
     -------
     FoundTeeth
-        Solutions from the best on, and whether no better one can be.
+        Solutions from the best on, and whether better solutions are excluded.
 
     Raises
     ------
     NoTeethError
-        If no teeth fulfil the conditions: which one excludes most.
+        If no tooth numbers fulfil the conditions; names the condition that excludes most.
     CaseError
-        If nothing can be looked for; the path of each problem begins with the option that it is
-        about.
+        If the problem cannot be solved; the path of each problem begins with the option.
 
     Examples
     --------
@@ -284,8 +290,8 @@ def find_teeth(
     problem = teeth_problem(case, ratios, limits or TeethLimits(), error)
     rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
     tables: list[TeethTable | None] = []
-    for one in rows:
-        tables.append(_whole_table(one))
+    for gear_set in rows:
+        tables.append(_whole_table(gear_set))
         advance(1)
     full = [table for table in tables if table is not None]
     ends = reach(rows, tables)
@@ -302,33 +308,33 @@ def find_teeth(
 
 
 def _whole_table(rows: TeethRows) -> TeethTable | None:
-    """All teeth of an element; None if they are too many to list.
+    """Return all tooth numbers of a gear set, or `None` if there are too many.
 
     Raises
     ------
     NoTeethError
-        If there are none, with the condition that excludes most.
+        If no tooth numbers fulfil the conditions.
     """
-    told: Counter[str] = Counter()
-    found = teeth_table(rows.layout, rows.found({}, told, MOST_LISTED_CANDIDATES), rows.counts)
-    if not found.is_whole:
+    excluded: Counter[str] = Counter()
+    table = teeth_table(rows.layout, rows.pieces({}, excluded, MOST_LISTED_CANDIDATES), rows.counts)
+    if not table.is_whole:
         return None
-    if not found.total:
-        raise NoTeethError([none_fits(rows.layout, told)])
-    return found
+    if not table.total:
+        raise NoTeethError([none_fits(rows.layout, excluded)])
+    return table
 
 
-def none_fits(layout: TeethLayout, told: Counter[str]) -> Problem:
-    """That no teeth fulfil all conditions, and which of these excludes most.
+def none_fits(layout: TeethLayout, excluded: Counter[str]) -> Problem:
+    """Return the problem without any fitting tooth numbers, with the strictest condition.
 
-    Of all teeth most are not coaxial: that counts where none are.
+    Most tooth numbers are not coaxial, so that condition is named only if no other excludes any.
     """
     message = f"no teeth of {layout.name} fulfil all conditions"
-    left = {label: count for label, count in told.items() if count and label != LOOKED}
+    left = {label: count for label, count in excluded.items() if count and label != LOOKED}
     on_one_axis = {label: count for label, count in left.items() if label != COAXIAL}
     left = on_one_axis or left
     if left:
-        label = max(left, key=lambda one: left[one])
+        label = max(left, key=lambda name: left[name])
         of = "" if label == COAXIAL else f" ({left[label]} of {sum(left.values())})"
         message += f"; most are excluded by: {label}{of}"
     return Problem("E834", message)
@@ -341,31 +347,34 @@ def _by_limits(
     ends: tuple[Floats, Floats],
     advance: Advance,
 ) -> tuple[list[TeethTable], BestTeeth]:
-    """The best teeth where some elements have too many: below limits of errors that grow.
+    """Return the best tooth numbers below growing limits of errors, for very many candidates.
 
-    Where too many are below a limit, as many as may be are looked at.
+    If too many are below a limit, as many as possible are examined.
 
     Raises
     ------
     CaseError
-        If no teeth are found.
+        If no tooth numbers are found.
     """
     targets = problem.targets
     proven = least_possible(targets, *ends)
     best: tuple[list[TeethTable], BestTeeth] | None = None
-    told: Counter[str] = Counter()
+    excluded: Counter[str] = Counter()
     for most in growing_limits(proven):
         between = narrowed(targets, *ends, most)
         if between is None:
             continue
-        listed = list(_in_windows(rows, tables, between, told))
+        listed = list(_in_windows(rows, tables, between, excluded))
         is_whole = all(table.is_whole for table in listed)
         if all(table.total for table in listed):
             within = most if is_whole else math.inf
-            found = best_teeth(listed, targets, most=within, advance=advance)
-            if len(found.errors) and (is_whole or best is None):
-                best = listed, found._replace(bound=min(found.bound, most if is_whole else proven))
-            if different_teeth(listed, found.places).sum() >= MOST_TEETH_SOLUTIONS:
+            result = best_teeth(listed, targets, most=within, advance=advance)
+            if len(result.errors) and (is_whole or best is None):
+                best = (
+                    listed,
+                    result._replace(bound=min(result.bound, most if is_whole else proven)),
+                )
+            if different_teeth(listed, result.places).sum() >= MOST_TEETH_SOLUTIONS:
                 break
         if not is_whole:
             break
@@ -374,7 +383,7 @@ def _by_limits(
         return best
     first = tables.index(None)
     if is_whole:
-        raise NoTeethError([none_fits(rows[first].layout, told)])
+        raise NoTeethError([none_fits(rows[first].layout, excluded)])
     message = f"{rows[first].layout.name}: too many teeth to be looked at"
     hint = "expected narrower ranges, or fewer numbers of planets or modules"
     raise CaseError("E835", f"{message}; {hint}", ("range",))
@@ -384,14 +393,14 @@ def _in_windows(
     rows: Sequence[TeethRows],
     tables: Sequence[TeethTable | None],
     between: tuple[Floats, Floats],
-    told: Counter[str],
+    excluded: Counter[str],
 ) -> Iterator[TeethTable]:
-    """The tables of all elements, of those with too many only with ratios that are of use."""
+    """Yield the tables of all gear sets, limited to useful ratios where too large."""
     sizes = iter(np.sort(np.abs(between), axis=0).T.tolist())
-    for one, table in zip(rows, tables, strict=True):
-        own = islice(sizes, len(one.layout.ratios))
-        windows = {number: (low, high) for number, (low, high) in enumerate(own)}
+    for gear_set, table in zip(rows, tables, strict=True):
+        useful = islice(sizes, len(gear_set.layout.ratios))
+        windows = {number: (low, high) for number, (low, high) in enumerate(useful)}
         if table is None:
-            yield teeth_table(one.layout, one.found(windows, told), one.counts)
+            yield teeth_table(gear_set.layout, gear_set.pieces(windows, excluded), gear_set.counts)
         else:
             yield table

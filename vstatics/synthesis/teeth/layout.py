@@ -1,4 +1,4 @@
-"""What of a case has teeth to be found: wheels, what meshes, what ratios the teeth make."""
+"""Gear sets with unknown tooth numbers: gears, meshes, and ratios as functions of teeth."""
 
 from __future__ import annotations
 
@@ -18,41 +18,42 @@ from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.model.parts import HOUSING, Mechanism
 
 PAIRS = ("gear_pair", "internal_pair", "bevel_pair", "idler", "chain")
-"""Kinds of wheels without planets whose teeth are looked for."""
+"""Kinds of gear sets without planets whose tooth numbers are searched."""
 
 
 class TeethRatio(NamedTuple):
-    """A ratio of an element, but for its sign a product of powers of teeth."""
+    """Ratio of a gear set: a sign and a product of powers of tooth numbers."""
 
     mechanism: int
-    """Index of the mechanism on the case's own links."""
+    """Index of the mechanism in the case without planets among the links."""
     name: str
     sign: int
     powers: Mapping[int, int]
-    """Number of a wheel -> exponent."""
+    """Exponent by the number of a toothed gear."""
 
 
 @dataclass(frozen=True)
 class TeethLayout:
-    """An element whose teeth are looked for; wheels and rims are numbered from 0.
+    """Gear set with unknown tooth numbers; toothed gears are numbered from 0.
 
     Parameters
     ----------
     element : Element
-        As it is drawn, or as a mechanism of the case would be; its teeth do not matter.
+        Gear set of the case, or a substitute for a mechanism; its tooth numbers do not matter.
     wheels : tuple of str
-        Central wheels, then rims of planets; or the wheels of a pair.
+        Central gears, then planet gears; or the gears of a pair.
     internal : tuple of bool
-        Which of them are rings.
+        True for ring gears.
     around : tuple of (int, int)
-        Central wheels with the rims that they mesh with.
+        Central gears with the meshing planet gears.
     planets : tuple of tuples of int
-        The rims of each planet.
+        Planet gears of each planet.
     meshes : tuple of (int, int)
-        Rims of planets that mesh with one another.
+        Planet gears that mesh with each other.
     ratios : tuple of TeethRatio
+        Ratios of the mechanisms of the gear set.
     is_drawn : bool
-        Whether the case has it as an element, not as a mechanism.
+        True for a gear set under `elements` of the case, False for a mechanism.
     """
 
     element: Element
@@ -66,12 +67,12 @@ class TeethLayout:
 
     @property
     def name(self) -> str:
-        """That of the element."""
+        """Name of the gear set."""
         return self.element.name
 
     @cached_property
     def own_teeth(self) -> dict[int, int]:
-        """By wheel: how many it has in the case, where the case tells them."""
+        """Known tooth numbers in the case, by the number of the gear."""
         if not self.is_drawn or self.element.ratios:
             return {}
         given: list[Fraction | float | None]
@@ -81,34 +82,34 @@ class TeethLayout:
             given += [teeth for rims in group.planets.values() for teeth in rims.values()]
         else:
             given = [self.element.teeth.get(wheel) for wheel in self.wheels]
-        return {n: int(one) for n, one in enumerate(given) if one is not None and one == int(one)}
+        return {n: int(z) for n, z in enumerate(given) if z is not None and z == int(z)}
 
     @cached_property
     def component(self) -> tuple[int, ...]:
-        """By wheel: what meshes has one module, and one number here, from 0."""
+        """Component of each gear, from 0; meshing gears form a component with a common module."""
         if not self.planets:
             return (0,) * len(self.wheels)
         return tuple(_groups(len(self.wheels), (*self.around, *self.meshes)))
 
     def around_rim(self, rim: int) -> list[int]:
-        """The central wheels that mesh with a rim."""
+        """Return the central gears that mesh with a planet gear."""
         return [wheel for wheel, other in self.around if other == rim]
 
     def axis(self, rim: int) -> tuple[int, int] | None:
-        """A central wheel and the rim of the same planet that tell how far out its axis is."""
+        """Return a central gear and a meshing gear of the planet, which determine the axis."""
         planet = next(rims for rims in self.planets if rim in rims)
-        for one in (rim, *planet):
-            for wheel in self.around_rim(one):
-                return wheel, one
+        for gear in (rim, *planet):
+            for wheel in self.around_rim(gear):
+                return wheel, gear
         return None
 
     @cached_property
     def passing(self) -> list[tuple[int, int]]:
-        """Rims, and wheels in the same plane that they must keep clear of.
+        """Pairs of a planet gear and a gear in a common plane that must not touch.
 
-        So does a rim whose partner meshes with the wheel, unless it has such a wheel itself: then
-        the two stand in different planes. In a Ravigneaux set it is always asked of the long
-        planet and the small sun.
+        A planet gear must be clear of a gear that meshes with its partner, unless it meshes with
+        such a gear itself, which is then in another plane. In a Ravigneaux set the long planet must
+        always be clear of the small sun.
         """
         named = [
             (self.wheels.index(rim), self.wheels.index(wheel))
@@ -117,16 +118,16 @@ class TeethLayout:
         ]
         for pair in self.meshes:
             for rim, partner in (pair, pair[::-1]):
-                own = {self.internal[wheel] for wheel in self.around_rim(rim)}
+                sides = {self.internal[wheel] for wheel in self.around_rim(rim)}
                 others = self.around_rim(partner)
-                named += [(rim, wheel) for wheel in others if self.internal[wheel] not in own]
+                named += [(rim, wheel) for wheel in others if self.internal[wheel] not in sides]
         return [pair for pair in dict.fromkeys(named) if self.axis(pair[0])]
 
     @cached_property
     def trains(self) -> list[list[int]]:
-        """Planets that mesh with one another, directly or not."""
+        """Groups of planets connected by meshes."""
         planet_of = {rim: number for number, rims in enumerate(self.planets) for rim in rims}
-        pairs = [(planet_of[one], planet_of[other]) for one, other in self.meshes]
+        pairs = [(planet_of[first], planet_of[second]) for first, second in self.meshes]
         trains: dict[int, list[int]] = {}
         for planet, train in enumerate(_groups(len(self.planets), pairs)):
             trains.setdefault(train, []).append(planet)
@@ -134,31 +135,30 @@ class TeethLayout:
 
 
 def _groups(count: int, pairs: Sequence[tuple[int, int]]) -> list[int]:
-    """The group of each of so many that pairs join, numbered as they come."""
+    """Return the group of each of `count` items connected by pairs, numbered in order."""
     group = list(range(count))
-    for one, other in pairs:
-        old, new = sorted((group[one], group[other]), reverse=True)
+    for first, second in pairs:
+        old, new = sorted((group[first], group[second]), reverse=True)
         group = [new if number == old else number for number in group]
     numbers = sorted(set(group))
     return [numbers.index(number) for number in group]
 
 
 def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
-    """Ratios of elements by their names; of an element with several each has its own."""
-    found: dict[str, TeethRatio] = {}
+    """Return the ratios of gear sets by name, a single ratio also by the name of the set."""
+    by_name: dict[str, TeethRatio] = {}
     for layout in layouts:
-        found |= {ratio.name: ratio for ratio in layout.ratios}
+        by_name |= {ratio.name: ratio for ratio in layout.ratios}
         if len(layout.ratios) == 1:
-            found[layout.name] = layout.ratios[0]
-    return found
+            by_name[layout.name] = layout.ratios[0]
+    return by_name
 
 
-def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
-    """Everything of a case whose teeth can be looked for.
+def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
+    """Return all gear sets of a case whose tooth numbers can be searched.
 
-    A mechanism without teeth is what it would be as an element: with a third link, also with the
-    housing in its place, a planetary set, of meshed planets where its ratio is above 0, else a pair
-    of wheels.
+    A mechanism without teeth is replaced by a gear set: with a third link (possibly the housing) by
+    a planetary set, with meshed planets for a positive ratio; otherwise by a gear pair.
 
     Examples
     --------
@@ -171,24 +171,24 @@ def teeth_layouts(own: OwnLinks) -> list[TeethLayout]:
     P double_planet ('sun', 'ring', 'inner', 'outer') {0: -1, 1: 1}
     G gear_pair ('first', 'second') {0: -1, 1: 1}
     """
-    found, last = [], 0
-    for part in own.parts:
+    layouts, last = [], 0
+    for part in links.parts:
         mechanisms = range(last, last + len(part.lowered))
         last += len(part.lowered)
         element = part.element or _stand_in(part.lowered[0].mechanism)
         is_set = part.element is not None and isinstance(part.element.shape, Planetary)
-        is_fixed = any(own.is_fixed(number) for number in mechanisms)
+        is_fixed = any(links.is_fixed(number) for number in mechanisms)
         if element is None or (is_fixed and not is_set):
             continue
         if isinstance(element.shape, Planetary):
-            found.append(_of_planets(element, part, mechanisms))
+            layouts.append(_of_planets(element, part, mechanisms))
         elif element.kind in PAIRS:
-            found.append(_of_pair(element, part, mechanisms[0]))
-    return found
+            layouts.append(_of_pair(element, part, mechanisms[0]))
+    return layouts
 
 
 def _stand_in(mechanism: Mechanism) -> Element | None:
-    """The element that a mechanism would be, with teeth that do not matter; none of a worm pair."""
+    """Return a gear set that replaces a mechanism, with arbitrary teeth, except for a worm pair."""
     name, ratio = mechanism.name, mechanism.ratio
     if mechanism.back_efficiency is not None:
         return None
@@ -203,7 +203,7 @@ def _stand_in(mechanism: Mechanism) -> Element | None:
 
 
 def _wheels_of(mechanism: Mechanism) -> tuple[str, str]:
-    """What the first and second link of a mechanism are of a planetary set."""
+    """Return the members of a planetary set at the first and second link of a mechanism."""
     return ("sun", "ring") if abs(mechanism.ratio) > 1 else ("ring", "sun")
 
 
@@ -218,8 +218,10 @@ def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) ->
         tuple(names),
         tuple([wheel.internal for wheel in group.wheels] + [False] * len(rims)),
         tuple((place, numbers[wheel.rim]) for place, wheel in enumerate(group.wheels)),
-        tuple(tuple(numbers[rim] for rim in own) for own in group.planets.values()),
-        tuple((numbers[one], numbers[other]) for one, other in group.meshes),
+        tuple(tuple(numbers[rim] for rim in gears) for gears in group.planets.values()),
+        tuple(
+            (numbers[first_gear], numbers[second_gear]) for first_gear, second_gear in group.meshes
+        ),
         tuple(_ratios(group, numbers, part, mechanisms)),
         part.element is not None,
     )
@@ -228,7 +230,7 @@ def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) ->
 def _ratios(
     group: PlanetGroup, numbers: Mapping[str, int], part: DrawnPart, mechanisms: Sequence[int]
 ) -> Iterator[TeethRatio]:
-    """What the mechanisms of an element are by its teeth."""
+    """Yield the ratios of the mechanisms of a gear set by tooth numbers."""
     wheels = {wheel.member: wheel for wheel in group.wheels}
     for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
         first, second, _ = members
@@ -244,9 +246,9 @@ def _ratios(
 def _of_pair(element: Element, part: DrawnPart, mechanism: int) -> TeethLayout:
     shape = element.shape
     assert isinstance(shape, Simple)  # noqa: S101 - for mypy
-    made = part.lowered[0].mechanism
+    lowered = part.lowered[0].mechanism
     last = len(shape.toothed) - 1
-    ratio = TeethRatio(mechanism, made.name, shape.sign, {0: -1, last: 1})
+    ratio = TeethRatio(mechanism, lowered.name, shape.sign, {0: -1, last: 1})
     internal = (False,) * (last + 1)
     return TeethLayout(
         element, shape.toothed, internal, (), (), (), (ratio,), part.element is not None

@@ -1,4 +1,4 @@
-"""Between what limits teeth are looked for, and which equations they fulfil."""
+"""Limits of the tooth numbers, and equations of the axes."""
 
 from __future__ import annotations
 
@@ -10,46 +10,48 @@ from vstatics.core.elements.teeth.conditions import UNCUT, UNCUT_SHIFTED
 from vstatics.synthesis.teeth.layout import TeethLayout
 
 Range = tuple[int, int]
-"""Fewest and most teeth."""
+"""Smallest and largest tooth number."""
 
 MOST_TEETH = 60
-"""Of a wheel or rim whose range is not given and that has no more itself: of an external one of a
-planetary set."""
+"""Default largest tooth number of an external gear of a planetary set.
+
+A gear with more teeth in the case raises the limit.
+"""
 MOST_OF_PAIR = 100
-"""The same of a wheel of a pair."""
+"""Default largest tooth number of a gear of a pair."""
 MOST_OF_RING = 121
-"""The same of a ring."""
+"""Default largest tooth number of a ring gear."""
 CLEARANCE = 0.5
-"""Modules between tips of neighbouring planets, when not given."""
+"""Default distance between tips of neighbouring planets. [modules]"""
 COAXIAL = "coaxial"
-"""What the condition is called that axes coincide."""
+"""Label of the condition that axes coincide."""
 PLANETS = (3, 4, 5)
-"""How many planets there may be, where neither the case nor anybody else says it."""
+"""Default numbers of planets, if the case gives no number."""
 
 
 @dataclass(frozen=True)
 class TeethLimits:
-    """What is asked of teeth besides ratios.
+    """Requirements on tooth numbers in addition to ratios.
 
     Parameters
     ----------
     ranges : mapping of str to (int, int)
-        Fewest and most teeth, by wheel (`sun`) or by element and wheel (`P2.ring`); `all` for those
-        that are not named.
+        Smallest and largest tooth number by gear (`sun`) or by gear set and gear (`P2.ring`); `all`
+        for gears that are not named.
     planets : tuple of int
-        How many planets there may be around an axis; the element's own number when empty.
+        Allowed numbers of planets around an axis; by default the number of the gear set.
     clearance : float
-        Between tips of planets that do not mesh. [modules]
+        Distance between tips of planets that do not mesh. [modules]
     centre : mapping of str to float
-        By pair: the distance of its axes. [modules]
+        Centre distance by gear pair. [modules]
     modules : tuple of float
-        One for all wheels of an element that mesh with one another; none: all are equal. [mm]
+        Available modules; meshing gears of a gear set have one module. By default all modules are
+        equal. [mm]
     largest_diameter : float, optional
-        Of an element. [mm]
+        Largest diameter of a gear set. [mm]
     shift : int
-        Teeth by which axes may differ, as shifted profiles make up for it. Without, they coincide,
-        and no wheel with fewer than 17 teeth is looked for unless a range says so, or the case
-        has such a wheel.
+        Number of teeth by which axes can differ, to be compensated by profile shift. With 0 the
+        axes coincide, and gears have 17 teeth or more unless a range or the case has fewer.
 
     Examples
     --------
@@ -66,9 +68,9 @@ class TeethLimits:
     shift: int = 0
 
     def of_wheels(self, layout: TeethLayout) -> list[Range]:
-        """The range of each wheel of an element; the most special one that is given.
+        """Return the range of each gear of a gear set by the most specific given range.
 
-        One that is not given holds the wheel's own number of teeth.
+        A default range includes the tooth number of the case.
         """
         return [self._of_wheel(layout, number) for number in range(len(layout.wheels))]
 
@@ -81,31 +83,31 @@ class TeethLimits:
         if layout.internal[number]:
             most = MOST_OF_RING
         least = UNCUT_SHIFTED if self.shift else UNCUT
-        own = layout.own_teeth.get(number, least)
-        return min(least, own), max(most, own)
+        in_case = layout.own_teeth.get(number, least)
+        return min(least, in_case), max(most, in_case)
 
     def counts(self, layout: TeethLayout) -> tuple[int, ...]:
-        """How many planets an element may have, the number that is best liked first."""
+        """Return the allowed numbers of planets of a gear set, the preferred number first."""
         if not layout.planets:
             return (1,)
-        own = layout.element.planets
-        liked = sorted(set(self.planets or ((own,) if own else PLANETS)), reverse=True)
-        return tuple(sorted(liked, key=lambda count: count != own))
+        given = layout.element.planets
+        allowed = sorted(set(self.planets or ((given,) if given else PLANETS)), reverse=True)
+        return tuple(sorted(allowed, key=lambda count: count != given))
 
 
 class AxisEquation(NamedTuple):
-    """``|sum of module factor teeth - value| <= tolerance``."""
+    """Equation of an axis, ``|sum of module factor teeth - value| <= tolerance``."""
 
     label: str
     terms: Mapping[int, tuple[float, int]]
-    """Number of a wheel -> its factor, and the component whose module counts."""
+    """Factor of each gear, and the component whose module applies."""
     value: float
     tolerance: tuple[float, tuple[int, int]]
-    """In modules, mean of those of two components."""
+    """Number of modules, as the mean of two components."""
 
 
 def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEquation]:
-    """What makes axes coincide, or gives a pair the distance that is wanted.
+    """Yield the equations for coincident axes, and for given centre distances of pairs.
 
     Examples
     --------
@@ -114,7 +116,7 @@ def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEqu
     >>> from vstatics.synthesis.teeth.layout import teeth_layouts
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()])
     >>> (layout,) = teeth_layouts(on_own_links(case))
-    >>> [one.terms for one in axis_equations(layout, TeethLimits())]  # sun + 2 planet - ring
+    >>> [equation.terms for equation in axis_equations(layout, TeethLimits())]  # s + 2 p - r
     [{0: (1.0, 0), 2: (2.0, 0), 1: (-1.0, 0)}]
     """
     for rims in layout.planets:

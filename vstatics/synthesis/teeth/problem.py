@@ -1,4 +1,4 @@
-"""What is asked of teeth, checked before any are looked for."""
+"""Request of a search for tooth numbers, checked beforehand."""
 
 from __future__ import annotations
 
@@ -20,45 +20,46 @@ from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
 
 MOST_RATIOS = 8
-"""So many ratios of teeth may be in that of one gear: regions have 2 to the power of it corners."""
+"""Largest number n of tooth ratios in a gear ratio; regions have 2**n corners."""
 MOST_PLANETS = 12
-"""So many planets may be around an axis."""
+"""Largest number of planets around an axis."""
 MOST_MODULES = 20
+"""Largest number of available modules."""
 
 
 class TeethProblem(NamedTuple):
-    """What is asked."""
+    """Checked request."""
 
     own: OwnLinks
-    """The case on its own links, each freewheel as it is with the case's own ratios."""
+    """Case without planets among the links, with freewheels as at the given ratios."""
     layouts: Sequence[TeethLayout]
-    """The elements whose teeth matter for what is wanted."""
+    """Gear sets that affect a wanted ratio."""
     targets: Sequence[TeethTarget]
-    """Their columns are the ratios of the elements in turn."""
+    """Wanted ratios; columns are the ratios of the gear sets in turn."""
     limits: TeethLimits
     unused: Sequence[str]
-    """Elements with teeth that matter for nothing that is wanted."""
+    """Gear sets with teeth that affect no wanted ratio."""
 
 
 def teeth_problem(
     case: Transmission, ratios: Mapping[str, float], limits: TeethLimits, error: TeethError = "ln"
 ) -> TeethProblem:
-    """What is asked, by `find_teeth`, in numbers.
+    """Check the arguments of `find_teeth` and return the problem.
 
     Raises
     ------
     CaseError
-        With all that can't be; each problem's path begins with the option that it is about.
+        If arguments are not valid, with all problems; each path begins with the option.
     """
-    own = on_engaged_links(case)
-    layouts = teeth_layouts(own)
+    links = on_engaged_links(case)
+    layouts = teeth_layouts(links)
     problems = [*_wrong_limits(limits, layouts)]
     if not ratios:
         problems.append(
             Problem("E836", "expected a ratio for one gear or set at least", ("ratios",))
         )
     formulas: dict[str, GearFormula] = {}
-    asked = _AskedByName(own, layouts)
+    asked = _AskedByName(links, layouts)
     for name, wanted in ratios.items():
         try:
             formulas[name] = asked.formula(name, wanted)
@@ -67,7 +68,7 @@ def teeth_problem(
     if problems:
         raise CaseError(problems)
     occurring = {index for formula in formulas.values() for index in formula.ratios}
-    used = [one for one in layouts if any(own.mechanism in occurring for own in one.ratios)]
+    used = [part for part in layouts if any(r.mechanism in occurring for r in part.ratios)]
     if not used:
         message = "no teeth that can be looked for are in what is wanted"
         if layouts:
@@ -83,11 +84,11 @@ def teeth_problem(
         if formula.kind == "ratio"
     ]
     unused = [layout.name for layout in layouts if layout not in used]
-    return TeethProblem(own, used, targets, limits, unused)
+    return TeethProblem(links, used, targets, limits, unused)
 
 
 def own_ratios(case: Transmission) -> dict[str, float]:
-    """The ratios of the gears of a case, of those that have one [-].
+    """Return the existing gear ratios of a case by name [-].
 
     >>> from vstatics import Gear, Mechanism, ShiftElement
     >>> own_ratios(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -99,17 +100,18 @@ def own_ratios(case: Transmission) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class _AskedByName:
-    """A case of which ratios are asked for by name."""
+    """Case with access to ratios by name."""
 
     own: OwnLinks
     layouts: Sequence[TeethLayout]
 
     def formula(self, name: str, wanted: float) -> GearFormula:
-        """Of a gear, else of a ratio of an element.
+        """Return the formula of a gear, or of a ratio of a gear set.
 
         Raises
         ------
         CaseError
+            If the name is unknown, or the ratio is impossible.
         """
         path = ("ratios", name)
         gears = [gear.name for gear in self.own.case.gears]
@@ -146,7 +148,7 @@ class _AskedByName:
         try:
             formula = gear_formula(self.own, case.gears[index], fixed)
         except CaseError as failed:
-            raise CaseError([one._replace(path=path) for one in failed.problems]) from None
+            raise CaseError([problem._replace(path=path) for problem in failed.problems]) from None
         if fault := ratio_fault(name, formula, wanted, "teeth"):
             raise CaseError("E841", fault, path)
         if len(formula.ratios) > MOST_RATIOS:
@@ -156,7 +158,6 @@ class _AskedByName:
 
 
 def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    """What can't be meant."""
     yield from _wrong_ranges(limits, layouts)
     for count in limits.planets:
         if not 1 <= count <= MOST_PLANETS:
@@ -165,7 +166,7 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     if not 0 <= limits.clearance < math.inf:
         message = f"read {limits.clearance:g}, expected modules of 0 or more"
         yield Problem("E844", message, ("clearance",))
-    pairs = [one.name for one in layouts if one.element.kind == "gear_pair"]
+    pairs = [layout.name for layout in layouts if layout.element.kind == "gear_pair"]
     for name, distance in limits.centre.items():
         if name not in pairs:
             hint = nearest(name, pairs) + (f"; pairs are {listed(pairs, 12)}" if pairs else "")
@@ -178,7 +179,7 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
 
 
 def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    """Wheels that there are not, and what is no range."""
+    """Yield problems of unknown gears and invalid ranges."""
     wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
     special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
     names = ["all", *wheels, *special]

@@ -1,7 +1,7 @@
-"""All teeth of an element that fulfil the conditions, grown wheel by wheel in the best order.
+"""All tooth numbers of a gear set that fulfil the conditions, added gear by gear.
 
-The wheels of a ratio come first, then those that the equations of the axes leave hardly a choice.
-Every condition is asked as soon as all is known that it needs.
+The gears of a ratio come first, then gears that the equations of the axes almost determine. Each
+condition is checked as soon as all its columns are known.
 """
 
 from __future__ import annotations
@@ -28,38 +28,38 @@ from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits, axis_equa
 from vstatics.synthesis.tolerances import ROUNDED_TEETH
 
 CANDIDATES_AT_ONCE = 300_000
-"""So many candidates are looked at together."""
+"""Number of candidates that are examined together."""
 
-LARGEST_LOGARITHM = 50.0
-"""Of logarithms: no number of teeth is near it."""
-MOST_CANDIDATES = 100_000_000
-"""So many candidates are looked at, which takes half a minute."""
+LARGEST_TEETH_LOGARITHM = 50.0
+"""Upper limit of ln(teeth), beyond any tooth number."""
+MOST_TEETH_CANDIDATES = 100_000_000
+"""Number of candidates to examine, which takes half a minute."""
 LOOKED = "left"
-"""What counts the candidates that may still be looked at, among those that are told."""
+"""Key of the number of remaining candidates among the counts of exclusions."""
 
 Windows = Mapping[int, tuple[float, float]]
-"""Number of a ratio of an element -> the least and largest size that is of use [-]."""
+"""Smallest and largest useful size by the number of a ratio of the gear set. [-]"""
 
 
 class TooManyError(Exception):
-    """There are more candidates than may be looked at."""
+    """More candidates than the allowed effort."""
 
 
 @dataclass(frozen=True)
 class TeethRows:
-    """The teeth of an element within limits."""
+    """Tooth numbers of a gear set within limits."""
 
     layout: TeethLayout
     limits: TeethLimits
 
     @cached_property
     def ranges(self) -> Integers:
-        """Fewest and most teeth of each wheel, undercut ones too, (wheels, 2)."""
+        """Smallest and largest tooth number of each gear, including undercut gears, (wheels, 2)."""
         return np.array(self.limits.of_wheels(self.layout), dtype=np.int64)
 
     @cached_property
     def least(self) -> Integers:
-        """Fewest teeth of each wheel that are not undercut, or the range's own."""
+        """Smallest tooth number of each gear without undercut, not below the range."""
         layout = self.layout
         cut = layout.element.kind not in ("chain", "bevel_pair")
         least = np.where(np.array(layout.internal) | (not cut), 1, UNCUT_SHIFTED)
@@ -67,62 +67,65 @@ class TeethRows:
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """How many planets there may be, the number that is best liked first."""
+        """Allowed numbers of planets, the preferred number first."""
         return self.limits.counts(self.layout)
 
     @cached_property
     def modules(self) -> Floats:
-        """All modules; 1 where there are none."""
+        """Available modules, or 1."""
         return np.array(sorted(set(self.limits.modules)) or [1.0])
 
     @cached_property
     def _sets_of_modules(self) -> Integers:
-        """The modules of all components, (choices, components), by numbers in `modules`.
+        """Modules of all components, as indices into `modules`, (choices, components).
 
-        Of one component the smallest serves as well as any; where nobody asks for a diameter, so
-        does one choice of all that have the same quotients.
+        With one component the smallest module is sufficient. Without a limit of the diameter, one
+        choice is sufficient for equal quotients of modules.
         """
         components = max(self.layout.component) + 1
         if components == 1:
             return np.zeros((1, 1), np.int64)
-        found: dict[tuple[float, ...], tuple[int, ...]] = {}
+        choices: dict[tuple[float, ...], tuple[int, ...]] = {}
         for choice in itertools.product(range(len(self.modules)), repeat=components):
             modules = [float(self.modules[number]) for number in choice]
             if self.limits.largest_diameter is None:
-                modules = [round(one / modules[0], 9) for one in modules]
-            found.setdefault(tuple(modules), choice)
-        return np.array(list(found.values()), np.int64)
+                modules = [round(module / modules[0], 9) for module in modules]
+            choices.setdefault(tuple(modules), choice)
+        return np.array(list(choices.values()), np.int64)
 
-    def found(
-        self, windows: Windows, told: Counter[str] | None = None, effort: int = MOST_CANDIDATES
+    def pieces(
+        self,
+        windows: Windows,
+        excluded: Counter[str] | None = None,
+        effort: int = MOST_TEETH_CANDIDATES,
     ) -> Iterator[Integers]:
-        """All teeth, in pieces.
+        """Yield all tooth numbers, in pieces.
 
         Parameters
         ----------
         windows : mapping of int to (float, float)
-            Between which sizes ratios are of use.
-        told : Counter
-            Gets how many candidates each condition excludes.
+            Ranges of useful sizes of ratios.
+        excluded : Counter
+            Receives the number of candidates that each condition excludes.
         effort : int
-            So many candidates may be looked at.
+            Largest number of candidates to examine.
 
         Raises
         ------
         TooManyError
-            If there are more.
+            If there are more candidates.
 
         Yields
         ------
         ndarray, shape (rows, wheels + 1 + components)
-            As `TeethCandidates` has them.
+            Rows as in `TeethCandidates`.
         """
-        told = Counter() if told is None else told
-        told[LOOKED] = effort
+        excluded = Counter() if excluded is None else excluded
+        excluded[LOOKED] = effort
         columns = len(self.layout.wheels) + 1 + self._sets_of_modules.shape[1]
         start = np.zeros((len(self._sets_of_modules), columns), np.int32)
         start[:, len(self.layout.wheels) + 1 :] = self._sets_of_modules
-        yield from self._grown(self._plan(), 0, start, windows, told)
+        yield from self._grown(self._plan(), 0, start, windows, excluded)
 
     def _grown(
         self,
@@ -130,17 +133,17 @@ class TeethRows:
         place: int,
         rows: Integers,
         windows: Windows,
-        told: Counter[str],
+        excluded: Counter[str],
     ) -> Iterator[Integers]:
         if place == len(plan):
             yield rows
             return
         column, conditions = plan[place]
         known = {column for column, _ in plan[:place]}
-        low, high = self._between(column, known, rows, windows, told)
+        low, high = self._between(column, known, rows, windows, excluded)
         widths = np.maximum(high - low + 1, 0)
-        told[LOOKED] -= len(rows) + int(widths.sum())
-        if told[LOOKED] < 0:
+        excluded[LOOKED] -= len(rows) + int(widths.sum())
+        if excluded[LOOKED] < 0:
             raise TooManyError
         for piece in portions(widths, CANDIDATES_AT_ONCE):
             which, more = counted(widths[piece])
@@ -149,11 +152,11 @@ class TeethRows:
             if column == len(self.layout.wheels):
                 grown[:, column] = np.array(self.counts)[grown[:, column]]
             for condition in conditions:
-                kept = condition.test(TeethCandidates(self.layout, self.modules, grown))
-                told[condition.label] += int(len(kept) - kept.sum())
-                grown = grown[kept]
+                fits = condition.test(TeethCandidates(self.layout, self.modules, grown))
+                excluded[condition.label] += int(len(fits) - fits.sum())
+                grown = grown[fits]
             if len(grown):
-                yield from self._grown(plan, place + 1, grown, windows, told)
+                yield from self._grown(plan, place + 1, grown, windows, excluded)
 
     def _between(
         self,
@@ -161,26 +164,29 @@ class TeethRows:
         known: set[int],
         rows: Integers,
         windows: Windows,
-        told: Counter[str],
+        excluded: Counter[str],
     ) -> tuple[Integers, Integers]:
-        """The least and largest value of a column, by row; numbers of planets by their places."""
+        """Return the smallest and largest value of a column in each row.
+
+        Numbers of planets are given by their places in `counts`.
+        """
         if column == len(self.layout.wheels):
             zeros = np.zeros(len(rows), np.int64)
             return zeros, zeros + len(self.counts) - 1
         low = np.full(len(rows), self.least[column])
         high = np.full(len(rows), self.ranges[column, 1])
-        told["undercut"] += len(rows) * int(self.least[column] - self.ranges[column, 0])
+        excluded["undercut"] += len(rows) * int(self.least[column] - self.ranges[column, 0])
         for label, bounds in self._bounds(column, known, rows, windows):
             before = np.maximum(high - low + 1, 0).sum()
             low = np.maximum(low, np.ceil(bounds[0] - ROUNDED_TEETH)).astype(np.int64)
             high = np.minimum(high, np.floor(bounds[1] + ROUNDED_TEETH)).astype(np.int64)
-            told[label] += int(before - np.maximum(high - low + 1, 0).sum())
+            excluded[label] += int(before - np.maximum(high - low + 1, 0).sum())
         return low, high
 
     def _bounds(
         self, column: int, known: set[int], rows: Integers, windows: Windows
     ) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Between what the equations of the axes and the ratios leave a wheel."""
+        """Yield the ranges that axis equations and ratios leave for a gear, with labels."""
         candidates = TeethCandidates(self.layout, self.modules, rows)
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:
@@ -198,7 +204,7 @@ class TeethRows:
         known: set[int],
         candidates: TeethCandidates,
     ) -> tuple[Floats, Floats]:
-        """The teeth of a wheel with which a product of powers may be within a window."""
+        """Return the tooth numbers for which a product of powers can be in a window."""
         low = np.full(len(candidates.rows), math.log(window[0]) if window[0] > 0 else -math.inf)
         high = np.full(len(candidates.rows), math.log(window[1]))
         for wheel, power in powers.items():
@@ -208,16 +214,16 @@ class TeethRows:
                 part = power * np.log(candidates.teeth(wheel))
                 low, high = low - part, high - part
                 continue
-            ends = [power * math.log(max(int(one), 1)) for one in self.ends(wheel)]
+            ends = [power * math.log(max(int(end), 1)) for end in self.ends(wheel)]
             low, high = low - max(ends), high - min(ends)
         power = powers[column]
         low, high = (low / power, high / power) if power > 0 else (high / power, low / power)
-        return np.exp(np.minimum(low, LARGEST_LOGARITHM)), np.exp(
-            np.minimum(high, LARGEST_LOGARITHM)
+        return np.exp(np.minimum(low, LARGEST_TEETH_LOGARITHM)), np.exp(
+            np.minimum(high, LARGEST_TEETH_LOGARITHM)
         )
 
     def ends(self, wheel: int) -> tuple[int, int]:
-        """Fewest and most teeth of a wheel that may be."""
+        """Return the smallest and largest possible tooth number of a gear."""
         return int(self.least[wheel]), int(self.ranges[wheel, 1])
 
     @cached_property
@@ -225,7 +231,7 @@ class TeethRows:
         return list(axis_equations(self.layout, self.limits))
 
     def _plan(self) -> list[tuple[int, list[TeethCondition]]]:
-        """The columns in their order, each with the conditions that can be asked then."""
+        """Return the columns in order, each with the conditions that can then be checked."""
         wheels = len(self.layout.wheels)
         modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
         waiting = list(teeth_conditions(self.layout, self.limits))
@@ -234,8 +240,8 @@ class TeethRows:
         plan: list[tuple[int, list[TeethCondition]]] = []
         for column in growth_order(self.layout, self._equations, widths):
             known.add(column)
-            now = [one for one in waiting if one.needs <= known]
-            waiting = [one for one in waiting if not one.needs <= known]
+            now = [condition for condition in waiting if condition.needs <= known]
+            waiting = [condition for condition in waiting if not condition.needs <= known]
             plan.append((column, now))
         return plan
 
@@ -243,20 +249,20 @@ class TeethRows:
 def growth_order(
     layout: TeethLayout, equations: Sequence[AxisEquation], widths: Sequence[int]
 ) -> list[int]:
-    """Columns of wheels, and of the number of planets behind the first planet.
+    """Return the order of columns: gears, and the number of planets after the first planet.
 
-    Those of a ratio stand together, what an equation leaves hardly a choice stands behind it.
+    Gears of a ratio are neighbours, followed by gears that an equation almost determines.
 
     Parameters
     ----------
     layout : TeethLayout
     equations : sequence of AxisEquation
     widths : sequence of int
-        How many teeth each wheel may have.
+        Number of possible tooth numbers of each gear.
 
     Examples
     --------
-    Sun, ring, planet and number of planets:
+    The columns are sun, ring, planet and number of planets:
 
     >>> from vstatics.core.explain.bodies import on_own_links
     >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
@@ -278,13 +284,13 @@ def growth_order(
         if count not in order and any(axis <= {*order} for axis in axes):
             order.append(count)
         for equation in equations:
-            left = [one for one in equation.terms if one not in order]
+            left = [wheel for wheel in equation.terms if wheel not in order]
             if len(left) == 1:
                 add(left[0])
 
     of_ratios = sorted((ratio.powers for ratio in layout.ratios), key=len)
     for wheels in (*of_ratios, range(count)):
-        for wheel in sorted(wheels, key=lambda one: widths[one]):
+        for wheel in sorted(wheels, key=lambda number: widths[number]):
             add(wheel)
     add(count)
     return order

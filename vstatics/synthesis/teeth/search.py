@@ -1,8 +1,9 @@
-"""The best teeth of several elements together: branch and bound over halves of their tables.
+"""Best tooth numbers of several gear sets together: branch and bound over halves of tables.
 
-A region is a node of the table of each element: all teeth whose ratios lie in it. Its least error
-follows from its corners. What can't be better than the best that are known is left out; the rest
-is halved, until few are left, or all but one element are chosen and its ratios are solved for.
+A region is a node of the table of each gear set: all tooth numbers with ratios in the node. Its
+corners give its least error. Regions that cannot be better than the best solutions are discarded.
+Others are halved until few choices are left, or all gear sets but one are chosen and the ratios of
+the last are solved for.
 """
 
 from __future__ import annotations
@@ -20,26 +21,26 @@ from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_
 from vstatics.synthesis.tolerances import LARGEST_ERROR_WEIGHT, ROUNDED_ERROR
 
 MOST_TEETH_SOLUTIONS = 20
-"""So many solutions are given."""
+"""Largest number of solutions."""
 TOGETHER, AT_FIRST = 1 << 14, 1 << 8
-"""So many regions are halved together; fewer as long as nothing is found."""
+"""Number of regions that are halved together, and a smaller number until solutions are found."""
 FEW_CHOICES = 32
-"""Regions of so many choices are tried out."""
+"""Number of choices in a region up to which all are tried."""
 CHOICES_AT_ONCE = 200_000
-"""So many choices are tried together."""
+"""Number of choices that are tried together."""
 MOST_REGIONS = 30_000_000
-"""After so many regions the search ends with what it has proven."""
+"""Number of regions after which the search ends with the bound proven until then."""
 
 
 class BestTeeth(NamedTuple):
-    """What a search has found."""
+    """Results of a search."""
 
     errors: Floats
-    """In ascending order, (found,)."""
+    """Errors in ascending order, shape (found,)."""
     places: Integers
-    """In the tables, (found, elements)."""
+    """Places in the tables, shape (found, elements)."""
     bound: float
-    """No others have a smaller error; infinite where there are no others."""
+    """Lower bound of all other errors; infinite without other solutions."""
 
 
 def best_teeth(
@@ -49,22 +50,23 @@ def best_teeth(
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """The places of tables with the least errors, as many as give enough different teeth.
+    """Return the places of tables with the least errors, with enough different teeth.
 
     Parameters
     ----------
     tables : sequence of TeethTable
-        By element; the columns of targets are their ratios in turn.
+        Table of each gear set; the columns of targets are their ratios in turn.
     targets : sequence of TeethTarget
+        Wanted ratios.
     most : float
-        Errors above it are of no use.
+        Largest useful error.
     advance : callable
-        Told how many regions more are done.
+        Called with the number of further finished regions.
     """
     search = _Halving(tables, targets, most)
     start: Integers = np.zeros((1, len(tables)), np.int64)
     waiting: list[tuple[Floats, Integers]] = (
-        [(search.least(start), start)] if all(len(one.ratios) for one in tables) else []
+        [(search.least(start), start)] if all(len(table.ratios) for table in tables) else []
     )
     done = 0
     while waiting and search.most > ROUNDED_ERROR and done < MOST_REGIONS:
@@ -85,13 +87,15 @@ def best_teeth(
 
 
 def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
-    """How many different teeth some places of tables have, (places,)."""
+    """Return the number of different tooth numbers at places of tables, shape (places,)."""
     pairs = zip(tables, places.T, strict=True)
-    return np.asarray(np.prod([table.different[own].astype(float) for table, own in pairs], axis=0))
+    return np.asarray(
+        np.prod([table.different[rows].astype(float) for table, rows in pairs], axis=0)
+    )
 
 
 class _Halving:
-    """A search with the best that it has met."""
+    """Branch-and-bound search with the best solutions so far."""
 
     def __init__(
         self,
@@ -105,24 +109,24 @@ class _Halving:
         self.is_full = False
         self.errors: Floats = np.zeros(0)
         self.places: Integers = np.zeros((0, len(tables)), np.int64)
-        widths = [one.ratios.shape[1] for one in tables]
+        widths = [table.ratios.shape[1] for table in tables]
         self.columns = [sum(widths[:number]) for number in range(len(widths))]
-        self.sizes = [np.log(one.high / one.low) for one in tables]
-        self.widest = [np.abs(one).max(axis=1, initial=0.0) for one in self.sizes]
+        self.sizes = [np.log(table.high / table.low) for table in tables]
+        self.widest = [np.abs(size).max(axis=1, initial=0.0) for size in self.sizes]
 
     def ends(self, regions: Integers) -> tuple[Floats, Floats]:
-        """The least and largest ratios of regions, (regions, columns)."""
+        """Return the smallest and largest ratios of regions, shape (regions, columns)."""
         pairs = list(zip(self.tables, regions.T, strict=True))
         low = np.concatenate([table.low[nodes] for table, nodes in pairs], axis=1)
         return low, np.concatenate([table.high[nodes] for table, nodes in pairs], axis=1)
 
     def least(self, regions: Integers) -> Floats:
-        """The least error that regions may have."""
+        """Return a lower bound of the error in regions, shape (regions,)."""
         return least_errors(self.targets, *self.ends(regions))
 
     def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
-        """What is left of regions, halved, the best first; small ones are tried out."""
-        nodes = [one.nodes[own, :2] for one, own in zip(self.tables, regions.T, strict=True)]
+        """Yield the remaining halves of regions, the best first; small regions are tried out."""
+        nodes = [table.nodes[node, :2] for table, node in zip(self.tables, regions.T, strict=True)]
         starts, ends = np.stack(nodes, axis=1).transpose(2, 0, 1)
         sizes = ends - starts
         few = sizes.astype(np.float64).prod(axis=1) <= FEW_CHOICES
@@ -139,22 +143,22 @@ class _Halving:
             yield self._left(self._children(regions, sizes))
 
     def _children(self, regions: Integers, sizes: Integers) -> Integers:
-        """Both halves of regions, by the element whose ratios lie farthest apart."""
+        """Return both halves of regions, split at the gear set with the widest ratios."""
         widths = np.stack(
-            [one[nodes] for one, nodes in zip(self.widest, regions.T, strict=True)], axis=1
+            [widest[nodes] for widest, nodes in zip(self.widest, regions.T, strict=True)], axis=1
         )
         element = np.where(sizes > 1, widths, -1.0).argmax(axis=1)
         children = []
         for half in (2, 3):
-            one = regions.copy()
+            halves = regions.copy()
             for number, table in enumerate(self.tables):
                 chosen = element == number
-                one[chosen, number] = table.nodes[regions[chosen, number], half]
-            children.append(one)
+                halves[chosen, number] = table.nodes[regions[chosen, number], half]
+            children.append(halves)
         return np.concatenate(children)
 
     def _left(self, both: Integers) -> tuple[Floats, Integers]:
-        """What may be better than the best of regions, with its least error, best first."""
+        """Return the regions that can be better than the best, with least errors, best first."""
         low, high = self.ends(both)
         least = least_errors(self.targets, low, high)
         hopeful = least < self.most
@@ -168,7 +172,7 @@ class _Halving:
         return least[by_least], both[by_least]
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
-        """Try what one element may still have for an error below the best, all others chosen."""
+        """Try the places of a single free gear set with an error below the best."""
         if not len(regions):
             return
         table, column = self.tables[number], self.columns[number]
@@ -191,20 +195,20 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """All choices of regions, from their first places and how many there are."""
+        """Try all choices of regions, from the first places and numbers of places."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])
             places = np.empty((len(number), len(self.tables)), np.int64)
             for element in range(len(self.tables)):
-                number, rest = np.divmod(number, sizes[piece][of_region, element])
-                places[:, element] = starts[piece][of_region, element] + rest
+                number, place = np.divmod(number, sizes[piece][of_region, element])
+                places[:, element] = starts[piece][of_region, element] + place
             self._keep(places)
 
     def _keep(self, places: Integers) -> None:
-        """Keep the best of choices and of what was there."""
+        """Merge choices into the best solutions."""
         pairs = zip(self.tables, places.T, strict=True)
-        points = np.concatenate([table.ratios[own] for table, own in pairs], axis=1)
+        points = np.concatenate([table.ratios[rows] for table, rows in pairs], axis=1)
         errors = largest_errors(self.targets, points)
         better = errors < self.most if self.is_full else errors <= self.most
         better &= np.isfinite(errors)

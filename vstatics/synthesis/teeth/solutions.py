@@ -1,4 +1,4 @@
-"""Solutions of a search for teeth: each place of the tables with all its teeth; JSON, case."""
+"""Solutions of a search for tooth numbers: records, JSON, and the case with the teeth."""
 
 from __future__ import annotations
 
@@ -23,29 +23,29 @@ from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
 
 ERROR_DECIMALS = 14
-"""Decimals of an error; what is below them is rounding."""
+"""Number of decimals of an error; further digits are rounding noise."""
 
 
 @told("teeth", "planets", "gears", "error", "modules")
 class TeethSolution(NamedTuple):
-    """Teeth of the elements that matter for what is wanted."""
+    """Tooth numbers of the gear sets that affect a wanted ratio."""
 
     teeth: Mapping[str, Mapping[str, int]]
-    """By element, by wheel or rim."""
+    """Tooth number by gear set and gear."""
     planets: Mapping[str, int]
-    """How many planets an element has, or pairs of meshed ones."""
+    """Number of planets, or pairs of meshed planets, by gear set."""
     gears: Mapping[str, float]
-    """The ratio of every gear of the case [-]; NaN where it has none."""
+    """Ratio of every gear of the case, NaN without a ratio. [-]"""
     error: float
-    """The largest of what is wanted: `|ln(i/target)|`, or `|i - target|` [-]."""
+    """Largest error of the targets, `|ln(i/target)|` or `|i - target|`. [-]"""
     modules: Annotated[Mapping[str, Mapping[str, float]], SOMETIMES]
-    """By element, by wheel, where modules are chosen [mm]."""
+    """Module by gear set and gear, if modules are chosen. [mm]"""
     ratios: Mapping[str, float]
-    """Of the mechanisms of the case on its own links [-]."""
+    """Ratios of the mechanisms of the case without planets among the links. [-]"""
 
 
 class TeethAnswer(NamedTuple):
-    """What `vstatics synth teeth` answers."""
+    """Output of `vstatics synth teeth`."""
 
     solutions: Sequence[TeethSolution]
 
@@ -53,7 +53,7 @@ class TeethAnswer(NamedTuple):
 def teeth_solutions(
     problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
 ) -> Iterator[TeethSolution]:
-    """The first of what was found, each place with all its teeth, small ones first."""
+    """Yield the best solutions, with all tooth numbers of each place, small teeth first."""
     chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
@@ -61,20 +61,20 @@ def teeth_solutions(
             pairs = zip(tables, rows, strict=True)
             total = sum(int(row[: len(table.layout.wheels)].sum()) for table, row in pairs)
             chosen.append((round(error, ERROR_DECIMALS), total, rows))
-    chosen.sort(key=lambda one: (*one[:2], [row.tolist() for row in one[2]]))
+    chosen.sort(key=lambda choice: (*choice[:2], [row.tolist() for row in choice[2]]))
     for _, _, rows in chosen[:MOST_TEETH_SOLUTIONS]:
         yield _solution(problem, tables, rows)
 
 
 def _smallest(table: TeethTable, place: int) -> list[Integers]:
-    """The rows of a place with the fewest teeth."""
+    """Return the rows of a place with the smallest tooth numbers."""
     rows = table.rows[table.starts[place] : table.starts[place + 1]]
     order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
     return list(rows[order[:MOST_TEETH_SOLUTIONS]])
 
 
 def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
-    """Choices of a row each, those with the fewest places down the lists first."""
+    """Yield choices of a row from each list, in order of the sum of positions."""
     total = sum(len(rows) - 1 for rows in alike)
     for depth in range(total + 1):
         for steps in _steps(depth, [len(rows) for rows in alike]):
@@ -82,7 +82,7 @@ def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ..
 
 
 def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """All ways to go down so many steps in lists."""
+    """Yield all positions in lists of given lengths with a given sum."""
     if not lengths:
         if not depth:
             yield ()
@@ -94,7 +94,6 @@ def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
 def _solution(
     problem: TeethProblem, tables: Sequence[TeethTable], rows: Sequence[Integers]
 ) -> TeethSolution:
-    """What rows of all elements give."""
     case = problem.own.case
     ratios = np.array([mechanism.ratio for mechanism in case.mechanisms])
     teeth: dict[str, dict[str, int]] = {}
@@ -120,12 +119,12 @@ def _solution(
     gears = dict(zip((gear.name for gear in case.gears), of_gears, strict=True))
     errors = [float(target.errors(np.array([points]))[0]) for target in problem.targets]
     error = round(max(errors), ERROR_DECIMALS)
-    named = dict(zip((one.name for one in case.mechanisms), ratios.tolist(), strict=True))
+    named = dict(zip((part.name for part in case.mechanisms), ratios.tolist(), strict=True))
     return TeethSolution(teeth, planets, gears, error, modules, named)
 
 
 def asked_document(problem: TeethProblem) -> dict[str, Any]:
-    """What is looked for: ranges of wheels, numbers of planets, the kinds of the elements."""
+    """Return the request as data: ranges of gears, numbers of planets, kinds of gear sets."""
     limits = problem.limits
     ranges = {
         layout.name: {
@@ -134,15 +133,16 @@ def asked_document(problem: TeethProblem) -> dict[str, Any]:
         }
         for layout in problem.layouts
     }
-    planets = {one.name: sorted(limits.counts(one)) for one in problem.layouts if one.planets}
-    kinds = {one.name: one.element.kind for one in problem.layouts}
+    sets = problem.layouts
+    planets = {layout.name: sorted(limits.counts(layout)) for layout in sets if layout.planets}
+    kinds = {layout.name: layout.element.kind for layout in sets}
     return {"ranges": ranges, "planets": planets, "kinds": kinds}
 
 
 def case_with_teeth(
     case: Transmission, problem: TeethProblem, solution: TeethSolution
 ) -> Transmission:
-    """The case with found teeth; a mechanism becomes the element that has them.
+    """Return the case with found tooth numbers; a mechanism becomes a gear set with teeth.
 
     Examples
     --------
@@ -157,8 +157,10 @@ def case_with_teeth(
     drawing = given or Drawing(case.links, (), case.mechanisms)
     layouts = {layout.name: layout for layout in problem.layouts}
     elements = [
-        _with_teeth(one, layouts[one.name], solution) if one.name in layouts else one
-        for one in drawing.elements
+        _with_teeth(element, layouts[element.name], solution)
+        if element.name in layouts
+        else element
+        for element in drawing.elements
     ]
     left: list[Mechanism] = []
     for mechanism in drawing.mechanisms:
@@ -166,14 +168,14 @@ def case_with_teeth(
         if layout is None or layout.is_drawn:
             left.append(mechanism)
         else:
-            made = replace(  # in place of the mechanism, with its links and losses
+            gear_set = replace(  # replaces the mechanism, with its links and losses
                 _with_teeth(layout.element, layout, solution),
                 efficiency=mechanism.efficiency,
                 back_efficiency=mechanism.back_efficiency,
                 stiffness=mechanism.stiffness,
                 damping=mechanism.damping,
             )
-            elements.append(made)
+            elements.append(gear_set)
     drawn = replace(drawing, elements=tuple(elements), mechanisms=tuple(left))
     if given is None:
         return case.replace(mechanisms=(), drawing=drawn, description="", source="")
@@ -184,9 +186,11 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
     teeth = solution.teeth[layout.name]
     planets = solution.planets.get(layout.name, element.planets)
     if not element.rims:
-        kept = {name: teeth.get(name, count) for name, count in element.teeth.items()}
-        made = replace(element, teeth={**kept, **teeth}, planets=planets, ratios={})
-        return replace(made, efficiency=None) if element.ratios else made  # that of each ratio
-    rims = {planet: {rim: teeth[rim] for rim in own} for planet, own in element.rims.items()}
+        numbers = {name: teeth.get(name, count) for name, count in element.teeth.items()}
+        changed = replace(element, teeth={**numbers, **teeth}, planets=planets, ratios={})
+        return (
+            replace(changed, efficiency=None) if element.ratios else changed
+        )  # the efficiency belonged to the ratios
+    rims = {planet: {rim: teeth[rim] for rim in gears} for planet, gears in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)

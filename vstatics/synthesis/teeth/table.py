@@ -1,4 +1,4 @@
-"""The ratios that the teeth of an element can make, each once, and halves of halves of them."""
+"""Ratios that the tooth numbers of a gear set can have, each once, in a tree of halves."""
 
 from __future__ import annotations
 
@@ -12,51 +12,51 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.rows import TooManyError
 
 MOST_TEETH_ROWS = 1_000_000
-"""So many rows of teeth of an element are kept in memory."""
+"""Number of rows of tooth numbers of a gear set that are kept in memory."""
 
 
 class TeethTable(NamedTuple):
-    """Rows of teeth of an element by the ratios that they make.
+    """Rows of tooth numbers of a gear set, grouped by ratios.
 
-    The places of `ratios` are in such an order that the halves of any node stand side by side.
+    The order of `ratios` is such that both halves of any node are contiguous.
     """
 
     layout: TeethLayout
     is_whole: bool
-    """Whether all rows are here that there are."""
+    """True if the table contains all rows."""
     total: int
-    """How many choices of teeth, numbers of planets and modules there are."""
+    """Number of choices of tooth numbers, numbers of planets and modules."""
     rows: Integers
-    """Different teeth, (rows, wheels + 1 + components), those of equal ratios side by side."""
+    """Different tooth numbers, grouped by ratios, shape (rows, wheels + 1 + components)."""
     starts: Integers
-    """The first row of each place, and the end, (places + 1,)."""
+    """First row of each place, and the end, shape (places + 1,)."""
     ratios: Floats
-    """(places, ratios of the element) [-]."""
+    """Different ratios, shape (places, ratios of the gear set). [-]"""
     nodes: Integers
-    """Of each node its first place and its end, and its halves; -1 of one place, (nodes, 4)."""
+    """First place, end and both halves (-1 for a single place) of each node, shape (nodes, 4)."""
     low: Floats
-    """Least ratios in a node, (nodes, ratios) [-]."""
+    """Smallest ratios in a node, shape (nodes, ratios). [-]"""
     high: Floats
-    """Largest ratios in a node, (nodes, ratios) [-]."""
+    """Largest ratios in a node, shape (nodes, ratios). [-]"""
 
     @property
     def different(self) -> Integers:
-        """How many rows a place has, (places,)."""
+        """Number of rows at each place, shape (places,)."""
         return np.diff(self.starts)
 
 
 def teeth_table(
     layout: TeethLayout, pieces: Iterable[Integers], counts: Sequence[int]
 ) -> TeethTable:
-    """A table of rows of teeth that come in pieces.
+    """Return the table of rows of tooth numbers that are given in pieces.
 
     Parameters
     ----------
     layout : TeethLayout
     pieces : iterable of ndarray
-        As `TeethRows` finds them.
+        Rows as found by `TeethRows`.
     counts : sequence of int
-        Numbers of planets: of rows with equal teeth that with the first of them is kept.
+        Numbers of planets in order of preference; one row is kept for equal tooth numbers.
     """
     kept: list[Integers] = []
     total = 0
@@ -88,11 +88,11 @@ def teeth_table(
 
 
 def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> Integers:
-    """Rows of different teeth, each with the best liked number of planets."""
+    """Return rows with different tooth numbers, each with the preferred number of planets."""
     wheels = len(layout.wheels)
-    liked = np.zeros(max(counts) + 1, np.int64)
-    liked[list(counts)] = range(len(counts))
-    keys = [liked[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
+    rank = np.zeros(max(counts) + 1, np.int64)
+    rank[list(counts)] = range(len(counts))
+    keys = [rank[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
     rows = rows[np.lexsort(keys)]
     is_new = np.ones(len(rows), np.bool_)
     is_new[1:] = (np.diff(rows[:, :wheels], axis=0) != 0).any(axis=1)
@@ -100,8 +100,8 @@ def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> In
 
 
 def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
-    """The ratios of rows: equal ones are the same number, as each is rounded once."""
-    found = np.empty((len(rows), len(layout.ratios)))
+    """Return the ratios of rows, rounded once so that equal ratios are equal numbers."""
+    ratios = np.empty((len(rows), len(layout.ratios)))
     for number, ratio in enumerate(layout.ratios):
         above, below = np.ones(len(rows)), np.ones(len(rows))
         for wheel, power in ratio.powers.items():
@@ -109,22 +109,22 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
                 above = above * rows[:, wheel].astype(np.float64) ** power
             else:
                 below = below * rows[:, wheel].astype(np.float64) ** -power
-        found[:, number] = ratio.sign * above / below
-    return found
+        ratios[:, number] = ratio.sign * above / below
+    return ratios
 
 
 def _places(ratios: Floats) -> Integers:
-    """Numbers of the different rows of an array, from 0."""
+    """Number the different rows of an array from 0."""
     place: Integers = np.zeros(len(ratios), np.int64)
     for column in ratios.T:
-        _, one = np.unique(column, return_inverse=True)
-        both = place * (one.max(initial=0) + 1) + one
+        _, numbers = np.unique(column, return_inverse=True)
+        both = place * (numbers.max(initial=0) + 1) + numbers
         place = np.unique(both, return_inverse=True)[1].astype(np.int64)
     return place
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
-    """An order of the places, nodes, and their ends: each is halved where it is widest.
+    """Return an order of the places, and nodes with bounds, halved along the widest ratio.
 
     >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
     >>> order.tolist(), nodes.tolist()
@@ -133,7 +133,7 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
     order: Integers = np.arange(len(ratios))
     sizes = np.log(np.abs(ratios))
     level: Integers = np.array([[0, len(ratios)]], np.int64)[: len(ratios)]
-    nodes, made = [np.zeros((0, 4), np.int64)], 0
+    nodes, count = [np.zeros((0, 4), np.int64)], 0
     lows, highs = [ratios[:0]], [ratios[:0]]
     while len(level):
         starts = level[:, 0]
@@ -145,24 +145,24 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
         split = level[:, 1] - starts > 1
         order = _sorted_within(order, sizes, level, widths.argmax(axis=1))
         middle = (level.sum(axis=1) + 1) // 2
-        first = made + len(level) + 2 * (np.cumsum(split) - split)
+        first = count + len(level) + 2 * (np.cumsum(split) - split)
         children = np.where(split[:, np.newaxis], np.stack([first, first + 1], axis=1), -1)
         nodes.append(np.concatenate([level, children], axis=1))
-        made += len(level)
+        count += len(level)
         below = np.stack([starts, middle, middle, level[:, 1]], axis=1)[split]
         level = below.reshape(-1, 2)
     return order, np.concatenate(nodes), np.concatenate(lows), np.concatenate(highs)
 
 
 def _reduced(function: np.ufunc, values: Floats, level: Integers) -> Floats:
-    """Least or largest values between starts and ends, which do not overlap."""
+    """Return the minima or maxima between starts and ends, which do not overlap."""
     bounds = level.ravel()
     inside = np.concatenate([values, values[-1:]])
     return function.reduceat(inside, bounds, axis=0)[::2]
 
 
 def _sorted_within(order: Integers, sizes: Floats, level: Integers, widest: Integers) -> Integers:
-    """An order in which each part of a level is sorted by its widest ratio."""
+    """Return an order in which each part of a level is sorted by the widest ratio."""
     sorted_order = order.copy()
     of_part, more = counted(level[:, 1] - level[:, 0])
     places = level[of_part, 0] + more

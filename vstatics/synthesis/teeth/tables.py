@@ -1,4 +1,4 @@
-"""Found teeth as tables."""
+"""Tables of found tooth numbers."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
 
 
-def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:
-    """What the best teeth give, the teeth, all solutions, and what they were chosen from.
+def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
+    """Yield tables of the gears, the teeth, all solutions, and the number of candidates.
 
     Examples
     --------
@@ -27,15 +27,14 @@ def teeth_grids(found: FoundTeeth) -> Iterator[Grid]:
     >>> gears.texts, teeth.texts
     ([['1', '4.0000', '4.0000', '0']], [['D1', 'sun 17, ring 51, planet 17', '4', '-3.0000']])
     """
-    best = found.solutions[0]
-    yield _wanted(found.problem, best)
-    yield _teeth(found.problem, best)
-    yield _solutions(found)
-    yield _choice(found)
+    best = result.solutions[0]
+    yield _wanted(result.problem, best)
+    yield _teeth(result.problem, best)
+    yield _solutions(result)
+    yield _choice(result)
 
 
 def _error(value: float) -> Cell:
-    """An error, which may be of any size."""
     return Cell(f"{value:.3g}" if value else "0", value, kind=float)
 
 
@@ -44,7 +43,7 @@ def _wanted(problem: TeethProblem, best: TeethSolution) -> Grid:
     rows = []
     of_sets = named_ratios(problem.layouts)
     sets = of_sets.keys() & targets.keys() - best.gears.keys()
-    wanted = {name: best.ratios[one.name] for name, one in of_sets.items() if name in sets}
+    wanted = {name: best.ratios[part.name] for name, part in of_sets.items() if name in sets}
     for name, ratio in {**best.gears, **wanted}.items():
         target = targets.get(name)
         error = _error(float(target.apart(np.array(ratio)))) if target else None
@@ -56,7 +55,7 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
     rows = []
     for layout in problem.layouts:
         teeth = ", ".join(f"{wheel} {count}" for wheel, count in best.teeth[layout.name].items())
-        ratios = ", ".join(f"{best.ratios[one.name]:.4f}" for one in layout.ratios)
+        ratios = ", ".join(f"{best.ratios[part.name]:.4f}" for part in layout.ratios)
         of_wheels = best.modules.get(layout.name, {}) if best.modules else {}
         modules = ", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items())
         rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
@@ -65,28 +64,26 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
     return grid_of("Teeth", headings, rows, optional=[] if best.modules else [modules])
 
 
-def _solutions(found: FoundTeeth) -> Grid:
-    names = [layout.name for layout in found.problem.layouts]
+def _solutions(result: FoundTeeth) -> Grid:
+    names = [layout.name for layout in result.problem.layouts]
     rows: list[Values] = []
-    for place, one in enumerate(found.solutions, 1):
-        teeth = ["/".join(map(str, one.teeth[name].values())) for name in names]
-        rows.append((place, _error(one.error), *teeth))
+    for place, solution in enumerate(result.solutions, 1):
+        teeth = ["/".join(map(str, solution.teeth[name].values())) for name in names]
+        rows.append((place, _error(solution.error), *teeth))
     return grid_of("Solutions", ["solution", "error", *names], rows)
 
 
-def _choice(found: FoundTeeth) -> Grid:
-    """How many teeth fulfil the conditions of each element by itself."""
+def _choice(result: FoundTeeth) -> Grid:
+    """Return a table of the number of tooth numbers of each gear set that fulfil the conditions."""
     rows = (
-        (one.layout.name, int(one.total), len(one.rows), len(one.ratios)) for one in found.tables
+        (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
+        for table in result.tables
     )
     return grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
-    """What is looked for, before it is: the ranges of all wheels, and of what kind each element is.
-
-    A mechanism has the kind that it is taken for.
-    """
+    """Yield a table of the ranges of all gears, and the kind of each gear set, before a search."""
     limits: TeethLimits = problem.limits
     rows = []
     for layout in problem.layouts:

@@ -1,4 +1,4 @@
-"""How far the ratios of gears or sets are from what is wanted: of many teeth, of whole regions."""
+"""Deviations of gear or gear-set ratios from targets, for tooth numbers and for whole regions."""
 
 from __future__ import annotations
 
@@ -15,23 +15,25 @@ from vstatics.synthesis.ratios.arrays import at_corners, factors
 from vstatics.synthesis.ratios.formula import GearFormula
 
 TeethError = Literal["ln", "absolute"]
-"""Of a ratio: |ln(i/target)|, or |i - target|."""
+"""Measure of the error of a ratio: |ln(i/target)|, or |i - target|."""
 
 
 @dataclass(frozen=True)
 class TeethTarget:
-    """A ratio that is wanted, and its formula in some ratios of teeth.
+    """Wanted ratio, with a formula in the ratios of gear sets.
 
     Parameters
     ----------
     name : str
-        Of a gear, or of a ratio of an element.
+        Name of a gear, or of a ratio of a gear set.
     wanted : float
-        [-]
+        Wanted ratio. [-]
     formula : GearFormula
-    columns : tuple of int
-        By index of a mechanism in the formula: the column of its ratio in arrays.
+        Formula of the ratio.
+    columns : dict of int to int
+        Column of the ratio in arrays, by the index of a mechanism in the formula.
     error : {"ln", "absolute"}
+        Measure of the error.
 
     Examples
     --------
@@ -53,38 +55,43 @@ class TeethTarget:
 
     @cached_property
     def used(self) -> list[int]:
-        """The columns whose ratios matter."""
+        """Columns of the ratios in the formula."""
         return [self.columns[index] for index in self.formula.ratios]
 
     @cached_property
     def _factors(self) -> list[Floats]:
-        return [factors(one, self.formula.ratios) for one in self.formula[1:]]
+        return [factors(polynomial, self.formula.ratios) for polynomial in self.formula[1:]]
 
     def ratios(self, points: Floats) -> Floats:
-        """The ratio at points, (points, columns); not finite where the output stands [-]."""
-        own = points[:, self.used]
+        """Return the ratio at points, shape (points, columns) [-].
+
+        The result is not finite where the output is at rest.
+        """
+        used_points = points[:, self.used]
         with np.errstate(all="ignore"):
-            above, below = (at_corners(one, own, own)[..., 0] for one in self._factors)
+            above, below = (
+                at_corners(part, used_points, used_points)[..., 0] for part in self._factors
+            )
             return np.asarray(above / below)
 
     def errors(self, points: Floats) -> Floats:
-        """The error at points, (points, columns) [-]."""
+        """Return the errors at points, shape (points, columns) [-]."""
         return self.apart(self.ratios(points))
 
     def apart(self, ratios: Floats) -> Floats:
-        """How far ratios are from what is wanted [-]."""
+        """Return the errors of ratios [-]."""
         with np.errstate(all="ignore"):
             if self.error == "absolute":
-                found = np.abs(ratios - self.wanted)
+                errors = np.abs(ratios - self.wanted)
             else:
                 quotient = ratios / self.wanted
-                found = np.abs(np.log(np.where(quotient > 0, quotient, 0.0)))
-        return np.where(np.isfinite(ratios), found, np.inf)
+                errors = np.abs(np.log(np.where(quotient > 0, quotient, 0.0)))
+        return np.where(np.isfinite(ratios), errors, np.inf)
 
     def least(self, low: Floats, high: Floats) -> Floats:
-        """The least error that regions may have, (regions, columns) of bounds [-].
+        """Return a lower bound of the error in regions with bounds (regions, columns) [-].
 
-        The quotient has its ends at corners, as long as the output can't stand within.
+        The extremes of the quotient are at corners, unless the output can be at rest in the region.
         """
         *ends, stands = self._ends(low, high)
         holds = (ends[0] <= self.wanted) & (self.wanted <= ends[1])
@@ -92,43 +99,45 @@ class TeethTarget:
         return np.where(holds | stands, 0.0, nearest)
 
     def ends(self, low: Floats, high: Floats) -> tuple[float, float] | None:
-        """The least and largest ratio in one region; None if the output may stand there [-]."""
+        """Return the smallest and largest ratio in a region, `None` if a pole is possible [-]."""
         least, largest, stands = self._ends(low, high)
         return None if stands[0] else (float(least[0]), float(largest[0]))
 
     def _ends(self, low: Floats, high: Floats) -> tuple[Floats, Floats, Booleans]:
-        """The least and largest ratios in regions, and where there are none: the output stands."""
-        own = low[:, self.used], high[:, self.used]
-        above, below = (at_corners(one, *own) for one in self._factors)
+        """Return the smallest and largest ratios in regions, and True where a pole is possible."""
+        used_bounds = low[:, self.used], high[:, self.used]
+        above, below = (at_corners(part, *used_bounds) for part in self._factors)
         with np.errstate(all="ignore"):
             corners = above / below
         keeps_sign = np.abs(np.sign(below).sum(axis=1)) == below.shape[1]
         return corners.min(axis=1), corners.max(axis=1), ~keeps_sign
 
     def within(self, points: Floats, column: int, most: float) -> tuple[Floats, Floats, Booleans]:
-        """Between which ratios of one column the error is no more than `most`, if others stay.
+        """Return the range of a column with errors up to `most`, for fixed other columns.
 
         Returns
         -------
         low, high : ndarray, shape (points,)
-            Where the third is true; the output may not stand between them.
+            Ends of the range.
+        is_sure : ndarray, shape (points,)
+            True if the range is finite and contains no pole.
         """
-        own = points[:, self.used]
+        used_points = points[:, self.used]
         place = self.used.index(column)
-        at = own.copy()
+        at = used_points.copy()
         ends = []
         for value in (0.0, 1.0):
             at[:, place] = value
-            ends.append([at_corners(one, at, at)[..., 0] for one in self._factors])
+            ends.append([at_corners(part, at, at)[..., 0] for part in self._factors])
         (above, below), (above_1, below_1) = ends
         slope, slope_below = above_1 - above, below_1 - below
         with np.errstate(all="ignore"):
-            found = [
+            limits = [
                 (limit * below - above) / (slope - limit * slope_below)
                 for limit in self._limits(most)
             ]
             pole = -below / slope_below
-        low, high = np.minimum(*found), np.maximum(*found)
+        low, high = np.minimum(*limits), np.maximum(*limits)
         is_sure = np.isfinite(low) & np.isfinite(high) & ~((low <= pole) & (pole <= high))
         return low, high, is_sure
 
@@ -139,12 +148,12 @@ class TeethTarget:
 
 
 def largest_errors(targets: Sequence[TeethTarget], points: Floats) -> Floats:
-    """The largest error of all targets at points, (points, columns) [-]."""
-    found: Floats = np.max([target.errors(points) for target in targets], axis=0, initial=0.0)
-    return found
+    """Return the largest error of all targets at points, shape (points, columns) [-]."""
+    errors: Floats = np.max([target.errors(points) for target in targets], axis=0, initial=0.0)
+    return errors
 
 
 def least_errors(targets: Sequence[TeethTarget], low: Floats, high: Floats) -> Floats:
-    """What the largest error of all targets is at least, of regions, (regions, columns) [-]."""
-    found: Floats = np.max([one.least(low, high) for one in targets], axis=0, initial=0.0)
-    return found
+    """Return a lower bound of the largest error of all targets in regions [-]."""
+    errors: Floats = np.max([target.least(low, high) for target in targets], axis=0, initial=0.0)
+    return errors

@@ -43,7 +43,7 @@ def test_planes_leave_every_place_where_all_gears_are_within_their_ranges(seed: 
     factors = np.exp(rng.uniform(0, 0.05, (2, targets)))
     ends = np.sort([ratios / factors[0], ratios * factors[1]], axis=0)
     room, left = plane_room(targets, sets), np.tile([0.0, 1.0], (sets, 1))
-    room.own[:] = np.where(rng.uniform(size=targets) < 0.9, np.arange(targets), -1)
+    room.only_ratios[:] = np.where(rng.uniform(size=targets) < 0.9, np.arange(targets), -1)
     assert planes_leave(parts, ends[0], ends[1], room, left)
     assert (left[:, 0] <= place).all()
     assert (place <= left[:, 1]).all()

@@ -27,7 +27,7 @@ def is_wanted(
     ratios = sorted({int(port.ratio_of[numbers[one]]) for one in usable})
     if {element for one in usable for element in one} != {*chosen}:
         return False
-    if sum((port.kept >> element) & 1 for element in chosen) < port.least_kept:
+    if sum((port.retained >> element) & 1 for element in chosen) < port.least_kept:
         return False
     if not (port.brakes >> sum(element < BRAKES for element in chosen)) & 1:
         return False
@@ -74,7 +74,7 @@ def test_all_sets_are_found_and_each_once(engaged: int, size: int, targets: int)
             least_kept,
         )
         room = set_room(table, targets, 2000)
-        rows = room.found[: element_sets(table, port, room)].tolist()
+        rows = room.listed[: element_sets(table, port, room)].tolist()
         every = combinations(range(len(table.ends)), size)
         assert sorted(map(tuple, rows)) == [
             one for one in every if is_wanted(one, numbers, port, targets)

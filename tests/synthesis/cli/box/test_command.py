@@ -373,7 +373,7 @@ def test_one_without_a_file_tells_how_far_it_came(searched: Searched) -> None:
 
 
 def test_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND", 3)
+    monkeypatch.setattr("vstatics.synthesis.boxes.batches.work.MOST_FOUND_BOXES", 3)
     said = vstatics("synth", "box", *ASKED)
     assert (said.status, said.out) == (1, "")
     assert "more than 3 boxes are found: expected a smaller --tolerance" in said.err

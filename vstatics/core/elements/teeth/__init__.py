@@ -1,11 +1,12 @@
-"""Doubts about teeth: wheels that cannot be made or put together, or would wear soon.
+"""Doubts about teeth: gears that cannot be made or assembled, or that would wear early.
 
-A case with such teeth stays calculable: ratios and torques ask for numbers only. So these
-are warnings and notes. They hold for the usual profile of 20 degrees with tips one module
-high. The first about an element tells what nearby teeth would do.
+A case with such teeth can still be calculated, as ratios and torques depend on numbers only. So the
+doubts are warnings and notes. They apply to the usual profile of 20 degrees with an addendum of one
+module. The first doubt about a gear set suggests teeth nearby.
 
-`doubtful_teeth` asks all questions: `assembly` and `spacing` those about planets, `meshing` those
-about any wheels that mesh. `subjects` and `layout` know an element's teeth, `nearby` others.
+`doubtful_teeth` collects all doubts: `assembly` and `spacing` about planets, `meshing` about any
+gears in mesh. `subjects` and `layout` describe the teeth of a gear set, `nearby` finds others;
+`conditions` contains the formulas.
 """
 
 from vstatics.core.elements.teeth.doubtful_teeth import doubts

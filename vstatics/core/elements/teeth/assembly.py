@@ -1,4 +1,4 @@
-"""Whether planets can be put in: all must find a tooth space at the same time."""
+"""Assembly of planets: all planets must find a tooth space at the same time."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from vstatics.core.numerics.arrays import Integers
 
 
 def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
-    """In how many places around the axis a train of planets would go in; 0 in any.
+    """Return the number of places around the axis where a train of planets fits; 0 for any.
 
-    See `common_step` for the condition.
+    `common_step` explains the condition.
 
     >>> wheels = [CentralWheel("sun", 1, 30, False, "p"), CentralWheel("ring2", 2, 95, True, "p2")]
     >>> rims = {"p": Fraction(20), "p2": Fraction(25)}
@@ -39,7 +39,7 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
 def _rows(
     group: PlanetGroup, train: Mapping[str, Fraction], teeth: Callable[[Key], Any]
 ) -> Iterator[list[Any]]:
-    """The meshes of a train as `common_step` has them."""
+    """Yield the meshes of a train as rows for `common_step`."""
     column = {planet: number for number, planet in enumerate(train)}
     for place, wheel in enumerate(group.wheels):
         planet = group.planet_of[wheel.rim]
@@ -57,8 +57,8 @@ def _rows(
             yield row
 
 
-def that_go_in(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
-    """Of some teeth those with which planets can be assembled; all are asked about together."""
+def assemblable(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
+    """Yield the choices of teeth with which the planets can be assembled, all checked at once."""
     count = subject.element.planets or 1
     if count == 1 or not isinstance(subject, OfPlanets):
         yield from choices
@@ -67,7 +67,7 @@ def that_go_in(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
     group = subject.given.group
 
     def teeth(key: Key) -> Integers:
-        return np.array([one.get(key, 1) for one in many], dtype=np.int64)
+        return np.array([choice.get(key, 1) for choice in many], dtype=np.int64)
 
     go_in = np.ones(len(many), np.bool_)
     for train in group.trains:
@@ -75,11 +75,11 @@ def that_go_in(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
             [np.broadcast_to(cell, len(many)) for cell in row] for row in _rows(group, train, teeth)
         ]
         go_in &= seated(common_step(np.array(rows, dtype=np.int64), len(train)), count)
-    yield from (one for one, goes in zip(many, go_in.tolist(), strict=True) if goes)
+    yield from (choice for choice, fits in zip(many, go_in.tolist(), strict=True) if fits)
 
 
 def assembled(layout: AxisLayout) -> Iterator[Doubt]:
-    """Equally spaced planets must all find a tooth space at the same time."""
+    """Report equally spaced planets that cannot be assembled."""
     count = layout.element.planets or 1
     for train in layout.group.trains:
         places = placements(layout.group, train)
@@ -100,7 +100,7 @@ def assembled(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
-    """Side wheels are to planets between them what a sun and a ring are."""
+    """Report bevel planets that cannot be assembled; side gears act like a sun and a ring."""
     count, whole = element.planets or 1, teeth["left"] + teeth["right"]
     if whole % count:
         yield Doubt(
@@ -111,24 +111,29 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
         )
 
 
-def _sum(layout: AxisLayout, one: CentralWheel, other: CentralWheel) -> tuple[str, int, int] | None:
-    """What two wheels ask to be whole: its text, dividend, divisor but for the planets."""
+def _sum(
+    layout: AxisLayout, first: CentralWheel, second: CentralWheel
+) -> tuple[str, int, int] | None:
+    """Return the number that two gears require to be whole: text, dividend, divisor.
+
+    The divisor does not contain the number of planets.
+    """
     group = layout.group
-    planets = [group.planet_of[wheel.rim] for wheel in (one, other)]
+    planets = [group.planet_of[wheel.rim] for wheel in (first, second)]
     way = group.path(planets[0], planets[1])
-    names, parts = [layout.label(one), layout.label(other)], [1, 1]
+    names, parts = [layout.label(first), layout.label(second)], [1, 1]
     below, divisor = "planets", 1
     if way and any(len(group.planets[group.planet_of[rim]]) > 1 for pair in way for rim in pair):
         return None
-    if not way and one.rim != other.rim:
-        teeth = [int(group.teeth(wheel.rim)) for wheel in (one, other)]
-        rims = [layout.label(wheel.rim) for wheel in (one, other)]
+    if not way and first.rim != second.rim:
+        teeth = [int(group.teeth(wheel.rim)) for wheel in (first, second)]
+        rims = [layout.label(wheel.rim) for wheel in (first, second)]
         parts, divisor = teeth[::-1], math.gcd(*teeth)
         names = [f"{names[0]} * {rims[1]}", f"{names[1]} * {rims[0]}"]
         below = f"(planets * gcd({rims[0]}, {rims[1]}))"
     turned = len(way) % 2 == 1
-    values = [one.teeth * parts[0], other.teeth * parts[1]]
-    if (one.internal != other.internal) != turned:
+    values = [first.teeth * parts[0], second.teeth * parts[1]]
+    if (first.internal != second.internal) != turned:
         return f"({names[0]} + {names[1]})/{below}", sum(values), divisor
     if values[1] > values[0]:
         names, values = names[::-1], values[::-1]

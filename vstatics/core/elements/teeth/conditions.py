@@ -1,7 +1,8 @@
-"""The conditions on teeth as numbers: of one element, or of arrays of candidates at once.
+"""Conditions on teeth as formulas, for one gear set or for arrays of candidates.
 
-Whatever checks teeth or looks for some takes them from here. Lengths are in modules; a room below
-0 is too little. They hold for the usual profile of 20 degrees with tips one module high.
+Every check of teeth and every search for teeth uses them. Lengths are in modules; a clearance below
+0 is too small. The conditions apply to the usual profile of 20 degrees with an addendum of one
+module.
 """
 
 from __future__ import annotations
@@ -13,29 +14,29 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 
 UNCUT, UNCUT_SHIFTED = 17, 14
-"""Fewest teeth of a wheel without undercut, and of one with a shifted profile."""
+"""Least number of teeth of a gear without undercut, and with a shifted profile."""
 INSIDE = 8
-"""Teeth that a ring must have more than the wheel in it."""
+"""Least difference of teeth between a ring and the gear inside."""
 TEETH_BETWEEN_TIPS = 4
-"""Of two tips on either side: teeth by which wheels differ whose tips just touch."""
+"""Difference of teeth at which the tips of two gears just touch, two modules on either side."""
 TIPS = 2
-"""Of two tips on either side, in modules."""
+"""Sum of two addenda, in modules."""
 SHIFT = 2
-"""Teeth by which wheels of one axis may differ where profiles are shifted."""
+"""Difference of teeth between coaxial gears that profile shift can compensate."""
 
 Amount = TypeVar("Amount", float, Floats)
-"""Of one element, or of many."""
+"""Number for a single gear set, or array for many."""
 
 
 def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
-    """Between the tips of neighbouring planets.
+    """Return the clearance between the tips of neighbouring planets [modules].
 
     Parameters
     ----------
     span : float or ndarray
         Twice the distance of the planet from the axis. [modules]
     teeth : float or ndarray
-        Of the planet.
+        Teeth of the planet.
     sine : float or ndarray
         sin(pi/n) of n planets.
 
@@ -49,7 +50,7 @@ def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
 
 
 def closes(first: Amount, second: Amount, apart: Amount) -> Any:
-    """Whether planets at two radii from the axis can be so far apart.
+    """Return whether planets at two radii from the axis can have the given distance.
 
     >>> bool(closes(20.0, 25.0, 20.0)), bool(closes(20.0, 45.0, 20.0))
     (True, False)
@@ -58,7 +59,7 @@ def closes(first: Amount, second: Amount, apart: Amount) -> Any:
 
 
 def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
-    """The angle at which meshing planets stand, seen from the axis, NaN where none closes [rad].
+    """Return the angle between meshing planets seen from the axis [rad], NaN if impossible.
 
     >>> round(float(lean(20.0, 20.0, 20.0)), 6)
     1.047198
@@ -69,14 +70,14 @@ def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
 
 
 def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount) -> Amount:
-    """From a planet to the planet of the next place with which its own partner meshes.
+    """Return the distance of a planet from the partner of the next planet [modules].
 
     Parameters
     ----------
     first, second : float or ndarray
         Radii of the two axes. [modules]
     apart : float or ndarray
-        Distance of planets that mesh. [modules]
+        Distance of planets in mesh. [modules]
     turn : float or ndarray
         2 pi/n of n places. [rad]
 
@@ -92,7 +93,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
 
 
 def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool) -> Amount:
-    """How many teeth more there are than where a planet's tips touch a wheel that it passes.
+    """Return the clearance of a planet from a gear without mesh in between, in teeth.
 
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)
@@ -101,20 +102,20 @@ def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool)
 
 
 def common_step(rows: Any, planets: int) -> Any:
-    """In how many places around the axis planets would go in; 0 in any.
+    """Return the number of places around the axis where planets fit; 0 for any.
 
-    At a place ``k/n`` turn from the first, a wheel of z teeth stands ``z k/n`` teeth further in
-    the planet's eyes (a ring backward). Phases of the planets that fit all meshes exist where
-    every whole combination of meshes that leaves no planet has a whole number of teeth; the
-    greatest common divisor of these is what n must divide.
+    At ``k/n`` turn from the first place, a central gear of z teeth is displaced by ``z k/n`` teeth
+    for the planet (a ring backward). Phases of the planets that fit all meshes exist if every
+    integer combination of meshes without a planet has a whole number of teeth. So n must divide the
+    greatest common divisor of these combinations.
 
     Parameters
     ----------
     rows : ndarray of int or object, shape (meshes, planets + 1, ...)
-        Teeth of the rim that each planet has in a mesh, and of the wheel there, negative of a
-        ring, 0 where planets mesh. Any further axes are candidates. It is used up.
+        Teeth of each planet's rim in a mesh, then teeth of the central gear: negative for a ring, 0
+        where planets mesh. Further axes are candidates. The array is overwritten.
     planets : int
-        Planets of a train.
+        Number of planets of a train.
 
     Returns
     -------
@@ -142,5 +143,5 @@ def common_step(rows: Any, planets: int) -> Any:
 
 
 def seated(step: Any, count: Any) -> Any:
-    """Whether so many planets go in at equal angles, by `common_step`."""
+    """Return whether a number of planets fits at equal angles, from the result of `common_step`."""
     return step % count == 0

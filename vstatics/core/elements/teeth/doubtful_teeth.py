@@ -1,4 +1,4 @@
-"""All doubts about the teeth of elements, with what nearby teeth would do."""
+"""All doubts about the teeth of gear sets, with teeth nearby that would fit."""
 
 from __future__ import annotations
 
@@ -11,48 +11,48 @@ from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.group_checks import wheel_path
 from vstatics.core.elements.kinds import Planetary
-from vstatics.core.elements.teeth.assembly import bevel_assembled, that_go_in
+from vstatics.core.elements.teeth.assembly import assemblable, bevel_assembled
 from vstatics.core.elements.teeth.conditions import UNCUT
 from vstatics.core.elements.teeth.layout import Doubt, Key, Teeth
 from vstatics.core.elements.teeth.meshing import hunting, interfering, undercut
 from vstatics.core.elements.teeth.nearby import nearest
-from vstatics.core.elements.teeth.spacing import counts, of_planets, those_that_go_in
+from vstatics.core.elements.teeth.spacing import counts, fitting_numbers, of_planets
 from vstatics.core.elements.teeth.subjects import OfPlanets, OfWheels, Subject, suggested
 from vstatics.core.errors import Path, Problem
 
 HALF_A_TOOTH = "N311"
-"""What is told of a planet that would need one."""
+"""Identifier of the note about a planet that would need half a tooth."""
 TOUCHING = "N315"
-"""What is told of tips that touch where they stand side by side, as they need not."""
+"""Identifier of the note about tips that would touch if placed side by side."""
 USUAL_PLANETS = range(3, 7)
-"""Numbers of planets, one of which must go in where the element tells none."""
+"""Numbers of planets of which at least one must fit if the gear set has no number."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
 _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
     "chain": [(UNCUT, math.inf)] * 2,
     "bevel_pair": [(UNCUT, math.inf)] * 2,
     "worm": [(1, 4), (28, math.inf)],
 }
-"""Teeth that are usual where none are checked: of each wheel the least and the most."""
+"""Usual limits of teeth, least and most of each gear, for kinds without checks."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
-    """What is doubtful about the teeth of a drawing's elements, in their order.
+    """Yield the doubts about the teeth of a drawing's gear sets, in order.
 
     Parameters
     ----------
     drawing : Drawing
-        Elements without errors (`vstatics.core.elements.checks`).
+        Gear sets without errors (`vstatics.core.elements.checks`).
 
     Yields
     ------
     Problem
-        Warnings and notes, never errors, with the path of what they are about.
+        Warning or note, never an error, with the path of the teeth.
 
     Notes
     -----
-    Conditions of coaxiality, assembly, neighbouring planets and undercut as the synthesis
-    of planetary gears has them (after Willis; Ravigneaux sets after Simionescu). What has
-    no whole number of teeth is left out; so are belts, worms, bevel pairs.
+    Coaxiality, assembly, neighbouring planets and undercut follow the synthesis of planetary gears
+    (after Willis; Ravigneaux sets after Simionescu). Gear sets with fractional teeth are left out;
+    so are belts, worms and bevel pairs.
 
     Examples
     --------
@@ -72,15 +72,19 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
 
 
 def misfits(element: Element) -> Iterator[str]:
-    """Identities of the doubts that keep an element from being put together.
+    """Yield the identifiers of the doubts that prevent the assembly of a gear set.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
     >>> list(misfits(Element("P", "planetary", members, teeth, planets=4)))
     ['N311', 'W317']
     """
     if subject := _subject(element):
-        found = (doubt.id for doubt in _wrong(subject))
-        yield from (one for one in found if one == HALF_A_TOOTH or one.startswith("W"))
+        identifiers = (doubt.id for doubt in _wrong(subject))
+        yield from (
+            identifier
+            for identifier in identifiers
+            if identifier == HALF_A_TOOTH or identifier.startswith("W")
+        )
 
 
 def _doubts(element: Element) -> Iterator[Doubt]:
@@ -94,7 +98,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
 
 
 def _subject(element: Element) -> Subject | None:
-    """What there is to ask about the teeth of an element; nothing of belts, worms, bevel pairs."""
+    """Return the teeth of a gear set for the checks, except for belts, worms and bevel pairs."""
     if not _whole(element) or element.ratios:
         return None
     if isinstance(element.shape, Planetary):
@@ -108,7 +112,7 @@ def _whole(element: Element) -> bool:
 
 
 def _place(element: Element, about: Key | None) -> Path:
-    """Where the teeth that a doubt is about stand in an element."""
+    """Return the path within a gear set of the teeth that a doubt is about."""
     if about is None:
         return ("planets",)
     if isinstance(about, int) and element.rims:
@@ -122,10 +126,10 @@ def _place(element: Element, about: Key | None) -> Path:
 
 
 def fitting(element: Element, random: Random) -> Iterator[Teeth]:
-    """Teeth around those of an element with which it can be put together, in random order.
+    """Yield teeth near the given teeth with which a gear set can be assembled, in random order.
 
-    With its number of planets, or, where it tells none, with 3 to 6 of them. Of chains, worms and
-    bevel pairs no wheel has less than is usual, or than its own; nothing for what has no teeth.
+    The number of planets is that of the gear set or, if missing, 3 to 6. For chains, worms and
+    bevel pairs no gear has fewer teeth than usual, or than given. Nothing is yielded without teeth.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 24, "ring": 72}
     >>> found = list(fitting(Element("P", "planetary", members, teeth, planets=5), Random(1)))
@@ -134,25 +138,24 @@ def fitting(element: Element, random: Random) -> Iterator[Teeth]:
     """
     subject = _subject(element)
     if subject is None:
-        yield from _usual(element, random)
+        yield from _usual_teeth(element, random)
         return
     is_right = _rule(subject)
     layout = subject.layout if element.planets is None and isinstance(subject, OfPlanets) else None
     choices = list(nearest(subject.space, wide=True))
     random.shuffle(choices)
-    for teeth in that_go_in(subject, choices):
-        if is_right(teeth) and (layout is None or those_that_go_in(layout(teeth), USUAL_PLANETS)):
+    for teeth in assemblable(subject, choices):
+        if is_right(teeth) and (layout is None or fitting_numbers(layout(teeth), USUAL_PLANETS)):
             yield teeth
 
 
-def _usual(element: Element, random: Random) -> Iterator[Teeth]:
-    """Teeth around those of a chain, a worm or a bevel pair, in random order."""
+def _usual_teeth(element: Element, random: Random) -> Iterator[Teeth]:
     if not element.teeth or not _whole(element) or element.kind not in _UNCHECKED:
         return
     usual = _UNCHECKED[element.kind]
     limits = [
-        (min(least, own), max(most, own))
-        for own, (least, most) in zip(element.teeth.values(), usual, strict=True)
+        (min(least, given), max(most, given))
+        for given, (least, most) in zip(element.teeth.values(), usual, strict=True)
     ]
     choices = list(nearest(OfWheels(element).space, wide=True))
     random.shuffle(choices)
@@ -163,9 +166,9 @@ def _usual(element: Element, random: Random) -> Iterator[Teeth]:
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:
-    """Whether teeth leave nothing to cure, and nothing to note that was not there before.
+    """Return a function that accepts teeth which leave nothing to cure and cause no new note.
 
-    No wheel newly needs a shifted profile, nor do tips touch that did not.
+    A new note is a gear that newly needs a profile shift, or tips that newly touch.
     """
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
     touching = any(doubt.id == TOUCHING for doubt in _wrong(subject))
@@ -173,7 +176,7 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
     def is_right(teeth: Teeth) -> bool:
         return (
             min(teeth.values()) >= min(least, UNCUT)
-            and 1 not in subject.ratios(teeth)  # one piece
+            and 1 not in subject.ratios(teeth)  # a ratio of 1 would lock up the gear set
             and not any(
                 doubt.has_cure or (doubt.id == TOUCHING and not touching)
                 for doubt in _wrong(subject, teeth)
@@ -184,16 +187,16 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
-    """The doubts about an element; the first that teeth cure has the nearest that leave none."""
-    found = [*_wrong(subject)]
+    """Yield the doubts about a gear set; the first curable doubt suggests teeth that fit."""
+    doubts_found = [*_wrong(subject)]
     is_right = _rule(subject)
     cures, has_cure = "", True
-    if any(doubt.has_cure for doubt in found):
+    if any(doubt.has_cure for doubt in doubts_found):
         cures = suggested(
-            subject, filter(is_right, that_go_in(subject, nearest(subject.space))), "that fit"
+            subject, filter(is_right, assemblable(subject, nearest(subject.space))), "that fit"
         )
         has_cure = bool(cures)
-    for doubt in found:
+    for doubt in doubts_found:
         hint = counts(subject) if doubt.about is None else ""
         if doubt.has_cure:
             hint, cures = hint + cures, ""
@@ -203,13 +206,13 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
     for doubt in hunting(subject.meshes(), subject.against):
         coprime = filter(subject.is_hunting, nearest(subject.space) if has_cure else ())
         hint = suggested(
-            subject, filter(is_right, that_go_in(subject, coprime)), "without a common divisor"
+            subject, filter(is_right, assemblable(subject, coprime)), "without a common divisor"
         )
         yield doubt._replace(message=doubt.message + hint)
 
 
 def _wrong(subject: Subject, teeth: Teeth | None = None) -> Iterator[Doubt]:
-    """What is wrong with the teeth of an element, or with others in their place; wear apart."""
+    """Yield the doubts about the given or other teeth of a gear set, except about wear."""
     if isinstance(subject, OfPlanets):
         yield from of_planets(subject.layout(teeth))
     if subject.element.kind == "bevel":

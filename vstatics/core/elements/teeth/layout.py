@@ -1,6 +1,6 @@
-"""Planets around an axis with their teeth, and what may be doubtful about these.
+"""Layout of planets around an axis with their teeth, and doubts about it.
 
-The words of this package: a key stands for what has teeth, a doubt is about a key.
+In this package a key identifies a gear with teeth, and a doubt is about a key.
 """
 
 from __future__ import annotations
@@ -14,38 +14,39 @@ from vstatics.core.elements.element import CentralWheel, Element
 from vstatics.core.elements.group import PlanetGroup
 
 Key = str | int
-"""What has teeth: a rim or a wheel by its name, a central wheel of a group by its position."""
+"""Name of a rim or gear, or position of a central gear in the group."""
 
 Teeth = Mapping[Key, int]
+"""Number of teeth by key."""
 
 
 class Doubt(NamedTuple):
-    """What is doubtful about an element: of which wheel, or of the number of planets."""
+    """Doubt about a gear of a gear set, or about the number of planets."""
 
     id: str
     message: str
     about: Key | None
     has_cure: bool = True
-    """Whether other teeth may be right."""
+    """True if other teeth can remove the doubt."""
 
 
 @dataclass(frozen=True)
 class AxisLayout:
-    """Planets around an axis: an element, and its group with these or other teeth."""
+    """Planets around an axis: a gear set, and a group with given or other teeth."""
 
     element: Element
     group: PlanetGroup
 
     def teeth(self, rim: str) -> Fraction | None:
-        """Teeth of a rim, None where nothing tells them."""
+        """Return the teeth of a rim, None if unknown."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
     def around(self, rim: str) -> list[CentralWheel]:
-        """The central wheels that mesh with a rim."""
+        """Return the central gears in mesh with a rim."""
         return [wheel for wheel in self.group.wheels if wheel.rim == rim]
 
     def label(self, body: CentralWheel | str) -> str:
-        """How messages call a wheel or a rim."""
+        """Return the name of a gear or a rim in messages."""
         if isinstance(body, str):
             return f"rim `{body}`" if self.element.rims else body
         if self.element.rims:
@@ -53,23 +54,23 @@ class AxisLayout:
         return body.member
 
     def key(self, wheel: CentralWheel) -> Key:
-        """What stands for a wheel in doubts."""
+        """Return the key of a central gear for doubts."""
         return list(self.group.wheels).index(wheel)
 
     def span(self, wheel: CentralWheel) -> Fraction | None:
-        """Twice the distance of wheel and planet, in modules."""
+        """Return twice the distance between the axes of a central gear and a planet, in modules."""
         teeth = self.teeth(wheel.rim)
         if teeth is None:
             return None
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Twice the distance of a rim from the axis, in modules, by which wheel.
+        """Return twice the distance of a rim from the axis, in modules, and the defining gear.
 
-        A rim that meshes with planets only has the module of the planet's other rims.
+        A rim that only meshes with planets has the module of the planet's other rims.
         """
         alike = [rim, *self.group.planets[self.group.planet_of[rim]]]
-        for wheel in (wheel for one in alike for wheel in self.around(one)):
+        for wheel in (wheel for coaxial in alike for wheel in self.around(coaxial)):
             span = self.span(wheel)
             if span is not None:
                 return span, wheel
@@ -77,7 +78,7 @@ class AxisLayout:
 
 
 def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
-    """A group with other teeth."""
+    """Return a group with other teeth."""
     wheels = [wheel._replace(teeth=teeth[place]) for place, wheel in enumerate(group.wheels)]
     planets = {
         planet: {rim: Fraction(teeth[rim]) if rim in teeth else None for rim in rims}
@@ -87,7 +88,7 @@ def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
 
 
 def ratio_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """The wheels whose ratios matter: each of a train with the last one."""
+    """Yield each central gear of a train with the last gear of the train, for the ratios."""
     for train in group.trains:
         *others, last = group.wheels_of(train)
         yield from ((other, last) for other in others)

@@ -1,6 +1,6 @@
-"""Two wheels that mesh: undercut, interference in a ring, wear of the same teeth.
+"""Gears in mesh: undercut, interference in a ring, wear of the same teeth.
 
-They hold for the usual profile of 20 degrees with tips one module high.
+The conditions apply to the usual profile of 20 degrees with an addendum of one module.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from vstatics.core.elements.teeth.layout import Doubt, Key
 
 
 class Toothed(NamedTuple):
-    """A wheel or a rim."""
+    """Gear or rim with teeth."""
 
     label: str
     teeth: int
@@ -22,19 +22,19 @@ class Toothed(NamedTuple):
     internal: bool = False
 
     def __str__(self) -> str:
-        """Its name with its teeth."""
+        """Return the name with the number of teeth."""
         return f"{self.label} {self.teeth}"
 
 
 class Mesh(NamedTuple):
-    """Two that mesh; the first one is the ring of an internal mesh."""
+    """Two gears in mesh; the first is the ring of an internal mesh."""
 
     first: Toothed
     second: Toothed
 
     @property
     def divisor(self) -> int:
-        """The greatest common divisor of their teeth.
+        """Greatest common divisor of both numbers of teeth.
 
         >>> Mesh(Toothed("first", 20, "first"), Toothed("second", 42, "second")).divisor
         2
@@ -43,7 +43,7 @@ class Mesh(NamedTuple):
 
 
 def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
-    """The tool digs into the feet of few teeth."""
+    """Report external gears with so few teeth that the tool undercuts them."""
     for wheel in wheels:
         if wheel.internal:
             continue
@@ -59,7 +59,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
 
 
 def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
-    """Tips foul one another in a ring that is hardly larger than the wheel in it."""
+    """Report tips that interfere in a ring that is hardly larger than the gear inside."""
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:
@@ -74,13 +74,15 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
 
 
 def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
-    """Meshes where each tooth meets only some of the other wheel's, and a fault wears these.
+    """Note meshes in which each tooth meets only some teeth of the mating gear.
+
+    A damaged tooth then wears the same teeth again and again.
 
     Parameters
     ----------
     meshes : sequence of Mesh
     against : str
-        What the turns are counted against; the housing when empty.
+        Reference of the turns in the text; the housing if empty.
     """
     common = sorted(
         (mesh for mesh in meshes if mesh.divisor > 1), key=lambda mesh: mesh.divisor, reverse=True

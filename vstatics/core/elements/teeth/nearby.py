@@ -1,9 +1,9 @@
-"""Numbers of teeth near those of an element.
+"""Search for numbers of teeth near those of a gear set.
 
-Wheels around one planet cannot change their teeth one by one: axes would not coincide
-any more. So a step of the search moves a rim together with the wheels that mesh with it
-(a tooth more on the planet: one less on the sun, one more on the ring), or moves the axis
-of a planet (all wheels around it). What is coaxial stays so, in the same modules.
+The central gears around a planet cannot change their teeth one by one, as their axes would no
+longer coincide. So a step of the search changes a rim together with the gears in mesh with it (a
+tooth more on the planet: one less on the sun, one more on the ring), or moves the axis of a planet
+(all gears around it). Coaxial gears remain coaxial, with unchanged modules.
 """
 
 from __future__ import annotations
@@ -19,36 +19,37 @@ from vstatics.core.elements.teeth.conditions import SHIFT
 from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
 
 TEETH_PER_RATIO = 100
-"""A percent of ratio is as far away as a tooth."""
+"""Weight of a relative change of ratio: 1 % counts like a tooth."""
 
 FARTHEST_RATIO = 0.3
-"""What a ratio may change by, as a logarithm, and still be near."""
+"""Largest change of a ratio nearby, as a logarithm."""
 
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
-"""Steps in all, by the number of moves: at most some 400 places, a few milliseconds."""
+"""Largest sum of steps by number of moves: some 400 places at most, a few milliseconds."""
 
 WIDER = 2
-"""So many times the reach is searched where the whole range is asked for."""
+"""Factor of the reach in a search of the whole range."""
 
 FAR_MOVES = 14
-"""With more moves one step is all: the places grow with the square of the moves otherwise."""
+"""Number of moves above which only single steps are tried, as places would be too many."""
 
 FEW_WHEELS = 5
-"""Up to so many numbers of teeth a suggestion names them all, beyond only those that change."""
+"""Number of gears up to which a suggestion lists all teeth; above, only changed teeth."""
 
 
 class Space(NamedTuple):
-    """Where to search.
+    """Space of the search for teeth.
 
     Attributes
     ----------
     given : mapping of key to teeth
-        The teeth as they stand; the changes of these count.
+        Given teeth, from which changes are counted.
     start : mapping of key to teeth
-        The coaxial teeth nearest to them.
+        Nearest coaxial teeth.
     moves : sequence of mappings of key to a change of teeth
+        Changes that keep all gears coaxial.
     ratios : sequence of mappings of key to exponent
-        Each ratio is, but for its sign, a product of powers of teeth.
+        Each ratio as a product of powers of teeth, without its sign.
     """
 
     given: Teeth
@@ -58,14 +59,14 @@ class Space(NamedTuple):
 
 
 def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
-    """Teeth around those of a space, those with the fewest changes first.
+    """Return an iterator over teeth near the given teeth, the smallest changes first.
 
-    Distance is the number of teeth changed, plus the percents by which ratios change.
+    The distance is the number of teeth changed, plus the percentage by which each ratio changes.
 
     Parameters
     ----------
     wide : bool
-        Whether to search farther than for a suggestion.
+        True to search further than for a suggestion.
 
     >>> pair = {"first": 20, "second": 40}
     >>> space = Space(pair, pair, [{"first": 1}, {"second": 1}], [{"first": -1, "second": 1}])
@@ -73,7 +74,7 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
     >>> next(around), next(around)
     ({'first': 20, 'second': 40}, {'first': 19, 'second': 38})
     """
-    found: list[tuple[float, int, Teeth]] = []
+    candidates: list[tuple[float, int, Teeth]] = []
     logs = {key: math.log(count) for key, count in space.given.items()}
     for number, steps in enumerate(_steps(len(space.moves), WIDER if wide else 1)):
         teeth = dict(space.start)
@@ -84,13 +85,13 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
         if min(teeth.values()) > 0:
             distance = _distance(space, logs, teeth)
             if distance < math.inf:
-                found.append((distance, number, teeth))
-    found.sort(key=lambda one: one[:2])
-    return (teeth for _, _, teeth in found)
+                candidates.append((distance, number, teeth))
+    candidates.sort(key=lambda candidate: candidate[:2])
+    return (teeth for _, _, teeth in candidates)
 
 
 def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
-    """Infinite where a ratio changes too much."""
+    """Return the distance of teeth from the given teeth, infinite if a ratio changes too much."""
     changed = [key for key, count in space.given.items() if teeth[key] != count]
     total = float(sum(abs(teeth[key] - space.given[key]) for key in changed))
     apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
@@ -102,20 +103,20 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
 
 @lru_cache
 def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
-    """Steps along each move, all that add up to no more than the reach, or a multiple of it."""
+    """Return all steps along the moves whose magnitudes add up to the reach or less."""
     reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
-    found: list[tuple[tuple[int, ...], int]] = [((), reach)]
+    partial: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
-        found = [
+        partial = [
             ((*steps, step), left - abs(step))
-            for steps, left in found
+            for steps, left in partial
             for step in range(-left, left + 1)
         ]
-    return [steps for steps, _ in found]
+    return [steps for steps, _ in partial]
 
 
 def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
-    """Where to search for teeth of a group of planets.
+    """Return the search space of a group of planets.
 
     >>> from fractions import Fraction
     >>> wheels = [CentralWheel("sun", 1, 48, False, "p"), CentralWheel("ring", 2, 97, True, "p")]
@@ -154,15 +155,15 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
             moves.append(turned)
     given: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
     given |= {rim: int(group.teeth(rim)) for rim in given_rims if rim in group.planet_of}
-    ratios = [ratio_powers(group, one, last) for one, last in ratio_pairs(group)]
+    ratios = [ratio_powers(group, wheel, last) for wheel, last in ratio_pairs(group)]
     return Space(given, start, moves, ratios)
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
-    """How an axis may move: twice as far from the center, in the modules of its rims.
+    """Return the steps of each rim when an axis moves away from the centre.
 
-    Rims of one module move together, those that need a shifted profile as well; rims of
-    different modules keep the proportion of these where its steps are small.
+    Rims of equal modules move together, also if they need profile shift. Rims of different modules
+    keep the ratio of modules if its numbers are small.
     """
     if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
         return dict.fromkeys(spans, 1)
@@ -173,15 +174,14 @@ def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
 
 
 def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
-    """The wheels that mesh with a rim, with their positions."""
     return [(place, wheel) for place, wheel in enumerate(group.wheels) if wheel.rim == rim]
 
 
-def ratio_powers(group: PlanetGroup, one: CentralWheel, last: CentralWheel) -> dict[Key, int]:
-    """The ratio of two wheels of a train, but for its sign, as powers of teeth."""
+def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) -> dict[Key, int]:
+    """Return the ratio of two gears of a train as powers of teeth, without the sign."""
     wheels = list(group.wheels)
-    powers: dict[Key, int] = {wheels.index(one): -1, wheels.index(last): 1}
-    way = _way(group, one.rim, last.rim)
+    powers: dict[Key, int] = {wheels.index(first): -1, wheels.index(last): 1}
+    way = _way(group, first.rim, last.rim)
     for driver, driven in zip(way[::2], way[1::2], strict=True):
         powers[driver] = powers.get(driver, 0) + 1
         powers[driven] = powers.get(driven, 0) - 1
@@ -189,7 +189,7 @@ def ratio_powers(group: PlanetGroup, one: CentralWheel, last: CentralWheel) -> d
 
 
 def _way(group: PlanetGroup, first: str, last: str) -> list[str]:
-    """Rims from one to another, planet by planet: where each planet is left, where entered."""
+    """Return the rims between two planets: where each planet is left and entered."""
     here, way = group.planet_of[first], [first]
     for pair in group.path(here, group.planet_of[last]):
         near, far = pair if group.planet_of[pair[0]] == here else pair[::-1]

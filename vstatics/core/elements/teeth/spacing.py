@@ -1,4 +1,4 @@
-"""The places of planets: on one axis with their wheels, clear of these and of one another."""
+"""Positions of planets: coaxial with the central gears, clear of them and of each other."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
     "ravigneaux": (("long", "small_sun"),),
 }
-"""Rims and wheels that stand side by side without meshing."""
+"""Rims and central gears without mesh that pass closely, by kind."""
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Everything about the places of planets, each part of it in turn."""
+    """Yield the doubts about the positions of planets, condition by condition."""
     hopeless = [
         Doubt(
             "W311",
@@ -49,11 +49,11 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
         count = layout.element.planets or 1
         if count > 1:
             yield from assembled(layout)
-            yield from _touching(layout, count)
+            yield from _touching_neighbours(layout, count)
 
 
 def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
-    """Wheels that mesh with one rim stand at one distance from it."""
+    """Report central gears in mesh with a rim at different distances."""
     for rim in layout.group.planet_of:
         wheels, teeth = layout.around(rim), layout.teeth(rim)
         if not wheels or teeth is None:
@@ -84,7 +84,7 @@ def _off_axis(layout: AxisLayout, first: CentralWheel, other: CentralWheel, chan
 
 
 def _modules(layout: AxisLayout) -> Iterator[Doubt]:
-    """Different rims of a planet may differ in module, and often have to."""
+    """Note rims of a planet that need different modules."""
     for rims in layout.group.planets.values():
         first, *others = [rim for rim in rims if layout.around(rim)] or [""]
         for rim in others:
@@ -101,39 +101,44 @@ def _modules(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
-    """Planets that mesh with one another stand at the corners of a triangle with the axis."""
-    for one, other in layout.group.meshes:
-        sides = _sides(layout, one, other)
+    """Report planets that cannot mesh at the given radii of the axes.
+
+    The axes of meshing planets and the central axis form a triangle.
+    """
+    for rim, partner in layout.group.meshes:
+        sides = _sides(layout, rim, partner)
         if sides is None or closes(*map(float, sides)):
             continue
         first, second, apart = (float(side) / 2 for side in sides)
-        names = f"{layout.label(one)} and {layout.label(other)}"
+        names = f"{layout.label(rim)} and {layout.label(partner)}"
         message = (
             f"{names} can't mesh: on axes at the radii {first:g} and {second:g} modules their "
             f"distance {apart:g} would have to lie between {abs(first - second):g} and "
             f"{first + second:g}"
         )
         rims = layout.group.planets
-        if all(len(rims[layout.group.planet_of[rim]]) == 1 for rim in (one, other)):
-            yield Doubt("W313", message, one)
+        if all(len(rims[layout.group.planet_of[toothed]]) == 1 for toothed in (rim, partner)):
+            yield Doubt("W313", message, rim)
         else:
-            yield Doubt("N314", f"{message}, if all rims have one module", one, has_cure=False)
+            yield Doubt("N314", f"{message}, if all rims have one module", rim, has_cure=False)
 
 
-def _sides(layout: AxisLayout, one: str, other: str) -> tuple[Fraction, Fraction, Fraction] | None:
-    """Twice the radii of two axes of planets, and twice their distance, in modules."""
-    first, second = layout.axis(one), layout.axis(other)
-    teeth = (layout.teeth(one), layout.teeth(other))
+def _sides(
+    layout: AxisLayout, rim: str, partner: str
+) -> tuple[Fraction, Fraction, Fraction] | None:
+    """Return twice the radii of two planet axes, and twice the distance, in modules."""
+    first, second = layout.axis(rim), layout.axis(partner)
+    teeth = (layout.teeth(rim), layout.teeth(partner))
     if first is None or second is None or teeth[0] is None or teeth[1] is None:
         return None
     return first[0], second[0], teeth[0] + teeth[1]
 
 
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
-    """Meshed planets keep clear of the wheel that they pass.
+    """Report meshed planets that touch a central gear without mesh.
 
-    A Ravigneaux ring stands beside the short planets, over the large sun, and long planets
-    may end before the small sun: that is only worth a note.
+    A Ravigneaux ring is next to the short planets, over the large sun, and long planets can end
+    before the small sun; that only deserves a note.
     """
     for rim, member in PASSING.get(layout.element.kind, ()):
         axis = layout.axis(rim) if rim in layout.group.planet_of else None
@@ -154,11 +159,10 @@ def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
             yield Doubt("W314", f"tips of {names} touch, which are not to mesh", rim)
 
 
-def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
-    """Tips of neighbouring planets must not meet."""
+def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
     sine = math.sin(math.pi / count)
     for rims in layout.group.planets.values():
-        gaps = [  # between the tips of neighbours, in modules
+        gaps = [  # clearance between the tips of neighbours, in modules
             (neighbours_room(float(axis[0]), float(teeth), sine), rim, axis)
             for rim, teeth in rims.items()
             if teeth is not None and (axis := layout.axis(rim))
@@ -175,13 +179,13 @@ def _touching(layout: AxisLayout, count: int) -> Iterator[Doubt]:
                 f"{float(layout.group.teeth(rim)) + 2:g}",
                 None,
             )
-    for one, other in layout.group.meshes:
-        yield from _crossing(layout, one, other, count)
+    for rim_in_mesh, partner in layout.group.meshes:
+        yield from _crossing(layout, rim_in_mesh, partner, count)
 
 
-def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[Doubt]:
-    """A planet against the meshing planet of the next place."""
-    sides = _sides(layout, one, other)
+def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
+    """Report a planet that touches the partner of the next planet."""
+    sides = _sides(layout, rim, partner)
     if sides is None or not closes(*map(float, sides)):
         return
     first, second, apart = (float(side) / 2 for side in sides)
@@ -189,27 +193,28 @@ def _crossing(layout: AxisLayout, one: str, other: str, count: int) -> Iterator[
     if distance - apart - TIPS < TIP_CLEARANCE:
         yield Doubt(
             "W316",
-            f"{layout.label(one)} and {layout.label(other)} of neighbouring planets touch with "
+            f"{layout.label(rim)} and {layout.label(partner)} of neighbouring planets touch with "
             f"their tips: axes are {distance:.4g} modules apart, expected more than {apart + 2:g}",
             None,
         )
 
 
 def counts(subject: Subject) -> str:
-    """Numbers of planets near that of an element which would go in."""
+    """Return a phrase with the nearest numbers of planets that fit."""
     count = subject.element.planets or 1
     if not isinstance(subject, OfPlanets):
         return ""
-    fit = those_that_go_in(subject.given, range(max(2, count - 3), count + 3))
+    fit = fitting_numbers(subject.given, range(max(2, count - 3), count + 3))
     fit = sorted(sorted(fit, key=lambda number: abs(number - count))[:2])
     return f"; {' or '.join(map(str, fit))} planets fit" if fit else ""
 
 
-def those_that_go_in(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
-    """Of some numbers of planets those that can be assembled and keep clear of one another."""
+def fitting_numbers(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
+    """Return the given numbers of planets that can be assembled without contact."""
     trains = [placements(layout.group, train) for train in layout.group.trains]
     return [
         number
         for number in numbers
-        if all(seated(places, number) for places in trains) and not any(_touching(layout, number))
+        if all(seated(places, number) for places in trains)
+        and not any(_touching_neighbours(layout, number))
     ]

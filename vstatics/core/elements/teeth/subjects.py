@@ -1,6 +1,6 @@
-"""The teeth of an element: which of them mesh, what ratios they make, where others are near.
+"""Teeth of a gear set for the checks: meshes, ratios, and the space of nearby teeth.
 
-Of an element with planets, or of one with a few wheels.
+`OfPlanets` covers gear sets with planets, `OfWheels` gear sets of a few gears.
 """
 
 from __future__ import annotations
@@ -24,88 +24,88 @@ from vstatics.core.elements.teeth.nearby import FEW_WHEELS, Space, space_of
 
 @dataclass(frozen=True)
 class Subject(ABC):
-    """The teeth of an element, as they are or with others in their place."""
+    """Teeth of a gear set, given or replaced."""
 
     element: Element
 
     against: ClassVar = ""
-    """What turns are counted against; the housing when empty."""
+    """Reference of turns in messages; the housing if empty."""
 
     @property
     @abstractmethod
     def space(self) -> Space:
-        """Where nearby teeth are."""
+        """Space of nearby teeth."""
 
     @property
     @abstractmethod
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """What meshes, a ring before the wheel in it."""
+        """Pairs in mesh, a ring before the gear inside."""
 
     @abstractmethod
     def known(self) -> Teeth:
-        """The teeth that are known and whole."""
+        """Return the known whole numbers of teeth."""
 
     @abstractmethod
     def ratios(self, teeth: Teeth) -> list[Fraction]:
-        """The ratios with other teeth."""
+        """Return the ratios with other teeth."""
 
     @abstractmethod
     def is_internal(self, key: Key) -> bool:
-        """Whether teeth point inward."""
+        """Return whether a gear is internal."""
 
     def label(self, key: Key) -> str:
-        """How messages call a wheel or a rim."""
+        """Return the name of a gear or rim in messages."""
         return str(key)
 
     def wheels(self, teeth: Teeth | None = None) -> dict[Key, Toothed]:
-        """What has teeth, as far as these are known."""
+        """Return all gears with known teeth."""
         return {
             key: Toothed(self.label(key), count, key, self.is_internal(key))
             for key, count in (teeth or self.known()).items()
         }
 
     def meshes(self, teeth: Teeth | None = None) -> list[Mesh]:
-        """What meshes, as far as the teeth are known."""
+        """Return all meshes with known teeth."""
         wheels = self.wheels(teeth)
         return [Mesh(wheels[a], wheels[b]) for a, b in self.pairs if a in wheels and b in wheels]
 
     def is_hunting(self, teeth: Teeth) -> bool:
-        """Whether every tooth meets every tooth."""
+        """Return whether every tooth meets every tooth of the other gear."""
         return all(
             math.gcd(teeth[a], teeth[b]) == 1 for a, b in self.pairs if a in teeth and b in teeth
         )
 
 
 class OfPlanets(Subject):
-    """The teeth of an element with planets."""
+    """Teeth of a gear set with planets."""
 
     against = " against the carrier"
 
     @cached_property
     def given(self) -> AxisLayout:
-        """The element as it stands."""
+        """Layout with the given teeth."""
         return AxisLayout(self.element, group_of(self.element))
 
     @cached_property
     def space(self) -> Space:
-        """Coaxial teeth."""
+        """Space of coaxial teeth."""
         group, element = self.given.group, self.element
         return space_of(group, [r for r in group.planet_of if element.rims or r in element.teeth])
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Wheels and rims, then rims of meshed planets."""
+        """Central gears with rims, then rims of planets in mesh."""
         group = self.given.group
         return [*((place, wheel.rim) for place, wheel in enumerate(group.wheels)), *group.meshes]
 
     def layout(self, teeth: Teeth | None = None) -> AxisLayout:
-        """The element as it stands, or with other teeth."""
+        """Return the layout with the given or other teeth."""
         if teeth is None:
             return self.given
         return AxisLayout(self.element, with_teeth(self.given.group, teeth))
 
     def known(self) -> Teeth:
-        """Teeth of the central wheels, and of the rims where they are told."""
+        """Return the teeth of central gears, and of rims if known."""
         group = self.given.group
         known: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
         for rim in group.planet_of:
@@ -115,25 +115,25 @@ class OfPlanets(Subject):
         return known
 
     def is_internal(self, key: Key) -> bool:
-        """Whether it is a ring."""
+        """Return whether the key belongs to a ring."""
         return isinstance(key, int) and self.given.group.wheels[key].internal
 
     def label(self, key: Key) -> str:
-        """Its member, or what it is and its name."""
+        """Return the member, or the type and name."""
         return self.given.label(key if isinstance(key, str) else self.given.group.wheels[key])
 
     def ratios(self, teeth: Teeth) -> list[Fraction]:
-        """The ratios between central wheels, the carrier held."""
+        """Return the ratios between central gears with the carrier held."""
         group = self.layout(teeth).group
         return [group.ratio(*pair) for pair in ratio_pairs(group)]
 
 
 class OfWheels(Subject):
-    """The teeth of a pair of wheels, of an idler, of a bevel differential."""
+    """Teeth of a gear pair, an idler or a bevel differential."""
 
     @cached_property
     def shape(self) -> Simple:
-        """The kind of the element."""
+        """Declaration of the kind."""
         shape = self.element.shape
         if not isinstance(shape, Simple):
             raise TypeError(self.element.kind)
@@ -141,21 +141,21 @@ class OfWheels(Subject):
 
     @cached_property
     def names(self) -> list[str]:
-        """What has teeth, in the order of the meshes."""
+        """Gears with teeth, in the order of the meshes."""
         return [name for name in self.shape.toothed if name in self.element.teeth]
 
     @cached_property
     def space(self) -> Space:
-        """Any teeth."""
+        """Space of any teeth."""
         given: Teeth = {name: int(self.element.teeth[name]) for name in self.names}
         ratio: Teeth = {self.names[0]: -1, self.names[-1]: 1}
         return Space(given, given, [{name: 1} for name in given], [ratio])
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Each with the next one, unless an idler's teeth are not told.
+        """Pairs of consecutive gears; empty if an idler's teeth are missing.
 
-        Not those of a bevel differential, which hardly turn.
+        Pairs of a bevel differential are left out, as they hardly turn.
         """
         if self.element.kind == "bevel":
             return []
@@ -163,23 +163,23 @@ class OfWheels(Subject):
         return [*pairwise(names)] if len(names) == len(self.shape.toothed) else []
 
     def known(self) -> Teeth:
-        """All that are given."""
+        """Return all given teeth."""
         return self.space.given
 
     def is_internal(self, key: Key) -> bool:
-        """Whether it is the larger wheel of an internal pair."""
+        """Return whether a gear is the ring of an internal pair."""
         given = self.space.given
         return self.element.kind == "internal_pair" and given[key] == max(given.values())
 
     def ratios(self, teeth: Teeth) -> list[Fraction]:
-        """The ratio of its first to its last wheel."""
+        """Return the ratio of the first gear to the last gear."""
         return [self.shape.sign * Fraction(teeth[self.names[-1]], teeth[self.names[0]])]
 
 
-def suggested(subject: Subject, found: Iterator[Teeth], what: str) -> str:
-    """The first two of some teeth in words: ``; nearest that fit: ...``; or nothing."""
+def suggested(subject: Subject, suggestions: Iterator[Teeth], what: str) -> str:
+    """Return the first two suggestions in words: ``; nearest that fit: ...``, or nothing."""
     texts = []
-    for teeth in islice(found, 2):
+    for teeth in islice(suggestions, 2):
         given = subject.space.given
         keys = [key for key in given if len(given) <= FEW_WHEELS or teeth[key] != given[key]]
         names = ", ".join(f"{subject.label(key)} {teeth[key]}" for key in keys)

@@ -1,7 +1,7 @@
-"""The search for boxes piece by piece, and what it will take.
+"""The search for gearboxes in pieces, and an estimate of its time and results.
 
-`ports` searches one scheme with any of its ports, with the `arrays` that the compiled search
-takes. `cut` tells which part of which schemes a piece is, `found` what is in it, and `work` is
-what workers do and what is finished and kept. Some ports are `tried` before, for the size of the
-pieces and for the `estimate`.
+`ports` searches one scheme for any input and output, with the `arrays` of the compiled search.
+`cut` divides the schemes into pieces, `found` searches a piece, and `work` defines the jobs of the
+workers and stores finished pieces. A sample of the ports is `tried` beforehand, for the size of
+the pieces and for the `estimate`.
 """

@@ -1,4 +1,4 @@
-"""What a search asks for as arrays, and room for the boxes of a choice of ports."""
+"""Requirements of a search as arrays, and work arrays for the gearboxes of a choice of ports."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import cache, lru_cache
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, BoxSearch
+from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, BoxSearch
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.joining import set_room
 from vstatics.synthesis.boxes.search.kernel import Room
@@ -21,25 +21,25 @@ from vstatics.synthesis.tolerances import TARGET_MARGIN
 
 @cache
 def asked_arrays(search: BoxSearch) -> Asked:
-    """What is asked, as arrays."""
+    """Return the requirements of a search as arrays."""
     targets = np.array(search.targets, dtype=float)
     widths = np.array(search.widths)
     factors = np.exp(widths + TARGET_MARGIN)
     ends = np.sort([targets / factors, targets * factors], axis=0)
-    if search.sequence is not None:  # one target more in which all forward ratios are
-        ends = np.append(ends, [[1 / LARGEST_RATIO], [LARGEST_RATIO]], axis=1)
+    if search.sequence is not None:  # an additional target that all forward ratios reach
+        ends = np.append(ends, [[1 / LARGEST_BOX_RATIO], [LARGEST_BOX_RATIO]], axis=1)
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
 def single_shifts(search: BoxSearch) -> Integers:
-    """The targets between which one element is to change."""
+    """Return the pairs of targets between which a single shift is required."""
     in_turn = search.singly and search.sequence is None
     return neighbours(search.targets if in_turn else ())
 
 
 @lru_cache(maxsize=32)
 def room_of(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
-    """Room for the boxes of a choice of ports; each thread of a worker has its own."""
+    """Return work arrays for a choice of ports; separate for each thread of a worker."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = asked_arrays(search)
     wanted = sequence_of(search.sequence, singly=search.singly)

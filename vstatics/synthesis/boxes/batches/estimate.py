@@ -1,4 +1,4 @@
-"""About how many boxes a search looks at and finds, and how long it takes."""
+"""Estimate of the number of gearboxes that a search examines and finds, and of its time."""
 
 from __future__ import annotations
 
@@ -14,75 +14,76 @@ from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 from vstatics.synthesis.boxes.search.joining import NO_END
 
 ENOUGH = 3.0
-"""So long choices of ports are tried. [s]"""
+"""Time for which choices of ports are tried. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
-"""Of so many all are tried, as long as that takes less than a third of it."""
+"""Numbers of schemes and ports up to which all are tried, within a third of that time."""
 LEAST_WORK = 1e-9
-"""Less than any step takes. [s]"""
+"""Lower limit of a measured time, shorter than any step. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)
+"""Depth to which choices of ports are tried."""
 
 
 class BoxEstimate(NamedTuple):
-    """What is known of a search before it."""
+    """Estimated size of a search."""
 
     pieces: int
     boxes: float
-    """That will be looked at."""
+    """Number of gearboxes to examine."""
     found: float
-    """Of them, boxes with the ratios."""
+    """Number of gearboxes with the wanted ratios."""
     seconds: float
-    """In one process."""
+    """Time in one process. [s]"""
     exact: bool
-    """Whether all of it was tried."""
+    """True if the whole search was tried."""
     at_least: bool
-    """Whether some of it takes so long that it was not tried to its end."""
+    """True if parts took too long and were aborted, so that the time is a lower bound."""
 
 
 def box_estimate(search: BoxSearch) -> BoxEstimate:
-    """About how many boxes there are, and how long they take, in some seconds of a processor.
+    """Estimate the number of gearboxes and the time of a search, in a few seconds.
 
     Parameters
     ----------
     search : BoxSearch
-        A sound one, see `check_box_search`.
+        Valid search, see `check_box_search`.
     """
     prepare(search)
     return _of_all(search) or _of_some(search)
 
 
 def _of_all(search: BoxSearch) -> BoxEstimate | None:
-    """What a small search gives, as it gives that; nothing of one that takes long."""
+    """Carry out a small search completely; return None for a long search."""
     if stems(search).total > FEW_SCHEMES * UNIT:
         return None
     schemes = [*box_schemes(search)]
-    if sum(len(one.ports) for one in schemes) > FEW_PORTS:
+    if sum(len(scheme.ports) for scheme in schemes) > FEW_PORTS:
         return None
     began = time.process_time()
-    searched, found, whole = 0, 0.0, Depth(firsts=NO_END, sets=NO_END, seconds=ENOUGH / 3)
-    for one in schemes:
-        ports = PortSearch(search, one)
-        for first, last in one.ports:
-            seen = tried(ports, first, last, whole)
-            if not seen.is_whole or time.process_time() - began > ENOUGH / 3:
+    searched, boxes, whole = 0, 0.0, Depth(firsts=NO_END, sets=NO_END, seconds=ENOUGH / 3)
+    for scheme in schemes:
+        ports = PortSearch(search, scheme)
+        for first, last in scheme.ports:
+            trial = tried(ports, first, last, whole)
+            if not trial.is_whole or time.process_time() - began > ENOUGH / 3:
                 return None
-            searched, found = searched + seen.searched, found + seen.found
+            searched, boxes = searched + trial.searched, boxes + trial.found
     seconds = time.process_time() - began
     pieces = max(int(seconds / PIECE), 1)
-    return BoxEstimate(pieces, searched, found, seconds, exact=True, at_least=False)
+    return BoxEstimate(pieces, searched, boxes, seconds, exact=True, at_least=False)
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """What some choices of ports tell of all; those of a scheme share what it takes alone."""
+    """Extrapolate from a sample of choices of ports, which share the time of the scheme."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0
-    for one in drawn(search):
+    for drawing in drawn(search):
         count += 1
-        if one is not None:
+        if drawing is not None:
             before = time.process_time()
-            ports = PortSearch(search, one.scheme)
-            ready += (time.process_time() - before) * one.stands / len(one.scheme.ports)
-            seen.append((one.stands, tried(ports, *one.ports, DEPTH)))
+            ports = PortSearch(search, drawing.scheme)
+            ready += (time.process_time() - before) * drawing.stands / len(drawing.scheme.ports)
+            seen.append((drawing.stands, tried(ports, *drawing.ports, DEPTH)))
         if time.process_time() - began > ENOUGH:
             break
     boxes, found = (
@@ -90,7 +91,7 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
         for name in ("searched", "found")
     )
     seconds = ready / count
-    for place in range(len(Work._fields)):  # each has a pace of its own on this machine
+    for place in range(len(Work._fields)):  # each kind of work has its own speed on this machine
         took = sum(part.seconds[place] for _, part in seen)
         pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)
         seconds += pace * sum(stands * part.whole[place] for stands, part in seen) / count

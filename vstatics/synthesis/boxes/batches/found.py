@@ -1,4 +1,4 @@
-"""What is found in a piece of a search."""
+"""Gearboxes found in a piece of a search."""
 
 from __future__ import annotations
 
@@ -11,39 +11,39 @@ from vstatics.synthesis.boxes.box import BoxSearch, FoundBox, WantedSequence
 
 
 class FoundPiece(NamedTuple):
-    """What a piece of the search found."""
+    """Gearboxes found in a piece of a search."""
 
     searched: int
-    """Boxes that there are in it."""
+    """Number of examined gearboxes."""
     boxes: tuple[FoundBox, ...]
     given_up: int = 0
-    """Sets of elements that may be boxes, too, but could not be looked at to the end."""
+    """Number of sets of elements that could be gearboxes but were not examined completely."""
 
 
 def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
-    """What is found in a piece.
+    """Search a piece.
 
     Parameters
     ----------
     search : BoxSearch
     piece : int
-        From 0.
+        Number of the piece, from 0.
     count : int
-        So many pieces there are; all of the search is one.
+        Number of all pieces; by default the whole search is one piece.
 
     Examples
     --------
-    A set with its ring held, where p = 2 makes 3, and one that is locked:
+    A gear set with its ring held, where p = 2 gives 3, and a locked-up set for 1:
 
-    >>> found = found_in(BoxSearch(1, 2, 1, (3.0, 1.0)))
-    >>> found.searched, len(found.boxes)
+    >>> piece = found_in(BoxSearch(1, 2, 1, (3.0, 1.0)))
+    >>> piece.searched, len(piece.boxes)
     (36, 3)
     """
     searched = given_up = 0
     boxes: list[FoundBox] = []
-    for one in ranges(search, piece, count):
-        ports = PortSearch(search, one)
-        for first, last in one.ports:
+    for scheme in ranges(search, piece, count):
+        ports = PortSearch(search, scheme)
+        for first, last in scheme.ports:
             boxes += ports.boxes(first, last)
         searched += ports.searched
         given_up += ports.given_up
@@ -51,12 +51,12 @@ def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
 
 
 def prepare(search: BoxSearch) -> None:
-    """Compile what a search needs, which takes ten seconds or more where it has not been kept."""
+    """Compile the functions of a search, which takes ten seconds or more without a cache."""
     small = BoxSearch(1, 2, 1, (3.0, 1.0))
     if search.sequence is not None:
         gears = WantedSequence(2, 2, (1.0, 9.0), (1.0, 9.0))
         small = small._replace(targets=(), sequence=gears)
-    [one] = ranges(small, 0, 1)
-    ports = PortSearch(small, one)
+    [scheme] = ranges(small, 0, 1)
+    ports = PortSearch(small, scheme)
     ports.boxes(0, 1)
     tried(ports, 0, 1, DEPTH)

@@ -1,8 +1,8 @@
-"""Choices of ports that are tried before a search, in part: how many boxes, how long it takes.
+"""Trial of a sample of the ports before a search, to estimate its gearboxes and its time.
 
-Of the sets of elements of a choice some are listed, and of these some are looked at; what they
-take stands for all. It is counted by the steps of the search, which are the same everywhere,
-and told in the seconds that they take on the machine on which they were measured.
+Some of the sets of elements of a choice are listed, and some of these are examined; the results are
+scaled to all. The amount of work is counted in steps, which are the same on every machine, and
+converted to seconds by the times of the machine on which the steps were measured.
 """
 
 from __future__ import annotations
@@ -24,60 +24,60 @@ from vstatics.synthesis.boxes.search.kernel import find_gears
 from vstatics.synthesis.boxes.search.trying import Some, some_boxes, some_sequences, some_sets
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
-"""What the steps of a search take: something joins a set, a cell is looked at. [s]"""
+"""Times of the steps of a search: an attempt to join a set, a cell, a cell of a sequence. [s]"""
 SET = 2e-6
-"""Time to look at a set of elements, in addition to that for its cells. [s]"""
+"""Time for a set of elements, in addition to the time for cells. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6
-"""What a choice of ports takes, and each combination of elements in it. [s]"""
+"""Times for a choice of ports, and for each combination of elements. [s]"""
 SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
-"""The same of a scheme, whatever its ports. [s]"""
+"""Times for a scheme without ports, and for each combination of elements. [s]"""
 ELEMENT_SETS = 10_000
-"""There is room for so many sets of elements."""
+"""Number of sets of elements for which there is room."""
 GOLDEN = 0.6180339887498949
-"""Multiples of it are spread evenly: so what is tried comes from everywhere."""
+"""Golden ratio, whose multiples modulo 1 are evenly spread, so samples come from everywhere."""
 
 
 class Depth(NamedTuple):
-    """How far a choice of ports is tried."""
+    """Extent of the trial of a choice of ports."""
 
     firsts: int
-    """Of the combinations that come first in sets, about so many."""
+    """Approximate number of first combinations of sets."""
     sets: int
-    """Of the sets that have these, about so many."""
+    """Approximate number of sets with the first combinations."""
     seconds: float
-    """About so long at most, for both. [s]"""
+    """Approximate limit of the time for both. [s]"""
 
 
 class Work(NamedTuple):
-    """How long parts of the work on a choice of ports take [s]."""
+    """Times of the parts of the work on a choice of ports [s]."""
 
     gears: float
-    """To find its ratios, and which combinations reach a target."""
+    """Time to find the ratios and the combinations that reach a target."""
     sets: float
-    """To list its sets of elements."""
+    """Time to list the sets of elements."""
     boxes: float
-    """To look at these."""
+    """Time to examine the sets."""
 
 
 class Tried(NamedTuple):
-    """What is known of a choice of ports that was tried."""
+    """Results of the trial of a choice of ports."""
 
     searched: int
-    """Boxes that there are."""
+    """Number of gearboxes."""
     found: float
-    """Boxes with the ratios, about."""
+    """Estimated number of gearboxes with the wanted ratios."""
     whole: Work
-    """What all of it takes, by its steps."""
+    """Expected time of all work, from the number of steps."""
     spent: Work
-    """What was tried takes, by its steps."""
+    """Expected time of the trial, from the number of steps."""
     seconds: Work
-    """That it took."""
+    """Measured time of the trial."""
     is_whole: bool
-    """Whether what was tried was tried to its end; else it takes longer."""
+    """True if the trial was completed; otherwise the work takes longer."""
 
 
 def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
-    """Try a choice of ports."""
+    """Try a choice of ports to a given depth."""
     search, before = ports.search, ports.searched
     port = ports.gears_of(first, last)
     room, table = room_of(search, ELEMENT_SETS, get_ident()), ports.table
@@ -94,15 +94,15 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
     times.append(time.process_time())
     count, share = some_sets(table, port, room.sets, depth.firsts) if may_have else (0, 1.0)
     times.append(time.process_time())
-    found, looked_at = some(table, port, asked, room, Some(count, depth.sets))
+    boxes, looked_at = some(table, port, asked, room, Some(count, depth.sets))
     times.append(time.process_time())
     of_sets = looked_at / count if count else 1.0
-    own = PORT + PORT_GEAR * len(table.members)
-    spent = Work(own, JOIN * joins[0], SET * looked_at + cell * cells[0])
+    ports_time = PORT + PORT_GEAR * len(table.members)
+    spent = Work(ports_time, JOIN * joins[0], SET * looked_at + cell * cells[0])
     return Tried(
         ports.searched - before,
-        found / share / of_sets,
-        Work(own, spent.sets / share, spent.boxes / share / of_sets),
+        boxes / share / of_sets,
+        Work(ports_time, spent.sets / share, spent.boxes / share / of_sets),
         spent,
         Work(*(end - begin for begin, end in pairwise(times))),
         bool(joins[0] < joins[1] and cells[0] < cells[1]),
@@ -110,39 +110,42 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
 
 
 class DrawnPorts(NamedTuple):
-    """A choice of ports from somewhere, or none where there are no schemes."""
+    """Choice of ports in a sample."""
 
     scheme: BoxScheme
     ports: Ports
     stands: float
-    """For so many choices, where it is the only one that is drawn."""
+    """Number of choices that the drawn choice represents."""
 
 
 def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
-    """Choices of ports from everywhere, without end: even along the weights of stems."""
-    found = stems(search)
-    total = found.total
+    """Yield an endless sample of choices of ports, even over the weights of the stems.
+
+    A stem without schemes yields None.
+    """
+    search_stems = stems(search)
+    total = search_stems.total
     number = 0
     while True:
         number += 1
         place = int(number * GOLDEN % 1.0 * total)
-        stem = found.at(place)
-        schemes = found.schemes(stem) if total else []
-        choices = sum(len(one.ports) for one in schemes)
+        stem = search_stems.at(place)
+        schemes = search_stems.schemes(stem) if total else []
+        choices = sum(len(scheme.ports) for scheme in schemes)
         if not choices:
             yield None
             continue
-        first = found.before(stem)
-        weight = found.before(stem + 1) - first
+        first = search_stems.before(stem)
+        weight = search_stems.before(stem + 1) - first
         chosen = (place - first) * choices // weight
-        for one in schemes:
-            if chosen < len(one.ports):
-                yield DrawnPorts(one, one.ports[chosen], total / weight * choices)
+        for scheme in schemes:
+            if chosen < len(scheme.ports):
+                yield DrawnPorts(scheme, scheme.ports[chosen], total / weight * choices)
                 break
-            chosen -= len(one.ports)
+            chosen -= len(scheme.ports)
 
 
 def scheme_cost(search: BoxSearch) -> float:
-    """What a scheme takes whatever its ports [s], where its speeds in all gears are found."""
+    """Return the time to find the speeds in all gears of a scheme [s], without ports."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     return SCHEME + SCHEME_GEAR * len(table.members)

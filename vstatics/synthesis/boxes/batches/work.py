@@ -1,4 +1,4 @@
-"""The work of a search for boxes, piece by piece: what workers do, what is finished and kept."""
+"""Jobs of the workers in a search for gearboxes, and the store of finished pieces."""
 
 from __future__ import annotations
 
@@ -17,52 +17,52 @@ from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
 from vstatics.synthesis.structures.scheme import SetScheme
 
-MOST_FOUND = 1_000_000
-"""So many boxes are kept, for the sake of memory."""
+MOST_FOUND_BOXES = 1_000_000
+"""Largest number of gearboxes to keep, because of memory."""
 MOST_MEASURED = 50_000
-"""So many have their figures made."""
+"""Largest number of gearboxes whose figures are calculated."""
 BOXES_AT_ONCE = 20
-"""So many boxes a worker measures at once."""
+"""Number of gearboxes that a worker measures at once."""
 SEARCHED, GIVEN_UP = "searched", "given up"
-"""What is counted in a piece."""
+"""Names of the counts of a piece."""
 
 
 class BoxWork(NamedTuple):
-    """What a worker needs to know."""
+    """Constant data of a worker."""
 
     search: BoxSearch
     efficiency: float
     pieces: int = 1
-    """So many it is cut into."""
+    """Number of pieces of the search."""
     weights: Mapping[str, float] = ALIKE
-    """Of gears in the mean of the drag."""
+    """Weights of the gears in the mean drag."""
 
     def describe(self, item: object) -> str:
-        """A piece, boxes that are measured, or files of one with a name, in words."""
+        """Describe a piece, gearboxes to measure, or files with a name."""
         if isinstance(item, int):
             return f"piece {item} of the search"
         return str(getattr(item, "name", "figures of boxes"))
 
 
 def find(work: BoxWork, piece: int) -> FoundPiece:
-    """The boxes of a piece."""
+    """Search a piece for gearboxes."""
     return found_in(work.search, piece, work.pieces)
 
 
 def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
-    """The figures of some boxes."""
+    """Calculate the figures of gearboxes."""
     return [measured(work.search, box, work.efficiency, work.weights) for box in boxes]
 
 
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
-    """Boxes as workers get them."""
+    """Yield gearboxes in portions for the workers."""
     coming = iter(boxes)
     while portion := tuple(islice(coming, BOXES_AT_ONCE)):
         yield portion
 
 
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
-    """What a search is, for its directory of pieces and for whoever looks into that."""
+    """Return a description of a search, for the directory of pieces and human readers."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
     asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
@@ -87,14 +87,14 @@ _OPTIONS = {
     "sequence": "gears",
     "singly": "single",
 }
-"""What is named otherwise where it is asked for."""
+"""Option names of fields with a different name."""
 
 
 class SearchedPieces:
-    """The pieces that are done: in a directory, where they outlive the process, or in memory."""
+    """Finished pieces: in a directory that outlives the process, or in memory."""
 
     def __init__(self, count: int, store: FinishedPieces | None = None) -> None:
-        """Take up what the store has; it is opened before."""
+        """Take over the pieces of an open store."""
         self.count = count
         self._store = store
         self._accounts: dict[int, Account] = {} if store is None else dict(store.accounts)
@@ -102,38 +102,38 @@ class SearchedPieces:
 
     @property
     def pending(self) -> Iterator[int]:
-        """The pieces that are not done; there may be millions."""
+        """Numbers of the unfinished pieces, lazily, since there can be millions."""
         return (piece for piece in range(self.count) if piece not in self._accounts)
 
     @property
     def done(self) -> int:
-        """How many are done."""
+        """Number of finished pieces."""
         return len(self._accounts)
 
     @property
     def searched(self) -> int:
-        """So many boxes were looked at."""
+        """Number of examined gearboxes."""
         return sum(account.counts[SEARCHED] for account in self._accounts.values())
 
     @property
     def given_up(self) -> int:
-        """So many sets of elements may be boxes, too."""
+        """Number of element sets that could be gearboxes but were given up."""
         return sum(account.counts.get(GIVEN_UP, 0) for account in self._accounts.values())
 
     @property
     def found(self) -> int:
-        """So many of them have the ratios."""
+        """Number of gearboxes with the wanted ratios."""
         return sum(account.rows for account in self._accounts.values())
 
     def take(self, piece: int, found: FoundPiece) -> None:
-        """Keep a piece.
+        """Store a finished piece.
 
         Raises
         ------
         CaseError
             If there are too many boxes.
         OSError
-            If it can't be written.
+            If the piece cannot be written.
         """
         lines = box_lines(found.boxes)
         counts = {SEARCHED: int(found.searched), GIVEN_UP: found.given_up}
@@ -144,10 +144,10 @@ class SearchedPieces:
         else:
             write_piece(self._store.directory, piece, buffers)
         self._accounts[piece] = account
-        check_most(self.found, MOST_FOUND)
+        check_most(self.found, MOST_FOUND_BOXES)
 
     def boxes(self) -> Iterator[FoundBox]:
-        """All boxes, piece by piece in their order, whichever came first."""
+        """Yield all gearboxes in the order of the pieces, whichever finished first."""
         for piece in sorted(self._accounts):
             yield from boxes_of_lines(self._text(piece))
 
@@ -158,7 +158,7 @@ class SearchedPieces:
 
 
 def check_most(count: int, most: int) -> None:
-    """Refuse more boxes than anybody can look at.
+    """Refuse more gearboxes than `most`.
 
     Raises
     ------
@@ -170,7 +170,7 @@ def check_most(count: int, most: int) -> None:
 
 
 def box_lines(boxes: Iterable[FoundBox]) -> bytes:
-    """A line for each box.
+    """Return a JSON line for each gearbox.
 
     Examples
     --------
@@ -182,12 +182,12 @@ def box_lines(boxes: Iterable[FoundBox]) -> bytes:
     """
     plain = ([box.scheme.code, *box[1:]] for box in boxes)
     return b"".join(
-        f"{json.dumps(one, separators=(',', ':'), default=int)}\n".encode() for one in plain
+        f"{json.dumps(values, separators=(',', ':'), default=int)}\n".encode() for values in plain
     )
 
 
 def boxes_of_lines(lines: bytes) -> Iterator[FoundBox]:
-    """The boxes of such lines."""
+    """Yield the gearboxes of JSON lines."""
     for line in lines.splitlines():
         code, held, first, last, elements, ratios, gears, error = json.loads(line)
         yield FoundBox(
@@ -195,7 +195,7 @@ def boxes_of_lines(lines: bytes) -> Iterator[FoundBox]:
             held,
             first,
             last,
-            tuple((one, other) for one, other in elements),
+            tuple((first_end, second_end) for first_end, second_end in elements),
             tuple(ratios),
             tuple(map(tuple, gears)),
             error,

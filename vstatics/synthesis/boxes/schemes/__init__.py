@@ -1,5 +1,6 @@
-"""The schemes of boxes, as they are searched: part by part, none listed before it is needed.
+"""Schemes of gearboxes in the order of the search, generated when they are needed.
 
-`choices` has what a scheme leaves open: meshed sets, a held link, ports. They grow from `stems`,
-or are put together of `parts` that have no link in common. `speeds` are what sets tell alone.
+`choices` adds the free choices of a scheme: meshed sets, a held link, ports. Schemes grow from
+`stems`, or are composed of `parts` without a common link. `speeds` calculates the link speeds that
+the gear sets of a scheme permit.
 """

@@ -1,4 +1,4 @@
-"""What speeds the links of a scheme can have, as its sets tell alone."""
+"""Speeds that the links of a scheme can have under the equations of its gear sets alone."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 
 
 class SpeedBases(NamedTuple):
-    """What speeds the moving links of a scheme can have, at some ratios of its sets."""
+    """Bases of the possible speeds of moving links, at given ratios of the gear sets."""
 
     ratios: Floats
-    """Internal ratios: all corners of the bounds, set j at its upper bound where bit j of the
-    row's number is set, then one point within; shape (points, sets). [-]"""
+    """Basic ratios: all corners of the bounds, where set j is at its upper bound if bit j of the
+    row number is set, then one point within; shape (points, sets). [-]"""
     speeds: Floats
-    """Columns span the speeds, shape (points, moving links, free speeds). [-]"""
+    """Columns that span the possible speeds, shape (points, moving links, free speeds). [-]"""
     factors: Floats
-    """By which minors of `speeds` become polynomials of the ratios, shape (points,)."""
+    """Factors that make minors of `speeds` polynomials of the ratios, shape (points,)."""
     moving: tuple[int, ...]
-    """The link that each row of speeds is of, those without a member of a set last."""
+    """Link of each row of speeds; links without a member of a gear set are last."""
 
 
-def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
-    """The speeds that are left by Willis' equations, w_a - K w_b - (1 - K) w_h = 0.
+def speed_bases(search: BoxSearch, scheme: BoxScheme) -> SpeedBases:
+    """Calculate the speeds that Willis' equations permit, w_a - K w_b - (1 - K) w_h = 0.
 
-    With the equations as rows of a matrix, its columns are split into some that are solved
-    for and the free ones: the determinant of the former is the factor.
+    The columns of the equations are split into dependent and free speeds; the determinant of the
+    dependent columns is the factor.
 
     Examples
     --------
@@ -42,10 +42,10 @@ def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
     ([-1.4, -5.0], (3, 3, 2), (0, 1, 2))
     """
     links = range(search.moving + bool(search.fixed))
-    moving = tuple(link for link in links if link != one.held)
-    ratios = _points(search.bounds, one.meshed)
+    moving = tuple(link for link in links if link != scheme.held)
+    ratios = _points(search.bounds, scheme.meshed)
     rows = np.zeros((len(ratios), search.sets, len(links)))
-    for number, (sun, carrier, ring) in enumerate(one.scheme.sets):
+    for number, (sun, carrier, ring) in enumerate(scheme.scheme.sets):
         rows[:, number, sun] = 1
         rows[:, number, ring] = -ratios[:, number]
         rows[:, number, carrier] = ratios[:, number] - 1
@@ -62,13 +62,13 @@ def speed_bases(search: BoxSearch, one: BoxScheme) -> SpeedBases:
 
 @cache
 def _inner(sets: int) -> Floats:
-    """A point within the unit cube, where no two ratios agree by chance."""
+    """Return a point within the unit cube where no two ratios are equal by chance."""
     return np.asarray(np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1)
 
 
 def _points(bounds: tuple[float, float], meshed: tuple[bool, ...]) -> Floats:
-    """Corners of the bounds, then a point within, shape (points, sets)."""
+    """Return the corners of the bounds, then a point within, shape (points, sets)."""
     low, high = bounds
-    ends = [one[::-1] for one in product((low, high), repeat=len(meshed))]
+    ends = [corner[::-1] for corner in product((low, high), repeat=len(meshed))]
     within = low * (high / low) ** _inner(len(meshed))
     return np.array([*ends, within]) * np.where(meshed, 1.0, -1.0)

@@ -1,8 +1,9 @@
-"""All boxes that there are: sets of shift elements, their gears, ratios of their sets.
+"""Find all gearboxes of a scheme: sets of shift elements, their gears, ratios of the gear sets.
 
-`engaged` has the shift elements of a scheme and, as polynomials, the speeds of links in gears;
-`ranges` tells which targets a gear can have, `elements` which sets of elements may give all
-(`joining` what comes into one next, `matching` which target is whose, `shifts` whether one
-element may change at a time), `solving` with which ratios (`set_ratios` nearest to the targets),
-all of it compiled and put together in `kernel`; `trying` looks at some of a choice of ports.
+`engaged` lists the shift elements of a scheme and calculates the link speeds in each gear as
+polynomials of the ratios. `ranges` finds the targets that a gear can reach. `elements` lists the
+sets of shift elements that can provide all gears; `joining` chooses the element to add next,
+`matching` assigns gears to targets, and `shifts` checks for single shifts. `solving` finds the
+ratios of the gear sets (`set_ratios`: nearest to the targets). All of it is compiled and combined
+in `kernel`; `trying` examines a sample of the boxes of a choice of ports.
 """

@@ -1,8 +1,9 @@
-"""Cells of the ratios of sets, and what is left of one where gears are to meet their targets.
+"""Cells of gear-set ratios, and their reduction where gears must meet their targets.
 
-Numerators and denominators are linear in each ratio, so what a gear can have in a cell is told
-from its corners; and so is how far a ratio of a set may go along an edge before the gear is
-beyond its target wherever the others are. What is cut off holds no solution.
+Numerators and denominators are linear in each ratio, so the values at the corners of a cell bound
+the ratio of a gear in the cell. They also bound how far a gear-set ratio can move along an edge
+before the gear misses its target for all values of the other ratios. The removed parts of a cell
+contain no solution.
 """
 
 from __future__ import annotations
@@ -21,38 +22,38 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.tolerances import CELL_ROUNDING
 
 NARROW_CELL = 1.001
-"""A cell is not halved further along a ratio whose bounds are so near. [-]"""
+"""Quotient of the bounds of a ratio below which a cell is not halved further. [-]"""
 MOST_SWEEPS = 4
-"""So often a cell is made less by all targets in turn."""
+"""Largest number of times that a cell is reduced by all targets in turn."""
 LESS = 0.8
-"""It goes on where less than this share of it is left along a ratio. [-]"""
+"""Remaining share of a cell along a ratio above which sweeps end. [-]"""
 
 
 class RatioCells(NamedTuple):
-    """Cells one on the other, the next to look at on top; and room for the one looked at."""
+    """Stack of cells, the next on top, and work arrays for the current cell."""
 
     low: Floats
-    """Bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
+    """Lower bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
     high: Floats
     reach: Integers
-    """Targets that each ratio may have there, as bits, shape (cells, ratios)."""
+    """Targets that each ratio can have in a cell, as bits, shape (cells, ratios)."""
     stages: Integers
-    """How many kinds of fits have been tried, shape (cells,)."""
+    """Number of stages of `SPREADS` for which fits have been tried, shape (cells,)."""
     known: Booleans
-    """Whether it is known that the gears can have elements as wanted, shape (cells,)."""
+    """True if suitable shift elements for the gears exist, shape (cells,)."""
     parts: Floats
-    """Numerators and denominators at its corners, shape (ratios, 2, corners)."""
+    """Numerators and denominators at the corners of the cell, shape (ratios, 2, corners)."""
     shares: Floats
-    """Where a cell begins and ends within the bounds, shape (sets, 2)."""
+    """First and last share of a cell within the bounds, shape (sets, 2)."""
     left: Floats
-    """What all targets leave, shape (sets, 2)."""
+    """First and last share of the cell that all targets leave, shape (sets, 2)."""
     slack: Floats
-    """How far each corner is within the one end of a range, and the other, shape (2, corners)."""
+    """Distance of each corner from both ends of a range, shape (2, corners)."""
     planes: PlaneRoom
 
 
 def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
-    """Room for so many ratios."""
+    """Return work arrays for cells with a number of ratios and gear sets."""
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_CELL))
     deep = 2 + len(asked.targets) + sets * math.ceil(max(halvings, 0))
     return RatioCells(
@@ -71,14 +72,16 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 
 @compiled
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
-    """Make a cell less by all targets; whether something of it is left.
+    """Reduce a cell by all targets; return False if nothing remains.
 
-    First by which ratios may have which targets; then by those that have one of their own.
+    The reduction first uses the targets that each ratio can have, then the targets that only one
+    ratio can have.
+
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        At the corners of the bounds.
+        Numerators and denominators at the corners of the bounds.
     asked : Asked
     cells : RatioCells
     match : MatchRoom
@@ -95,8 +98,8 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
         cells.left[:, 0] = 0.0
         cells.left[:, 1] = 1.0
         for target in range(len(asked.targets)):
-            ratio = _own(cells.reach[top], target)
-            cells.planes.own[target] = ratio
+            ratio = _only_ratio(cells.reach[top], target)
+            cells.planes.only_ratios[target] = ratio
             if ratio >= 0:
                 part = cells.parts[ratio]
                 if not _leaves(part, asked.least[target], asked.most[target], cells):
@@ -117,7 +120,6 @@ def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, to
 
 @compiled
 def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
-    """Numerators and denominators at the corners of a cell, of ratios with a target."""
     sets, shares = cells.low.shape[1], cells.shares
     width = asked.high - asked.low
     for number in range(sets):
@@ -142,37 +144,39 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
 
 @compiled
 def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
-    """Take from each ratio the targets that it is beyond everywhere in a cell; whether any is."""
+    """Remove targets that a ratio misses everywhere in a cell; return whether any was removed."""
     reach = cells.reach[top]
-    found = False
+    is_any = False
     for ratio in range(len(reach)):
         if reach[ratio]:
             over, under = cells.parts[ratio]
             before = reach[ratio]
             reach[ratio] &= reached(over, under, asked.least, asked.most)
-            found |= reach[ratio] != before
-    return found
+            is_any |= reach[ratio] != before
+    return is_any
 
 
 @compiled
-def _own(reach: Integers, target: int) -> int:
-    """The one ratio that may have a target; -1 where there are several."""
-    found = -1
+def _only_ratio(reach: Integers, target: int) -> int:
+    """Return the only ratio that can have a target, or -1 if there are several."""
+    single = -1
     for ratio in range(len(reach)):
         if (reach[ratio] >> target) & 1:
-            if found >= 0:
+            if single >= 0:
                 return -1
-            found = ratio
-    return found
+            single = ratio
+    return single
 
 
 @compiled
 def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
-    """What a gear that is to be within a range leaves of a cell, into `left`; whether there is any.
+    """Reduce `left` to the part of a cell where a gear can be within a range.
 
-    The quotient is within where two polynomials are not below 0. Along the ratio of a set the
-    greatest of what they are at the other corners is convex: where it is below 0, at an end of the
-    cell, it is so up to the first zero of one of them.
+    The quotient is in the range where two polynomials are non-negative. Along one gear-set ratio,
+    the maximum of a polynomial over the other corners is convex. If this maximum is negative at one
+    end of the cell, it stays negative up to the first zero along any edge.
+
+    Returns False if no part remains.
     """
     left, slack = cells.left, cells.slack
     if has_one_sign(part[1]):
@@ -196,7 +200,7 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 
 @compiled
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
-    """Between which shares of an edge of a cell all that is not below 0 is; else 1 and 0."""
+    """Return the shares of an edge between which a polynomial can be non-negative, or 1 and 0."""
     here = there = -math.inf
     for block in range(0, len(slack), 2 * bit):
         for corner in range(block, block + bit):
@@ -224,23 +228,23 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
 
 @compiled
 def spread_in(cells: RatioCells, top: int) -> float:
-    """How far ln(i) of what may have a target spreads in a cell."""
-    found = 0.0
+    """Return the largest spread of ln(i) in a cell over all ratios that can have a target."""
+    spread = 0.0
     for ratio in range(cells.parts.shape[0]):
         if cells.reach[top, ratio]:
             part = cells.parts[ratio]
             if not (has_one_sign(part[0]) and has_one_sign(part[1])):
                 return math.inf
             least, most = extremes(part[0], part[1])
-            found = max(found, abs(math.log(most / least)))
-    return found
+            spread = max(spread, abs(math.log(most / least)))
+    return spread
 
 
 @compiled
 def longest(cells: RatioCells, top: int) -> int:
-    """The set along whose ratio gears change most; -1 if the cell is too narrow."""
+    """Return the gear set whose ratio changes the gears most, or -1 in a narrow cell."""
     best = 0.0
-    found = -1
+    longest_set = -1
     for number in range(cells.low.shape[1]):
         if cells.high[top, number] > NARROW_CELL * cells.low[top, number]:
             total = 0.0
@@ -249,27 +253,27 @@ def longest(cells: RatioCells, top: int) -> int:
                     total += change_along(cells.parts[ratio], number)
             if total > best:
                 best = total
-                found = number
-    return found
+                longest_set = number
+    return longest_set
 
 
 @compiled
 def change_along(part: Floats, number: int) -> float:
-    """How much a quotient changes at most along the ratio of a set, from 0 to 1."""
+    """Return the largest relative change of a quotient along a gear-set ratio, from 0 to 1."""
     most = 0.0
     for corner in range(part.shape[1]):
         if (corner >> number) & 1 == 0:
             other = corner | (1 << number)
-            one = part[0, other] * part[1, corner]
-            two = part[0, corner] * part[1, other]
-            if one != two:
-                most = max(most, abs(one - two) / (abs(one) + abs(two)))
+            first = part[0, other] * part[1, corner]
+            second = part[0, corner] * part[1, other]
+            if first != second:
+                most = max(most, abs(first - second) / (abs(first) + abs(second)))
     return most
 
 
 @compiled
 def double(cells: RatioCells, top: int) -> None:
-    """Put the same cell on top of a cell."""
+    """Push a copy of a cell onto the stack."""
     put(cells.low[top], cells.low[top + 1])
     put(cells.high[top], cells.high[top + 1])
     put(cells.reach[top], cells.reach[top + 1])
@@ -279,7 +283,7 @@ def double(cells: RatioCells, top: int) -> None:
 
 @compiled
 def halve(cells: RatioCells, top: int, number: int) -> None:
-    """Halve a cell, along the ratio of a set: the lower half stays there, the other is next."""
+    """Halve a cell along the ratio of a gear set; push the upper half onto the stack."""
     double(cells, top)
     middle = math.sqrt(cells.low[top, number] * cells.high[top, number])
     cells.high[top, number] = middle

@@ -1,4 +1,8 @@
-"""A combination of elements for each gear, so that all are used, and one changes at a time."""
+"""Combinations of shift elements for consecutive gears, changing one element at a time.
+
+A forward search over the gears keeps the set of elements used up to each gear, so that it finds
+an assignment in which every element of the set is used.
+"""
 
 from __future__ import annotations
 
@@ -12,30 +16,30 @@ from vstatics.synthesis.boxes.search.engaged import Combinations
 
 
 class ChainRoom(NamedTuple):
-    """Room for combinations of gears one after the other."""
+    """Work arrays for combinations of consecutive gears."""
 
     used: Integers
-    """The places that each combination of a set uses, as bits, shape (combinations,)."""
+    """Places of a set that each combination uses, as bits, shape (combinations,)."""
     order: Integers
-    """Targets, those between which one element is to change one behind the other."""
+    """Targets in the order of the chain; targets joined by a single shift are consecutive."""
     is_shift: Booleans
-    """Whether one element is to change before each in this order, and behind the last."""
+    """True if a single shift precedes each position of the order, and follows the last."""
     is_near: Booleans
-    """Whether one element changes between two combinations, or none, shape (combinations, 2)."""
+    """True if combinations differ in at most a single element, shape (combinations, 2)."""
     met: Integers
-    """The search in which a combination was met, and what had been used: after so many gears, by
-    the combination if one element is to change next, by what is used; shape (targets + 1,
-    combinations or 1, 2**size)."""
+    """Number of the latest search that reached a state, by the number of gears assigned, the last
+    combination (if a single shift follows) and the used places; shape (targets + 1, combinations or
+    1, 2**size)."""
     came: Integers
-    """From where it was met, as one number."""
+    """Predecessor and combination of each state, encoded as a single integer."""
     searches: Integers
-    """How many there were, shape (1,)."""
+    """Number of searches so far, shape (1,)."""
     gears: Integers
-    """The combination of each target, shape (targets,)."""
+    """Combination of each target, shape (targets,)."""
 
 
 def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom:
-    """Room for so many targets; shifts are those of `neighbours`."""
+    """Return work arrays for a number of targets and the shifts of `neighbours`."""
     size, places = len(table.starts) - 1, table.places
     order: list[int] = []
     is_shift: list[bool] = []
@@ -45,13 +49,13 @@ def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom
         order, is_shift = [*order, after], [*is_shift, True]
     alone = [target for target in range(targets) if target not in order]
     held = (places[:, :, None] == np.arange(size)).any(axis=1)
-    kept = held.astype(np.int64) @ held.T.astype(np.int64)
+    shared = held.astype(np.int64) @ held.T.astype(np.int64)
     shape = targets + 1, len(places) if is_shift else 1, 2**size
     return ChainRoom(
         used=held.astype(np.int64) @ (1 << np.arange(size)),
         order=np.array([*order, *alone], np.int64),
         is_shift=np.array([*is_shift, *[False] * len(alone), False], np.bool_),
-        is_near=kept >= places.shape[1] - 1,
+        is_near=shared >= places.shape[1] - 1,
         met=np.zeros(shape, np.int64),
         came=np.zeros(shape, np.int64),
         searches=np.zeros(1, np.int64),
@@ -61,16 +65,21 @@ def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom
 
 @compiled
 def chained(ratio_of: Integers, chosen: Integers, room: ChainRoom) -> bool:
-    """Whether combinations of the chosen ratios use all elements, and change as they are to.
+    """Assign combinations to the chosen ratios that use all elements and shift as required.
 
     Parameters
     ----------
     ratio_of : array, shape (combinations of a set,)
-        The ratio of each, below 0 of none.
+        Ratio of each combination, negative if the combination has no ratio.
     chosen : array, shape (targets,)
-        The ratio of each target.
+        Ratio of each target.
     room : ChainRoom
-        `gears` takes the combination of each target.
+        `gears` receives the combination of each target.
+
+    Returns
+    -------
+    bool
+        Whether such an assignment exists.
     """
     room.searches[0] += 1
     now, count, states = room.searches[0], len(chosen), room.met.shape[2]
@@ -81,19 +90,21 @@ def chained(ratio_of: Integers, chosen: Integers, room: ChainRoom) -> bool:
             for state in range(states):
                 if room.met[turn, last, state] != now:
                     continue
-                for one in range(len(ratio_of)):
-                    if ratio_of[one] == ratio and (not is_shift or room.is_near[last, one]):
-                        after = state | room.used[one]
-                        own = one if room.is_shift[turn + 1] else 0
-                        if room.met[turn + 1, own, after] != now:
-                            room.met[turn + 1, own, after] = now
+                for combination in range(len(ratio_of)):
+                    if ratio_of[combination] == ratio and (
+                        not is_shift or room.is_near[last, combination]
+                    ):
+                        after = state | room.used[combination]
+                        slot = combination if room.is_shift[turn + 1] else 0
+                        if room.met[turn + 1, slot, after] != now:
+                            room.met[turn + 1, slot, after] = now
                             before = last * states + state
-                            room.came[turn + 1, own, after] = before * len(ratio_of) + one
+                            room.came[turn + 1, slot, after] = before * len(ratio_of) + combination
     if room.met[count, 0, states - 1] != now:
         return False
-    own, state = 0, states - 1
+    slot, state = 0, states - 1
     for turn in range(count, 0, -1):
-        came = room.came[turn, own, state]
+        came = room.came[turn, slot, state]
         room.gears[room.order[turn - 1]] = came % len(ratio_of)
-        own, state = divmod(came // len(ratio_of), states)
+        slot, state = divmod(came // len(ratio_of), states)
     return True

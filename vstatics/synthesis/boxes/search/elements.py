@@ -1,8 +1,8 @@
-"""Sets of shift elements that may give a gear for every target, the rarest target first.
+"""Find the sets of shift elements that can provide a gear for every target.
 
-A combination of elements is usable if its ratio reaches a target. One of those that reach the
-rarest target is in the set; where it has none for another target, one of these joins it, and so
-on, as long as there is room.
+A combination of elements is usable if its ratio reaches a target. The search branches on the
+target with the fewest combinations: a set must contain one of them. If the set still lacks a gear
+for another target, a combination for that target is added, as long as there is room.
 """
 
 from __future__ import annotations
@@ -19,55 +19,56 @@ from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
 
 class PortGears(NamedTuple):
-    """What the gears of a scheme are with one choice of its ports."""
+    """Gears of a scheme for a choice of input and output."""
 
     input: int
     output: int
     elements: int
-    """The elements that there are, as bits."""
+    """Available shift elements, as bits."""
     ratio_of: Integers
-    """The number of the ratio of each combination, below 0 of none, shape (combinations,)."""
+    """Ratio of each combination, negative without a ratio, shape (combinations,)."""
     reach: Integers
-    """Targets that each ratio reaches, as bits, shape (combinations,); 0 behind the last."""
+    """Targets that each ratio reaches, as bits; 0 after the last; shape (combinations,)."""
     useful: Integers
-    """Combinations that have one come first, shape (combinations,)."""
+    """Combinations with a ratio, then -1, shape (combinations,)."""
     brakes: int
-    """How many brakes a set may have, as bits."""
+    """Allowed numbers of brakes in a set, as bits."""
     shifts: Integers
-    """Targets that are neighbours, between which one element is to change, shape (shifts, 2)."""
+    """Pairs of neighbouring targets between which a single shift is required, shape (shifts, 2)."""
     loaded: Integers
-    """The elements of each combination that are in use in its gear, as bits: all of them, or
-    those that carry torque; shape (combinations,)."""
+    """Elements in use in each combination, as bits: all elements, or only elements with torque;
+    shape (combinations,)."""
     shafts: Integers
-    """The elements at each shaft that is no port and of no set, as bits, shape (shafts,)."""
-    kept: int
-    """Elements of which a set is to have some, as bits."""
+    """Elements at each shaft that is neither a port nor part of a gear set, as bits, shape
+    (shafts,)."""
+    retained: int
+    """Elements of the given box that a set must partly retain, as bits."""
     least_kept: int
-    """So many of them."""
+    """Smallest number of retained elements."""
 
 
 @compiled
 def element_sets(table: Combinations, port: PortGears, room: SetRoom) -> int:
-    """All sets of elements whose combinations may give every target; how many.
+    """List all sets of shift elements whose combinations can provide every target.
 
     Parameters
     ----------
     table : Combinations
     port : PortGears
     room : SetRoom
-        `found` takes the sets.
+        `listed` receives the sets.
 
     Returns
     -------
     int
-        How many there are; -1 if there is no room for them.
+        Number of sets, or -1 if there is not enough room for them.
     """
     return sets_after(table, port, room, 0, NO_END) if begun(table, port, room) else 0
 
 
 @compiled
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List what may join sets, and choose what comes first; whether there may be any."""
+    """List the usable combinations and choose the first branch; return False without a set."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
@@ -79,9 +80,10 @@ def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
 
 @compiled
 def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
-    """More sets, after so many: with the combinations that come first before the `last` of them.
+    """List further sets, up to the combination number `last`; return the number of sets.
 
-    Not all, where the room allows no more steps.
+    The list is incomplete if the allowed number of steps is exhausted. `count` sets are already
+    listed; -1 is returned if there is not enough room.
     """
     size, depth = len(room.chosen), 0
     while depth >= 0 and room.steps[0] < room.steps[1]:
@@ -105,19 +107,18 @@ def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, 
             and matched(room.reach, ratios, room.match)
             and shifts_singly(table, port.shifts, room)
         ):
-            if count == len(room.found):
+            if count == len(room.listed):
                 return -1
-            put(room.chosen, room.found[count])
+            put(room.chosen, room.listed[count])
             count += 1
     return count
 
 
 @compiled
 def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the combinations that reach each target; whether all are reached."""
     every = (1 << len(room.lengths)) - 1
-    for one in port.reach:
-        every &= ~one
+    for targets in port.reach:
+        every &= ~targets
     if every:
         return False
     room.lengths[:] = 0
@@ -144,7 +145,6 @@ def _list_gears(table: Combinations, port: PortGears, room: SetRoom) -> bool:
 
 @compiled
 def _find_commonest(port: PortGears, room: SetRoom) -> None:
-    """The ratio that most combinations have: as a rule that of the direct drive."""
     room.often[:] = 0
     for which in port.useful:
         if which < 0:
@@ -155,40 +155,39 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
 
 @compiled
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
-    """Note each element of a combination as the last one, with its others."""
+    """Record each element of a combination as a possible last element of a set."""
     for place in range(table.members.shape[1]):
-        bit, rest = 1 << table.members[which, place], table.rests[which, place]
+        bit, others = 1 << table.members[which, place], table.rests[which, place]
         for target in range(len(room.lengths)):
             if (targets >> target) & 1:
-                room.rows[rest, target] |= bit
+                room.rows[others, target] |= bit
 
 
 @compiled
 def _find_members(room: SetRoom, depth: int) -> int:
-    """The elements of a set as numbers; how many."""
-    rest = room.sets[depth]
+    bits = room.sets[depth]
     element = count = 0
-    while rest:
-        if rest & 1:
+    while bits:
+        if bits & 1:
             room.chosen[count] = element
             count += 1
-        rest >>= 1
+        bits >>= 1
         element += 1
     return count
 
 
 @compiled
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
-    """Whether so many chosen elements can be of a set with a number of brakes that is wanted.
+    """Return whether a partial set can still satisfy the limits on elements.
 
-    And whether the others are enough for the shafts, and for what is to be kept.
+    The limits are on the number of brakes, on elements per shaft and on retained elements.
     """
     brakes = chosen = 0
     for place in range(members):
         brakes += table.ends[room.chosen[place], 1] < 0
         chosen |= 1 << room.chosen[place]
     others = len(room.chosen) - members
-    if _count(port.kept & chosen) + others < port.least_kept:
+    if _count(port.retained & chosen) + others < port.least_kept:
         return False
     for shaft in port.shafts:
         if _count(shaft & chosen) + others < SHAFT_ELEMENTS:
@@ -198,7 +197,6 @@ def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int)
 
 @compiled
 def _count(bits: int) -> int:
-    """How many bits there are."""
     count = 0
     while bits:
         bits &= bits - 1
@@ -208,9 +206,9 @@ def _count(bits: int) -> int:
 
 @compiled
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
-    """The targets that so many chosen elements reach, as bits; how many ratios they lack is noted.
+    """Return the targets that the chosen elements reach, as bits; count the missing ratios.
 
-    The commonest is not counted among them.
+    The commonest ratio is not counted.
     """
     held, lacking = 0, len(room.lengths) - 1
     room.held[0] += 1
@@ -227,9 +225,9 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
 
 @compiled
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
-    """The different ratios of the chosen elements and what they reach; how many.
+    """Find the different ratios of the chosen elements; return the number of ratios.
 
-    `held` takes the elements that are in use with one of them.
+    `held` receives the elements that at least one gear uses.
     """
     count = used = 0
     room.held[0] += 1

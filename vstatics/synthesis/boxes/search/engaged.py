@@ -1,8 +1,8 @@
-"""Brakes and clutches of a scheme, which are engaged together, and the speeds of links then.
+"""Brakes and clutches of a scheme, their combinations, and the link speeds with each engaged.
 
-Speeds are polynomials of the ratios. Engaged elements are covectors on the free speeds; what
-all of them make zero is one vector, whose components are minors: with as many rows as free
-speeds less one, the cross product.
+Speeds are polynomials of the gear-set ratios. Each engaged element is a covector on the free
+speeds. The vector of speeds that satisfies all of them consists of minors: it is the generalised
+cross product of the rows, which are one fewer than the free speeds.
 """
 
 from __future__ import annotations
@@ -20,55 +20,57 @@ from vstatics.synthesis.boxes.box import HELD
 
 
 class Combinations(NamedTuple):
-    """Combinations of shift elements that are engaged together, of which sets are made.
+    """Combinations of simultaneously engaged shift elements, from which sets are formed.
 
-    Those of the elements are ordered by their last element, then the one before, and so on:
-    the number of one is a sum of binomials. Those of places in a set likewise.
+    Combinations are ordered by their last element, then the second last, and so on, so the number
+    of a combination is a sum of binomials. Combinations of places in a set have the same order.
     """
 
     ends: Integers
-    """The links that an element joins, below 0 the housing, shape (elements, 2)."""
+    """Two links that each element connects, negative for the housing, shape (elements, 2)."""
     members: Integers
-    """Shape (combinations, engaged)."""
+    """Elements of each combination, ascending, shape (combinations, engaged)."""
     masks: Integers
-    """The same as bits, shape (combinations,)."""
+    """Elements of each combination, as bits, shape (combinations,)."""
     rests: Integers
-    """The number of the other members without one, shape (combinations, engaged)."""
+    """Number of the combination that remains without a member, shape (combinations, engaged)."""
     ranks: Integers
     """Binomials of an element and a place counted from 1, shape (elements, engaged + 1)."""
     places: Integers
     """Combinations of the places in a set, shape (combinations of a set, engaged)."""
     starts: Integers
-    """So many combinations of places are without a place, shape (size + 1,)."""
+    """Number of combinations of the places before a place, shape (size + 1,)."""
 
 
 @cache
 def combinations_table(links: int, engaged: int, size: int) -> Combinations:
-    """All brakes, clutches and their combinations, with so many moving links."""
+    """Return all brakes and clutches of moving links, and all combinations."""
     ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
     members = _ascending(len(ends), engaged)
-    masks = [sum(1 << element for element in one) for one in members]
-    number = {one: place for place, one in enumerate(_ascending(len(ends), engaged - 1))}
+    masks = [sum(1 << element for element in row) for row in members]
+    number = {row: place for place, row in enumerate(_ascending(len(ends), engaged - 1))}
     rests = [
-        [number[one[:place] + one[place + 1 :]] for place in range(engaged)] for one in members
+        [number[row[:place] + row[place + 1 :]] for place in range(engaged)] for row in members
     ]
-    ranks = [[math.comb(one, place) for place in range(engaged + 1)] for one in range(len(ends))]
+    ranks = [
+        [math.comb(element, place) for place in range(engaged + 1)] for element in range(len(ends))
+    ]
     starts = [math.comb(place, engaged) for place in range(size + 1)]
     places = _ascending(size, engaged)
     arrays = (
-        np.array(one, np.int64) for one in (ends, members, masks, rests, ranks, places, starts)
+        np.array(rows, np.int64) for rows in (ends, members, masks, rests, ranks, places, starts)
     )
     return Combinations(*arrays)
 
 
 def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
-    """All choices of so many of a number, ordered by the last, then the one before."""
-    return sorted(combinations(range(number), size), key=lambda one: one[::-1])
+    """Return all choices of `size` numbers, ordered by the last, then the second last."""
+    return sorted(combinations(range(number), size), key=lambda choice: choice[::-1])
 
 
 @compiled
 def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
-    """The number of a combination of a set, whose elements ascend."""
+    """Return the number of a combination of places in a set with ascending elements."""
     number = 0
     for place in range(table.places.shape[1]):
         number += table.ranks[chosen[table.places[subset, place]], place + 1]
@@ -76,32 +78,32 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 
 class GearSpeeds(NamedTuple):
-    """The different speeds that gears of a scheme can have."""
+    """Different link speeds of the gears of a scheme."""
 
     speeds: Floats
-    """Polynomials of the ratios: at the corners of the bounds, then at a point within; shape
+    """Polynomials of the ratios at the corners of the bounds, then at a point within; shape
     (speeds, links, points)."""
     way: Integers
-    """Which of them each combination of elements gives, shape (combinations,)."""
+    """Index of the speeds of each combination of elements, shape (combinations,)."""
 
 
 @compiled
-def cross_product(rows: Floats, minors: Floats, found: Floats) -> None:
-    """The vector that n rows of n + 1 numbers make zero, by minors of the first rows.
+def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
+    """Calculate the vector orthogonal to n rows of n + 1 numbers, from minors of the rows.
 
     Parameters
     ----------
     rows : array, shape (n, n + 1)
     minors : array, shape (2**(n + 1),)
-        Scratch: of the columns that are bits of the index.
-    found : array, shape (n + 1,)
-        Takes the result.
+        Work array: minors of the columns given by the bits of the index.
+    product : array, shape (n + 1,)
+        Receives the result.
 
     Examples
     --------
-    >>> found = np.zeros(3)
-    >>> cross_product(np.array([[1.0, 2, 0], [0, 1, 1]]), np.zeros(8), found)
-    >>> found
+    >>> product = np.zeros(3)
+    >>> cross_product(np.array([[1.0, 2, 0], [0, 1, 1]]), np.zeros(8), product)
+    >>> product
     array([ 2., -1.,  1.])
     """
     size = rows.shape[1]
@@ -122,7 +124,7 @@ def cross_product(rows: Floats, minors: Floats, found: Floats) -> None:
     every = (1 << size) - 1
     sign = 1.0
     for column in range(size):
-        found[column] = sign * minors[every ^ (1 << column)]
+        product[column] = sign * minors[every ^ (1 << column)]
         sign = -sign
 
 
@@ -132,20 +134,20 @@ def gear_speeds(
     factors: Floats,
     ends: Integers,
     members: Integers,
-    found: Floats,
+    polynomials: Floats,
 ) -> None:
-    """Speeds of all links with each combination engaged; polynomials, at some points.
+    """Calculate the speeds of all links with each combination of elements engaged.
 
     Parameters
     ----------
     speeds, factors : array
-        Of `SpeedBases`.
+        Fields of `SpeedBases`.
     ends : array, shape (elements, 2)
-        The rows of speeds that an element joins; below 0 the housing.
+        Rows of speeds that an element connects, negative for the housing.
     members : array, shape (combinations, engaged)
         Elements of each combination.
-    found : array, shape (combinations, links, points)
-        Takes the result: zeros where speeds stay undetermined.
+    polynomials : array, shape (combinations, links, points)
+        Receives the speeds; zeros where they remain undetermined.
     """
     points, links, free = speeds.shape
     minors = np.zeros(1 << free)
@@ -165,4 +167,4 @@ def gear_speeds(
                 total = 0.0
                 for column in range(free):
                     total += speeds[point, link, column] * vector[column]
-                found[which, link, point] = total * factors[point]
+                polynomials[which, link, point] = total * factors[point]

@@ -1,8 +1,8 @@
-"""What joins a set of shift elements next, where it is to have gears for some targets.
+"""Choose the shift elements that join a partial set, until the set has gears for all targets.
 
-A combination of one target joins it, of that with the least choice. Of the combinations that
-a set has for a target the first of the list has joined it, so none comes twice. The last
-element is told by bits, for all targets at once.
+The search branches on the missing target with the fewest combinations, and adds one of them. A
+combination is only added if no earlier combination of the list is already in the set, so no set is
+met twice. The last element is found by bit operations for all targets at once.
 """
 
 from __future__ import annotations
@@ -17,62 +17,64 @@ from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
-"""All targets are reached, or there is room for one element only."""
+"""Branch of a single element: all targets are reached, or a single place is left."""
 NO_END = 2**62
-"""A number that no count comes to."""
+"""Limit of a count that is never reached."""
 
 
 class SetRoom(NamedTuple):
-    """Room for the search of sets; depths are of elements and combinations that joined."""
+    """Work arrays for the search of element sets; a depth is a number of additions."""
 
     lists: Integers
-    """Combinations that reach each target, as bits, shape (targets, combinations)."""
+    """Combinations that reach each target, as bits of elements, shape (targets,
+    combinations)."""
     lengths: Integers
-    """How many there are, shape (targets,)."""
+    """Number of combinations that reach each target, shape (targets,)."""
     rows: Integers
-    """With which others all but one of those engaged reach a target, as bits, shape (rests,
+    """Last elements that reach a target with given other members, as bits, shape (rests,
     targets)."""
     often: Integers
-    """So many combinations have each ratio, shape (ratios,)."""
+    """Number of combinations with each ratio, shape (ratios,)."""
     seldom: Integers
-    """With which others all but one of those engaged have another ratio than the commonest, as
-    bits, shape (rests,)."""
+    """Last elements that give an uncommon ratio with given other members, as bits, shape
+    (rests,)."""
     levels: Integers
-    """Elements with which those chosen have none such ratio, one and so on, as bits, shape
+    """Elements that add at least as many uncommon ratios as the row number, as bits, shape
     (targets + 1,)."""
     able: Integers
-    """Elements with which those chosen reach each target, as bits, shape (targets,)."""
+    """Elements that reach each target together with the chosen elements, as bits, shape
+    (targets,)."""
     sets: Integers
-    """The elements so far, as bits, shape (depths,)."""
+    """Elements of the partial set at each depth, as bits, shape (depths,)."""
     branches: Integers
-    """Which target's combination joins at a depth, `ONE` for an element, shape (depths,)."""
+    """Target whose combination joins at a depth, or `ONE`, shape (depths,)."""
     tried: Integers
-    """So many combinations have been tried, or the elements that have not, shape (depths,)."""
+    """Number of combinations already tried, or bits of elements not yet tried, shape (depths,)."""
     lacking: Integers
-    """So many ratios the elements chosen need beside their own and the commonest, shape (1,)."""
+    """Number of ratios still missing apart from the commonest, shape (1,)."""
     chosen: Integers
-    """The elements as numbers, ascending, shape (size,)."""
+    """Elements of the partial set as ascending numbers, shape (size,)."""
     held: Integers
-    """How many sets had their ratios found; elements of the last that have one, as bits."""
+    """Number of evaluated sets; elements in use in the gears of the last set, as bits."""
     commonest: Integers
-    """The ratio that most combinations have, shape (1,)."""
+    """Ratio of the largest number of combinations, shape (1,)."""
     ratios: Integers
-    """Different ratios of theirs, shape (combinations of a set,)."""
+    """Different ratios of the chosen elements, shape (combinations of a set,)."""
     reach: Integers
-    """Targets of these, as bits, shape (combinations of a set,)."""
+    """Targets of each ratio, as bits, shape (combinations of a set,)."""
     targets: Integers
     """Targets that the combinations of a set reach, as bits, shape (combinations of a set,)."""
     seen: Integers
-    """The search in which a ratio was met last, shape (ratios,)."""
+    """Number of the last evaluated set with each ratio, shape (ratios,)."""
     match: MatchRoom
     steps: Integers
-    """So often something joined or did not, and so often it may; shape (2,)."""
-    found: Integers
-    """Sets that were found, shape (most, size)."""
+    """Number of attempts to join, and the limit; shape (2,)."""
+    listed: Integers
+    """Complete sets, shape (most, size)."""
 
 
 def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
-    """Room for so many sets of a table."""
+    """Return work arrays for the search of at most `most` sets of elements."""
     size, of_set = len(table.starts) - 1, len(table.places)
     rests = int(table.rests.max()) + 1
 
@@ -100,24 +102,24 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
         seen=zeros(len(table.members)),
         match=match_room(targets),
         steps=np.array([0, NO_END]),
-        found=zeros(most, size),
+        listed=zeros(most, size),
     )
 
 
 @compiled
 def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int) -> None:
-    """Choose what joins a set.
+    """Choose the branch at a depth: a target, or the single elements to add.
 
     Parameters
     ----------
     table : Combinations
     room : SetRoom
-        `chosen` has the elements.
+        `chosen` contains the elements of the partial set.
     depth : int
     held : int
-        Targets that they reach, as bits.
+        Targets that these elements reach, as bits.
     there : int
-        All elements that there are, as bits.
+        All available elements, as bits.
     """
     left = room_left(room, depth)
     members = len(room.chosen) - left
@@ -139,13 +141,12 @@ def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int
 
 @compiled
 def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int) -> int:
-    """So many combinations of a target can join a set; no more than `most` are counted."""
     count = 0
     for number in range(room.lengths[target]):
-        rest = room.lists[target, number] & ~before
+        missing = room.lists[target, number] & ~before
         for _ in range(left):
-            rest &= rest - 1
-        count += rest == 0
+            missing &= missing - 1
+        count += missing == 0
         if count == most:
             return most
     return count
@@ -153,23 +154,23 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 
 @compiled
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
-    """The elements that reach all open targets with those chosen, and have ratios enough, as bits.
+    """Return the last elements that reach all missing targets with enough ratios, as bits.
 
-    Most combinations lock the gearbox: without their one ratio there are seldom enough.
+    Most combinations lock up the gearbox; apart from their common ratio there are often too few.
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
     room.able[:] = 0
     room.levels[:] = 0
     room.levels[0] = there
     for subset in range(table.starts[members], table.starts[members + 1]):
-        # of the set with one more, whose place is the last of each of these combinations
-        rest = 0
+        # These combinations of places end with the new element, so only the others are given.
+        others = 0
         for place in range(engaged - 1):
-            rest += table.ranks[room.chosen[table.places[subset, place]], place + 1]
+            others += table.ranks[room.chosen[table.places[subset, place]], place + 1]
         for target in range(targets):
-            room.able[target] |= room.rows[rest, target]
+            room.able[target] |= room.rows[others, target]
         for level in range(lacking, 0, -1):
-            room.levels[level] |= room.levels[level - 1] & room.seldom[rest]
+            room.levels[level] |= room.levels[level - 1] & room.seldom[others]
     there = room.levels[max(lacking, 0)]
     for target in range(targets):
         if (held >> target) & 1 == 0:
@@ -179,7 +180,7 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
 
 @compiled
 def join(room: SetRoom, depth: int) -> bool:
-    """The next set that is one of a depth with what joins it there; whether there is one."""
+    """Extend the set of a depth by the next candidate; return whether there is a candidate."""
     before, target = room.sets[depth], room.branches[depth]
     if target == ONE:
         while room.tried[depth]:
@@ -193,10 +194,10 @@ def join(room: SetRoom, depth: int) -> bool:
     while room.tried[depth] < room.lengths[target]:
         new = room.lists[target, room.tried[depth]] & ~before
         room.tried[depth] += 1
-        rest = new
+        missing = new
         for _ in range(left):
-            rest &= rest - 1
-        if rest == 0 and _is_first(room, depth, before | new):
+            missing &= missing - 1
+        if missing == 0 and _is_first(room, depth, before | new):
             room.sets[depth + 1] = before | new
             return True
     return False
@@ -204,7 +205,7 @@ def join(room: SetRoom, depth: int) -> bool:
 
 @compiled
 def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
-    """Whether a set has nothing that came before what joined it at any depth."""
+    """Return whether the set contains no candidate that was tried earlier at any depth."""
     for place in range(depth + 1):
         target = room.branches[place]
         if target != ONE:
@@ -218,10 +219,10 @@ def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
 
 @compiled
 def room_left(room: SetRoom, depth: int) -> int:
-    """So many elements a set may still have."""
+    """Return the number of elements that can still join a set."""
     left = len(room.chosen)
-    rest = room.sets[depth]
-    while rest:
-        rest &= rest - 1
+    bits = room.sets[depth]
+    while bits:
+        bits &= bits - 1
         left -= 1
     return left

@@ -1,4 +1,4 @@
-"""All boxes of a scheme with its ports, compiled: from speeds in gears to fits."""
+"""Find all gearboxes of a scheme and its ports, from speeds in gears to fitted ratios; compiled."""
 
 from __future__ import annotations
 
@@ -19,94 +19,95 @@ from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 
 class Room(NamedTuple):
-    """Room for the boxes of a choice of ports."""
+    """Work arrays for the gearboxes of a choice of ports."""
 
     sets: SetRoom
     cells: CellRoom
     sequences: SequenceRoom
     lengths: Integers
-    """So many gears there are beside those of the targets, shape (most,)."""
+    """Number of gears in addition to the targets, shape (most,)."""
     gears: Integers
-    """The combination of places of each gear, shape (most, gears)."""
+    """Combination of places in each gear, shape (most, gears)."""
     logs: Floats
     """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
     errors: Floats
-    """The largest |ln(i/target)|, shape (most,). [-]"""
+    """Largest |ln(i/target)|, shape (most,). [-]"""
     lines: Floats
-    """See `lines`, shape (corners, sets)."""
+    """Weights of the corners on lines along each ratio, see `lines`, shape (corners, sets)."""
     ratios: Floats
-    """Numerators and denominators of all different ratios with these ports, shape (speeds, 2,
+    """Numerators and denominators of all different ratios, shape (speeds, 2,
     corners)."""
     within: Floats
-    """These ratios at a point within, shape (speeds,). [-]"""
+    """Values of all different ratios at a point within the bounds, shape (speeds,). [-]"""
     kinds: Integers
-    """The number of the ratio of some speeds, below 0 of none, shape (speeds,)."""
+    """Number of the ratio of each row of speeds, negative without a ratio, shape (speeds,)."""
     parts: Floats
-    """Numerators and denominators of a set, shape (combinations of a set, 2, corners)."""
+    """Numerators and denominators of the ratios of a set, shape (combinations of a set, 2,
+    corners)."""
 
 
 @compiled
 def boxes_of_ports(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
 ) -> tuple[int, int, int]:
-    """All boxes with some ports, into the room: their sets stand first.
+    """Find all gearboxes of a choice of ports.
 
     Parameters
     ----------
     table : Combinations
     gears : GearSpeeds
     port : PortGears
-        Its ratios are found here.
+        Receives the ratios of the gears.
     asked : Asked
     room : Room
 
     Returns
     -------
     int, int, int
-        How many boxes; of how many sets of elements, below 0 if there was no room; how many of
-        these were given up.
+        Number of gearboxes; number of element sets, negative if there was not enough room;
+        number of sets that were given up.
     """
     find_gears(table, gears, port, asked, room)
     count = element_sets(table, port, room.sets)
-    sets = room.sets.found
-    found = given_up = 0
+    sets = room.sets.listed
+    boxes = given_up = 0
     for number in range(count):
         if is_box(table, port, asked, room, sets[number]):
-            room.errors[found] = room.cells.best[1]
-            put(room.cells.best_gears, room.gears[found])
-            put(sets[number], sets[found])
-            put(room.cells.best_logs, room.logs[found])
-            found += 1
+            room.errors[boxes] = room.cells.best[1]
+            put(room.cells.best_gears, room.gears[boxes])
+            put(sets[number], sets[boxes])
+            put(room.cells.best_logs, room.logs[boxes])
+            boxes += 1
         given_up += room.cells.given_up[0]
-    return found, count, given_up
+    return boxes, count, given_up
 
 
 @compiled
 def sequences_of_ports(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
 ) -> tuple[int, int, int]:
-    """All boxes with a sequence of gears, as `boxes_of_ports` has those of targets alone."""
+    """Find all gearboxes with a sequence of gears; results as of `boxes_of_ports`."""
     find_gears(table, gears, port, asked, room)
     count = element_sets(table, port, room.sets)
-    sets = room.sets.found
-    found = given_up = 0
+    sets = room.sets.listed
+    boxes = given_up = 0
     for number in range(count):
         length, is_open = gears_besides(table, port, asked, room, sets[number])
         if length > 0:
-            room.lengths[found] = length
-            put(room.sequences.best_gears, room.gears[found])
-            put(sets[number], sets[found])
-            put(room.sequences.best_logs, room.logs[found])
-            found += 1
+            room.lengths[boxes] = length
+            put(room.sequences.best_gears, room.gears[boxes])
+            put(sets[number], sets[boxes])
+            put(room.sequences.best_logs, room.logs[boxes])
+            boxes += 1
         given_up += length == 0 and is_open
-    return found, count, given_up
+    return boxes, count, given_up
 
 
 @compiled
 def is_box(
     table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
 ) -> bool:
-    """Whether a set of elements is a box; `cells` of the room has the best of its ratios."""
+    """Return whether a set of elements is a gearbox; `cells` receives the best ratios."""
     count = _different(table, port, elements, room)
     reach = room.sets.reach[:count]
     return bool(solved(room.parts[:count], reach, asked, room.cells) < math.inf)
@@ -116,7 +117,7 @@ def is_box(
 def gears_besides(
     table: Combinations, port: PortGears, asked: Asked, room: Room, elements: Integers
 ) -> tuple[int, bool]:
-    """The gears of a sequence that a set of elements has; whether it may have more of them."""
+    """Return the number of gears in the sequence of a set, and whether more are possible."""
     count = _different(table, port, elements, room)
     put(room.cells.ratio_of, room.sequences.ratio_of)
     put(room.cells.chains.used, room.sequences.chains.used)
@@ -127,14 +128,14 @@ def gears_besides(
 def find_gears(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: Room
 ) -> None:
-    """The ratios with some ports, and which combinations of elements have which."""
+    """Find the ratios with a choice of ports, and the combinations that have a ratio."""
     _find_ratios_of_ports(gears.speeds, port, asked, room)
     _find_useful(table, gears, port, room.kinds)
 
 
 @compiled
 def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: Room) -> None:
-    """The different ratios that reach a target within the bounds."""
+    """Find the different ratios that reach a target within the bounds."""
     corners = speeds.shape[2] - 1
     count = 0
     for which in range(len(speeds)):
@@ -161,7 +162,7 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: R
 
 @compiled
 def _find_useful(table: Combinations, gears: GearSpeeds, port: PortGears, kinds: Integers) -> None:
-    """The ratio of each combination of elements that there are; those that have one."""
+    """Assign a ratio to each available combination of elements; list combinations with a ratio."""
     way = gears.way
     count = 0
     for which in range(len(way)):
@@ -179,16 +180,16 @@ def _find_useful(table: Combinations, gears: GearSpeeds, port: PortGears, kinds:
 
 @compiled
 def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
-    """The elements of a combination that carry torque in its gear, as bits.
+    """Return the elements of a combination that carry torque, as bits.
 
-    One that carries none can go, and input and output keep their ratio: with the input held in
-    its place, the output stands.
+    An element without torque can be released without changing the ratio: if the input is held
+    instead of the element, the output is at rest.
     """
     corners = gears.speeds.shape[2] - 1
-    found = 0
+    loaded = 0
     for place in range(table.members.shape[1]):
         number = 0
-        after = 1  # the place of the next member, the brake of the input among them
+        after = 1  # place of the next member; the brake of the input counts as a member
         brake = port.input
         for other in range(table.members.shape[1]):
             member = table.members[which, other]
@@ -202,13 +203,13 @@ def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int)
         if brake >= 0:
             number += table.ranks[brake, after]
         if abs(gears.speeds[gears.way[number], port.output, corners]) > NO_BOX_SPEED:
-            found |= 1 << table.members[which, place]
-    return found
+            loaded |= 1 << table.members[which, place]
+    return loaded
 
 
 @compiled
 def _different(table: Combinations, port: PortGears, elements: Integers, room: Room) -> int:
-    """The different ratios of a set's combinations; how many."""
+    """Find the different ratios of a set; return the number of ratios."""
     put(elements, room.sets.chosen)
     count = find_ratios(table, port, room.sets)
     for number in range(count):

@@ -1,4 +1,4 @@
-"""Whether each target can have a ratio of its own: a matching in a bipartite graph."""
+"""Matching of targets and ratios in a bipartite graph, so that each target has its own ratio."""
 
 from __future__ import annotations
 
@@ -11,33 +11,33 @@ from vstatics.core.numerics.compiled import compiled
 
 
 class MatchRoom(NamedTuple):
-    """Room for matchings; each array has a number for every target."""
+    """Work arrays for matchings, each of shape (targets,)."""
 
     chosen: Integers
-    """Its ratio."""
+    """Ratio of each target."""
     came_from: Integers
-    """The target before it on a way."""
+    """Previous target on an augmenting path."""
     line: Integers
-    """Targets still to go on from."""
+    """Queue of targets still to be explored."""
     after: Integers
-    """Targets from which a ratio can come when others move on, as bits."""
+    """Targets that can pass a ratio on to this target along a path, as bits."""
 
 
 def match_room(targets: int) -> MatchRoom:
-    """Room for so many targets."""
+    """Return work arrays for a number of targets."""
     return MatchRoom(*np.zeros((4, targets), np.int64))
 
 
 @compiled
 def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Whether each target can have a ratio of its own; `chosen` takes one for each.
+    """Return whether each target can have a ratio of its own; store a matching in `chosen`.
 
     Parameters
     ----------
     reach : array, shape (ratios,)
         Targets that each ratio reaches, as bits.
     count : int
-        So many ratios come first.
+        Number of ratios to use, from the start of `reach`.
     room : MatchRoom
 
     Examples
@@ -59,7 +59,7 @@ def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
 
 @compiled
 def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
-    """Give a ratio a target, moving others along a shortest way; False if none is free."""
+    """Assign a target to a ratio along a shortest augmenting path, if possible."""
     chosen, came_from, line = room.chosen, room.came_from, room.line
     seen = reach[ratio]
     first = last = 0
@@ -90,15 +90,15 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
 
 @compiled
 def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Take from each ratio the targets that it can't have while each has one of its own.
+    """Remove targets that a ratio has in no complete matching.
 
-    An edge is in some matching where the target that loses its ratio gets another one, and so on,
-    up to a free ratio or in a ring (Regin's filter of all-different).
+    An edge is in some matching if the target that loses its ratio can take another ratio, and so
+    on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI 1994).
 
     Parameters
     ----------
     reach, count, room
-        Of `matched`.
+        As for `matched`.
 
     Returns
     -------
@@ -107,7 +107,7 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
 
     Examples
     --------
-    The first can only have target 0, so the others have not:
+    The first ratio can only have target 0, so the other ratios lose it:
 
     >>> reach = np.array([1, 3, 7])
     >>> bool(is_assigned(reach, 3, match_room(3))), reach.tolist()
@@ -137,12 +137,12 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
 
 @compiled
 def _free(reach: Integers, count: int, room: MatchRoom) -> int:
-    """The targets that some ratio without a target can have, as bits."""
-    found = 0
+    """Return the targets that some unassigned ratio can have, as bits."""
+    targets = 0
     for ratio in range(count):
         is_free = True
-        for one in room.chosen:
-            is_free &= one != ratio
+        for holder in room.chosen:
+            is_free &= holder != ratio
         if is_free:
-            found |= reach[ratio]
-    return found
+            targets |= reach[ratio]
+    return targets

@@ -1,9 +1,9 @@
-"""What all gears together leave of a cell, by planes.
+"""Reduce a cell by all gears together, by enclosing their equations between planes.
 
-A gear is at its target where a polynomial that is linear in the ratio of each set is near 0. How
-far such a polynomial is from a plane is told at the corners of the cell. So the ratios of sets
-solve a system of linear equations, each within a known width; least squares tell a part of the
-cell in which all solutions are, or that there is none.
+A gear meets its target where a polynomial that is linear in each gear-set ratio is near 0. The
+corners of the cell bound the distance of this polynomial from a plane. The ratios therefore solve
+a system of linear equations, each within a known width. Least squares give a part of the cell that
+contains all solutions, or prove that there is no solution.
 """
 
 from __future__ import annotations
@@ -19,30 +19,29 @@ from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 
 
 class PlaneRoom(NamedTuple):
-    """Room for planes; a cell is from -1 to 1 along the ratio of each set."""
+    """Work arrays for planes; a cell extends from -1 to 1 along each gear-set ratio."""
 
-    own: Integers
-    """The ratio that a target has for its own, below 0 where there are several, shape
-    (targets,)."""
+    only_ratios: Integers
+    """The only ratio that a target can have, negative if there are several, shape (targets,)."""
     values: Floats
-    """A polynomial at the corners, shape (corners,)."""
+    """Values of a polynomial at the corners, shape (corners,)."""
     planes: Floats
-    """Each plane over its width: the slope along each ratio, and the middle, shape (targets,
-    sets + 1)."""
+    """Planes per width: slope along each ratio, then the middle, shape (targets, sets
+    + 1)."""
     system: Floats
-    """The normal equations and their inverse, shape (sets, 2 sets)."""
+    """Normal equations and inverse, shape (sets, 2 sets)."""
     solving: Floats
-    """What makes ratios of sets from the planes, shape (sets, targets)."""
+    """Pseudoinverse: from the planes to the gear-set ratios, shape (sets, targets)."""
     middle: Floats
-    """The solution, shape (sets,)."""
+    """Least-squares solution, shape (sets,)."""
     errors: Floats
-    """How far each plane is from it, over its width, shape (targets,)."""
+    """Distance of each plane from the solution, per width of the plane, shape (targets,)."""
 
 
 def plane_room(targets: int, sets: int) -> PlaneRoom:
-    """Room for so many targets."""
+    """Return work arrays for a number of targets and gear sets."""
     return PlaneRoom(
-        own=np.zeros(targets, np.int64),
+        only_ratios=np.zeros(targets, np.int64),
         values=np.zeros(2**sets),
         planes=np.zeros((targets, sets + 1)),
         system=np.zeros((sets, 2 * sets)),
@@ -54,31 +53,31 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
 
 @compiled
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Make what is left of a cell less by all targets with a ratio of their own together.
+    """Reduce a cell by all targets that only a single ratio can have.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
         Numerators and denominators at the corners of the cell.
     least, most : array, shape (targets,)
-        Between which a target is met. [-]
+        Range in which a target is met. [-]
     room : PlaneRoom
-        `own` tells the ratios.
+        `only_ratios` contains the ratios.
     left : array, shape (sets, 2)
-        Shares of the cell.
+        Shares of the cell, reduced in place.
 
     Returns
     -------
     bool
-        Whether there may be a solution.
+        False if the cell contains no solution.
 
     Examples
     --------
-    1 + p and 1 + 2 p with p from 1 to 3 are 3 and 5 for one p, 3 and 6 for none:
+    With p from 1 to 3, 1 + p = 3 and 1 + 2 p = 5 have a common solution, 3 and 6 have not:
 
     >>> parts = np.array([[[2.0, 4.0], [1.0, 1.0]], [[3.0, 7.0], [1.0, 1.0]]])
     >>> room, left = plane_room(2, 1), np.array([[0.0, 1.0]])
-    >>> room.own[:] = 0, 1
+    >>> room.only_ratios[:] = 0, 1
     >>> bool(planes_leave(parts, np.array([2.9, 4.9]), np.array([3.1, 5.1]), room, left))
     True
     >>> left.round(3).tolist()
@@ -88,7 +87,7 @@ def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, le
     """
     count = 0
     for target in range(len(least)):
-        ratio = room.own[target]
+        ratio = room.only_ratios[target]
         if ratio >= 0 and _is_plane(parts[ratio], least[target], most[target], room, count):
             count += 1
     planes = room.planes[:count]
@@ -99,7 +98,6 @@ def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, le
 
 @compiled
 def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Take from a cell what is farther from the solution of the planes than their widths allow."""
     count, sets = len(planes), len(left)
     for number in range(sets):
         middle, apart = 0.0, PLANE_ROUNDING
@@ -107,7 +105,7 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
         for row in range(count):
             middle -= solving[row] * planes[row, sets]
             apart += abs(solving[row])
-        for other in range(sets):  # what the planes don't tell
+        for other in range(sets):  # the part that the planes leave undetermined
             total = 1.0 if other == number else 0.0
             for row in range(count):
                 total -= solving[row] * planes[row, other]
@@ -122,10 +120,10 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
 
 @compiled
 def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
-    """Whether the planes may have a point in common.
+    """Return whether the planes can have a point in common within the widths.
 
-    They have none if their errors, weighed, add to more than their widths do: Farkas' lemma, with
-    the errors of least squares as weights.
+    They cannot if their weighted errors add up to more than their weighted widths (Farkas' lemma,
+    with the least-squares errors as weights).
     """
     count, sets = len(planes), len(room.middle)
     within = apart = 0.0
@@ -146,9 +144,9 @@ def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
 
 @compiled
 def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int) -> bool:
-    """Find the plane that a gear is near to; whether there is one.
+    """Find the plane near a gear's equation; return False without a plane.
 
-    Of N/D = i it is that of N - i D, or D - N/i, whichever quotient has no pole in the cell.
+    The equation N/D = i is used as N - i D or D - N/i, whichever quotient has no pole in the cell.
     """
     over, under = part
     if not has_one_sign(under):
@@ -187,26 +185,24 @@ def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int
 
 @compiled
 def _find_system(planes: Floats, system: Floats) -> None:
-    """The damped normal equations, with what their inverse begins from beside them."""
     sets = len(system)
     largest = 0.0
-    for one in range(sets):
-        for other in range(sets):
+    for first in range(sets):
+        for second in range(sets):
             total = 0.0
             for row in range(len(planes)):
-                total += planes[row, one] * planes[row, other]
-            system[one, other] = total
-            system[one, sets + other] = 1.0 if one == other else 0.0
-        largest = max(largest, system[one, one])
-    for one in range(sets):
-        system[one, one] += LEAST_STIFFNESS * largest if largest > 0 else 1.0
+                total += planes[row, first] * planes[row, second]
+            system[first, second] = total
+            system[first, sets + second] = 1.0 if first == second else 0.0
+        largest = max(largest, system[first, first])
+    for first in range(sets):
+        system[first, first] += LEAST_STIFFNESS * largest if largest > 0 else 1.0
 
 
 @compiled
 def _solve(planes: Floats, room: PlaneRoom) -> None:
-    """What makes ratios of sets from the planes by least squares: a damped pseudoinverse."""
     system, sets = room.system, len(room.system)
-    for pivot in range(sets):  # positive definite: no pivots are looked for
+    for pivot in range(sets):  # positive definite, so pivoting is not needed
         factor = 1 / system[pivot, pivot]
         for column in range(2 * sets):
             system[pivot, column] *= factor
@@ -215,9 +211,9 @@ def _solve(planes: Floats, room: PlaneRoom) -> None:
                 factor = system[row, pivot]
                 for column in range(2 * sets):
                     system[row, column] -= factor * system[pivot, column]
-    for one in range(sets):
+    for number in range(sets):
         for row in range(len(planes)):
             total = 0.0
             for other in range(sets):
-                total += system[one, sets + other] * planes[row, other]
-            room.solving[one, row] = total
+                total += system[number, sets + other] * planes[row, other]
+            room.solving[number, row] = total

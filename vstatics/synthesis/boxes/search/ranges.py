@@ -1,8 +1,8 @@
-"""Which wanted ratios a gear can have within bounds: exactly, from the corners alone.
+"""Targets that a gear can reach within the bounds, decided exactly from the corners.
 
-A ratio is a quotient of two polynomials that are linear in the ratio of each set. Where the
-denominator has no zero the quotient goes one way along each of them, so its extremes are at
-corners; and a polynomial of this kind has no zero within if it has one sign at all corners.
+A ratio is a quotient of two polynomials, each linear in every gear-set ratio. Where the
+denominator has no zero, the quotient is monotonic along each ratio, so its extremes are at corners.
+Such a polynomial has no zero within the bounds if it has the same sign at all corners.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 @compiled
 def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
-    """The targets that the quotient reaches, as bits.
+    """Return the targets that the quotient reaches, as bits.
 
     Parameters
     ----------
     numerator, denominator : array, shape (corners,)
     low, high : array, shape (targets,)
-        Between which a target is met; of one sign. [-]
+        Range in which a target is met; both ends have the same sign. [-]
 
     Examples
     --------
@@ -42,17 +42,17 @@ def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -
 
 @compiled
 def has_one_sign(values: Floats) -> bool:
-    """Whether all numbers are above zero, or all below."""
+    """Return whether all numbers are positive, or all negative."""
     first = values[0]
-    for one in values[1:]:
-        if one * first <= 0:
+    for value in values[1:]:
+        if value * first <= 0:
             return False
     return bool(first != 0)
 
 
 @compiled
 def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
-    """The least and the greatest quotient at a corner."""
+    """Return the smallest and the largest quotient at the corners."""
     least = most = numerator[0] / denominator[0]
     for corner in range(1, len(numerator)):
         ratio = numerator[corner] / denominator[corner]
@@ -63,28 +63,28 @@ def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
 
 @compiled
 def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
-    """The targets between the least and the greatest quotient at a corner."""
     least, most = extremes(numerator, denominator)
-    found = 0
+    targets = 0
     for target in range(len(low)):
         if least <= high[target] and most >= low[target]:
-            found |= 1 << target
-    return found
+            targets |= 1 << target
+    return targets
 
 
 @compiled
 def divide(above: Floats, below: Floats, within: Floats) -> None:
-    """Take out a common factor of numerator and denominator, in place.
+    """Remove a common factor of numerator and denominator, in place.
 
-    Both are linear in each ratio. So a factor has ratios that the cofactor doesn't have, and
-    the quotient does not depend on these: they take the value where the factor is largest.
+    Both are linear in each ratio, so the ratios in a common factor do not appear in the cofactor,
+    and the quotient does not depend on them. They are set to the values where the factor is
+    largest.
 
     Parameters
     ----------
     above, below : array, shape (corners,)
     within : array, shape (corners, sets)
-        For each ratio how the corners weigh on a line along it: they add to 0 and 1 at its
-        ends, where bit j of the corner's number is clear or set.
+        Weights of the corners on a line along each ratio: the corners with bit j clear give the
+        value at the lower end of ratio j, those with bit j set the value at its upper end.
 
     Examples
     --------
@@ -114,9 +114,9 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
 
 @compiled
 def _independent(above: Floats, below: Floats, within: Floats) -> int:
-    """The ratios that a quotient does not depend on, as bits."""
+    """Return the ratios that a quotient does not depend on, as bits."""
     corners, sets = within.shape
-    found = 0
+    independent = 0
     for number in range(sets):
         first_above = first_below = last_above = last_below = 0.0
         for corner in range(corners):
@@ -127,16 +127,18 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
             else:
                 first_above += weight * above[corner]
                 first_below += weight * below[corner]
-        one, other = first_above * last_below, last_above * first_below
-        if abs(one - other) <= INDEPENDENT_RATIO * (abs(one) + abs(other)):
-            found |= 1 << number
-    return found
+        first_product, last_product = first_above * last_below, last_above * first_below
+        if abs(first_product - last_product) <= INDEPENDENT_RATIO * (
+            abs(first_product) + abs(last_product)
+        ):
+            independent |= 1 << number
+    return independent
 
 
 def lines(sets: int) -> Floats:
-    """Weights of the corners for `divide`, on lines through a point within, (corners, sets).
+    """Return the corner weights for `divide`, on lines through a point within the bounds.
 
-    >>> lines(2)[:, 0]  # along the first, at one place of the second
+    >>> lines(2)[:, 0]  # along the first ratio, at a fixed place of the second
     array([0.58578644, 0.58578644, 0.41421356, 0.41421356])
     """
     places = np.sqrt(np.array([3, 2, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1

@@ -1,9 +1,9 @@
-"""Ratios of sets for which the gears of a box come nearest to their targets.
+"""Gear-set ratios for which the gears of a box come nearest to their targets.
 
-Numerators and denominators of the gears are known at the corners of the bounds; between them
-they are linear in each ratio, so these are their values and their slopes everywhere. Least
-squares of ln(i/target)/width by Levenberg and Marquardt, on the logarithms of the ratios, with
-all gears within their widths; what is at a bound and wants to go on stays there.
+Numerators and denominators of the gear ratios are known at the corners of the bounds and linear in
+each gear-set ratio in between, which gives their values and slopes everywhere. The method is
+Levenberg-Marquardt on ln(i/target)/width as a function of the logarithms of the gear-set ratios,
+with all gears within their widths. A ratio at a bound stays there while its slope points outward.
 """
 
 from __future__ import annotations
@@ -26,60 +26,65 @@ from vstatics.synthesis.tolerances import (
 )
 
 MOST_BOX_STEPS = 60
+"""Largest number of Levenberg-Marquardt steps of a fit."""
 GIVEN_UP = 1e8
-"""No step is tried with more damping. [-]"""
+"""Damping above which a fit ends. [-]"""
 PULL = 1e4
-"""How much the square of what is beyond a width counts, against that of an error. [-]"""
+"""Weight of the squared excess over a width, relative to a squared error. [-]"""
 MOST_TURNS = 40
-"""So often what is beyond its width is pulled back by more."""
+"""Largest number of times that the pull on errors beyond the widths is increased."""
 FIRST_TURNS = 3
+"""Number of turns before the excess must shrink by `LESS_BEYOND` each time."""
 LESS_BEYOND = 0.9
-"""After the first turns less must be beyond each time; it never will be where this is not so."""
+"""Largest quotient of successive excesses of a fit that still converges. [-]"""
 
 
 class Asked(NamedTuple):
-    """What is asked of a box."""
+    """Requirements on a gearbox, as arrays."""
 
     targets: Floats
-    """Shape (targets,). [-]"""
+    """Wanted ratios, shape (targets,). [-]"""
     least: Floats
-    """Between which a target is met, shape (targets,). [-]"""
+    """Lower ends of the ranges in which targets are met, shape (targets,). [-]"""
     most: Floats
+    """Upper ends of the ranges, shape (targets,). [-]"""
     widths: Floats
-    """The largest |ln(i/target)| of each, shape (targets,). [-]"""
+    """Largest |ln(i/target)| of each target, shape (targets,). [-]"""
     low: float
-    """Bounds of ring teeth/sun teeth. [-]"""
+    """Lower bound of ring teeth/sun teeth. [-]"""
     high: float
+    """Upper bound of ring teeth/sun teeth. [-]"""
 
 
 class FitRoom(NamedTuple):
-    """Room for a fit."""
+    """Work arrays for a fit."""
 
     logs: Floats
-    """Logarithms of ring teeth/sun teeth: where it begins and ends, shape (sets,). [-]"""
+    """Logarithms of ring teeth/sun teeth at the start and at the end, shape (sets,). [-]"""
     errors: Floats
-    """ln(i/target)/width in the end, shape (targets,). [-]"""
+    """Final ln(i/target)/width, shape (targets,). [-]"""
     jacobian: Floats
-    """Their derivatives by the logarithms, shape (targets, sets)."""
+    """Derivatives of the errors with respect to the logarithms, shape (targets, sets)."""
     tried: Floats
-    """The next logarithms, shape (sets,)."""
+    """Logarithms of the next step, shape (sets,)."""
     trial: Floats
-    """Errors there, shape (targets,)."""
+    """Errors of the next step, shape (targets,)."""
     pulls: Floats
-    """By how much more than it is beyond its width an error is pulled back, shape (targets,)."""
+    """Additional pull on an error beyond the width, shape (targets,)."""
     forces: Floats
-    """See `_weigh_errors`, shape (targets,)."""
+    """First derivatives from `_weigh_errors`, shape (targets,)."""
     weights: Floats
-    own: Floats
-    """How the corners weigh, shape (corners,); their sum is 1."""
+    """Second derivatives from `_weigh_errors`, shape (targets,)."""
+    corner_weights: Floats
+    """Weights of the corners, with sum 1, shape (corners,)."""
     slopes: Floats
-    """Derivatives of the weights by the logarithms, shape (sets, corners)."""
+    """Derivatives of the weights with respect to the logarithms, shape (sets, corners)."""
     system: Floats
     """Normal equations, shape (sets, sets + 1)."""
 
 
 def fit_room(targets: int, sets: int) -> FitRoom:
-    """Room for so many targets and sets."""
+    """Return work arrays for a number of targets and gear sets."""
     return FitRoom(
         logs=np.zeros(sets),
         errors=np.zeros(targets),
@@ -89,7 +94,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
         pulls=np.zeros(targets),
         forces=np.zeros(targets),
         weights=np.zeros(targets),
-        own=np.zeros(2**sets),
+        corner_weights=np.zeros(2**sets),
         slopes=np.zeros((sets, 2**sets)),
         system=np.zeros((sets, sets + 1)),
     )
@@ -97,29 +102,30 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 @compiled
 def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """The least sum of squares near a point that leaves all gears within their widths.
+    """Minimise the sum of squares near a point, with all gears within the widths.
 
-    What is beyond its width is pulled back by more and more, as augmented Lagrangians do. A sum
-    of squares that is greater than the number of gears has one beyond wherever it is.
+    Errors beyond their widths are pulled back more strongly in each turn, as in the method of
+    augmented Lagrangians. If the smallest sum of squares exceeds the number of gears, some gear is
+    always beyond its width.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
         Numerator and denominator of each ratio at the corners of the bounds.
     chosen : array, shape (targets,)
-        The ratio of each target.
+        Ratio of each target.
     asked : Asked
     room : FitRoom
-        `logs` tell where to begin, and where it ended.
+        `logs` contains the starting point and receives the solution.
 
     Returns
     -------
     float
-        Infinity where there is none.
+        Smallest sum of squares, infinity without a solution.
 
     Examples
     --------
-    Of 1 + p and 1 + 2 p, to be 4 and 8 within such widths, the first is at an end of its range:
+    The ratios 1 + p and 1 + 2 p shall be 4 and 8; the first ends at the end of its range:
 
     >>> targets, widths = np.array([4.0, 8.0]), np.array([0.11, 0.02])
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]], [[3.8, 11.0], [1.0, 1.0]]])
@@ -155,37 +161,40 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
 
 @compiled
 def farthest(errors: Floats) -> float:
-    """The size of the largest."""
-    found = 0.0
+    """Return the largest absolute error."""
+    largest = 0.0
     for error in errors:
-        found = max(found, abs(error))
-    return found
+        largest = max(largest, abs(error))
+    return largest
 
 
 @compiled
 def _squares(errors: Floats) -> float:
-    """Their sum of squares."""
-    found = 0.0
+    total = 0.0
     for error in errors:
-        found += error**2
-    return found
+        total += error**2
+    return total
 
 
 @compiled
 def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room: FitRoom) -> float:
-    """The least sum of squares of ln(i/target)/width near a point; infinity where there is none.
-
-    With a stiffness so much of the squares of what is beyond a width, and its pull, is added.
+    """Minimise the sum of squares of ln(i/target)/width near a point.
 
     Parameters
     ----------
     parts, chosen, asked, room
-        Of `fitted_within`.
+        As for `fitted_within`.
     stiffness : float
+        Weight of the squared excess over the widths, including the pulls.
+
+    Returns
+    -------
+    float
+        Smallest sum of squares, infinity without a solution.
 
     Examples
     --------
-    >>> four = np.array([4.0])  # i = 1 + p shall be 4
+    >>> four = np.array([4.0])  # 1 + p = 4
     >>> room = fit_room(1, 1)
     >>> room.logs[0] = np.log(2.0)
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]]])
@@ -228,7 +237,6 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
 
 @compiled
 def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
-    """What is added to the sum of squares for what is beyond its width."""
     total = 0.0
     if stiffness > 0:
         for target in range(len(errors)):
@@ -238,18 +246,18 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 
 @compiled
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
-    """How the corners weigh at a point, and how that changes with the logarithm of each ratio."""
+    """Calculate the corner weights at a point, and the derivatives."""
     sets = len(logs)
-    room.own[:] = 1.0
+    room.corner_weights[:] = 1.0
     room.slopes[:] = 1.0
     width = asked.high - asked.low
     for number in range(sets):
         size = math.exp(logs[number])
         part, slope = (size - asked.low) / width, size / width
-        for corner in range(len(room.own)):
+        for corner in range(len(room.corner_weights)):
             is_high = (corner >> number) & 1
             value = part if is_high else 1.0 - part
-            room.own[corner] *= value
+            room.corner_weights[corner] *= value
             for other in range(sets):
                 if other != number:
                     room.slopes[other, corner] *= value
@@ -259,7 +267,7 @@ def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
 
 @compiled
 def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
-    """Numerator and denominator by their values at the corners, each with its weight."""
+    """Interpolate numerator and denominator between the corners."""
     above = below = 0.0
     for corner in range(len(weights)):
         above += weights[corner] * part[0, corner]
@@ -268,25 +276,27 @@ def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
 
 
 @compiled
-def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, found: Floats) -> float:
-    """ln(i/target)/width of every gear; the sum of squares, infinity with another sign of one."""
+def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, errors: Floats) -> float:
+    """Calculate ln(i/target)/width of every gear; return the sum of squares.
+
+    The sum is infinite if a gear has the wrong sign.
+    """
     total = 0.0
     for target in range(len(asked.targets)):
-        above, below = weighed(parts[chosen[target]], room.own)
+        above, below = weighed(parts[chosen[target]], room.corner_weights)
         quotient = above / (below * asked.targets[target])
         if not 0 < quotient < math.inf:
             return math.inf
-        found[target] = math.log(quotient) / asked.widths[target]
-        total += found[target] ** 2
+        errors[target] = math.log(quotient) / asked.widths[target]
+        total += errors[target] ** 2
     return total
 
 
 @compiled
 def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> None:
-    """Derivatives of ln(i)/width of every gear by the logarithms of the ratios of sets."""
     for target in range(len(chosen)):
         part = parts[chosen[target]]
-        above, below = weighed(part, room.own)
+        above, below = weighed(part, room.corner_weights)
         for number in range(room.slopes.shape[0]):
             over, under = weighed(part, room.slopes[number])
             room.jacobian[target, number] = (over / above - under / below) / asked.widths[target]
@@ -294,14 +304,14 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
 
 @compiled
 def damped_step(room: FitRoom, least: float, most: float, damping: float) -> float:
-    """Go by damped normal equations of errors that have their weights; the largest step.
+    """Calculate a damped step from the weighted errors; return the largest component.
 
-    The next logarithms, within these bounds, are `tried`; what a bound holds stays there.
+    `tried` receives the new logarithms, clipped to the bounds.
     """
     _find_system(room, least, most, damping)
     system, step = room.system, room.tried
     sets = len(step)
-    for pivot in range(sets):  # positive definite: no pivots are looked for
+    for pivot in range(sets):  # positive definite, so pivoting is not needed
         for row in range(pivot + 1, sets):
             factor = system[row, pivot] / system[pivot, pivot]
             for column in range(pivot, sets + 1):
@@ -321,7 +331,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Half the derivatives of the sum of squares by the errors, the first and the second."""
+    """Calculate half the first and second derivatives of the sum of squares by the errors."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]
@@ -334,7 +344,7 @@ def _weigh_errors(room: FitRoom, stiffness: float) -> None:
 
 @compiled
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
-    """The damped normal equations; what a bound holds stays where it is."""
+    """Set up the damped normal equations; a ratio held by a bound does not move."""
     count, sets = room.jacobian.shape
     system, moves = room.system, room.tried
     for row in range(sets):

@@ -1,4 +1,4 @@
-"""Whether gears can follow one another so that one element goes and one comes, before any fit."""
+"""Can successive gears be shifted by one released and one engaged element, before any fit."""
 
 from __future__ import annotations
 
@@ -14,55 +14,58 @@ from vstatics.synthesis.boxes.search.joining import SetRoom
 
 
 def neighbours(targets: Sequence[float]) -> Integers:
-    """Which targets are neighbours, forward and backward, those behind one another in turn.
+    """Return pairs of neighbouring targets, separately for forward and reverse gears.
 
     Parameters
     ----------
     targets : sequence of float
-        [-]
+        Wanted ratios. [-]
 
     Returns
     -------
     array, shape (shifts, 2)
+        Pairs of targets in order of falling size.
 
     Examples
     --------
     >>> neighbours([1.0, -2.0, 3.0, 2.0, -3.0]).tolist()
     [[2, 3], [3, 0], [4, 1]]
     """
-    found = []
+    pairs = []
     for sign in (1, -1):
-        own = [number for number, target in enumerate(targets) if target * sign > 0]
-        own.sort(key=lambda number: -abs(targets[number]))
-        found += [*pairwise(own)]
-    return np.array(found, np.int64).reshape(-1, 2)
+        numbers = [number for number, target in enumerate(targets) if target * sign > 0]
+        numbers.sort(key=lambda number: -abs(targets[number]))
+        pairs += [*pairwise(numbers)]
+    return np.array(pairs, np.int64).reshape(-1, 2)
 
 
 @compiled
 def shifts_singly(table: Combinations, shifts: Integers, room: SetRoom) -> bool:
-    """Whether combinations of the chosen elements can follow one another so.
+    """Check that combinations of the chosen elements permit single shifts between neighbours.
 
     Parameters
     ----------
     table : Combinations
     shifts : array, shape (shifts, 2)
-        See `neighbours`; where there are none, so it is.
+        Pairs of `neighbours`; without any pair the check succeeds.
     room : SetRoom
-        `targets` tells what the combinations reach; a target goes from those that no chain
-        leads to.
+        `targets` contains the targets of each combination. A target is removed from a combination
+        that no chain of single shifts reaches.
     """
     for shift in range(len(shifts)):
         before, after = shifts[shift]
         is_open = False
-        for one in range(len(table.places)):
-            if (room.targets[one] >> after) & 1:
+        for combination in range(len(table.places)):
+            if (room.targets[combination] >> after) & 1:
                 is_next = False
                 for other in range(len(table.places)):
-                    if (room.targets[other] >> before) & 1 and _exchanged(table, one, other) <= 1:
+                    if (room.targets[other] >> before) & 1 and _exchanged(
+                        table, combination, other
+                    ) <= 1:
                         is_next = True
                         break
                 if not is_next:
-                    room.targets[one] ^= 1 << after
+                    room.targets[combination] ^= 1 << after
                 is_open |= is_next
         if not is_open:
             return False
@@ -70,12 +73,11 @@ def shifts_singly(table: Combinations, shifts: Integers, room: SetRoom) -> bool:
 
 
 @compiled
-def _exchanged(table: Combinations, one: int, other: int) -> int:
-    """So many elements of a combination of places are not in another."""
+def _exchanged(table: Combinations, combination: int, other: int) -> int:
     count = 0
-    for place in table.places[one]:
+    for place in table.places[combination]:
         count += 1
-        for there in table.places[other]:
-            if there == place:
+        for other_place in table.places[other]:
+            if other_place == place:
                 count -= 1
     return count

@@ -1,8 +1,8 @@
-"""The ratios of sets with which a set of elements has all gears, compiled.
+"""Gear-set ratios with which a set of elements has all gears, by branch and bound; compiled.
 
-Bounds are made less by all targets, cell by cell, and halved; a target with several ratios is
-given to one of them, or not to that one. Where each has one of its own, the ratios of the sets
-are fitted, from the middle of the cell.
+Each cell of the bounds is reduced by all targets, then halved. A target with several ratios is
+either assigned to one of them or not. When each target has one ratio, the gear-set ratios are
+fitted from the middle of the cell.
 """
 
 from __future__ import annotations
@@ -30,46 +30,49 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matc
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
 
 SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
-"""A fit is tried when ln(i) of all gears chosen spreads by less than the first in a cell, again
-below each of the others; what has not been found then is not there. So a box is lost only where
-its ranges leave less than the last of them. [-]"""
+"""Spreads of ln(i) in a cell below which a fit of the chosen gears is tried, in turn. [-]
+
+After the last fit the cell is abandoned, so a gearbox is lost only if its ranges leave less than
+the last spread."""
 MOST_CELLS = 200_000
-"""With more cells a set of elements is given up."""
+"""Number of cells after which a set of elements is given up."""
 EACH, NONE = -1, -2
-"""Each target has one ratio of its own; some target has none."""
+"""Results of `_open_target`: each target has a ratio of its own; some target has no ratio."""
 MORE_FITS = 50
-"""So many fits are made when there is a solution already: another may be better."""
+"""Number of fits after a first solution, in search of a better solution."""
 
 
 class CellRoom(NamedTuple):
-    """Room for cells and fits."""
+    """Work arrays for cells and fits."""
 
     cells: RatioCells
     match: MatchRoom
-    """A ratio for each target."""
+    """Matching with a ratio for each target."""
     chains: ChainRoom
-    """The combination of elements for each target."""
+    """Combination of elements for each target."""
     ratio_of: Integers
-    """The ratio of each combination of a set, below 0 of none, shape (combinations of a set,)."""
+    """Ratio of each combination of a set, negative without a ratio, shape (combinations of a
+    set,)."""
     least: Floats
-    """Between which a target is met, in a better way than that which is known, shape (targets,)."""
+    """Lower ends of the ranges within which a better solution must be, shape (targets,). [-]"""
     most: Floats
+    """Upper ends of the ranges, shape (targets,). [-]"""
     steps: Integers
-    """How many cells were looked at, and how many may be; shape (2,)."""
+    """Number of examined cells, and the limit; shape (2,)."""
     given_up: Booleans
-    """Whether something was left that might have been a solution, shape (1,)."""
+    """True if cells that could contain a solution were left unexamined, shape (1,)."""
     fit: FitRoom
     best_logs: Floats
-    """Logarithms of the best fit, shape (sets,). [-]"""
+    """Logarithms of ring teeth/sun teeth of the best fit, shape (sets,). [-]"""
     best_gears: Integers
-    """Its combination of elements for each target, shape (targets,)."""
+    """Combination of elements for each target of the best fit, shape (targets,)."""
     best: Floats
-    """Its sum of squares of ln(i/target)/width, infinity where there is none; its largest
+    """Sum of squares of ln(i/target)/width of the best fit, infinity without a fit; largest
     |ln(i/target)|. [-]"""
 
 
 def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) -> CellRoom:
-    """Room for the ratios of a set of elements; shifts are those of `neighbours`."""
+    """Return work arrays for a set of elements; `shifts` come from `neighbours`."""
     ratios, targets = len(table.places), len(asked.targets)
     return CellRoom(
         cells=cells_room(ratios, asked, sets),
@@ -89,18 +92,23 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
 
 @compiled
 def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> float:
-    """The least sum of squares of ln(i/target)/width with all targets met; infinity if none has.
+    """Minimise the sum of squares of ln(i/target)/width with all targets met.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
         Numerators and denominators of different ratios at the corners of the bounds.
     reach : array, shape (ratios,)
-        Targets that each of them reaches, as bits.
+        Targets that each ratio reaches, as bits.
     asked : Asked
     room : CellRoom
-        `ratio_of` tells whose ratios they are; `best_logs` and `best_gears` take the fit,
-        `given_up` whether there may be one although none was found.
+        `ratio_of` contains the ratio of each combination. `best_logs` and `best_gears` receive the
+        fit, `given_up` whether a fit is possible although none was found.
+
+    Returns
+    -------
+    float
+        Smallest sum of squares, infinity without a solution.
     """
     cells = room.cells
     _begin(reach, asked, room)
@@ -135,7 +143,6 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
 
 @compiled
 def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
-    """The bounds are the first cell."""
     room.best[:] = math.inf
     put(asked.least, room.least)
     put(asked.most, room.most)
@@ -150,12 +157,12 @@ def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
 
 @compiled
 def _open_target(ratios: int, room: CellRoom, top: int) -> int:
-    """The target with the least choice of ratios, of those with several; `EACH` if there is none.
+    """Return the undecided target with the fewest ratios, or `EACH` or `NONE`.
 
-    The ratio of each other is chosen. `NONE` where not each target can have a ratio of its own, or
-    those chosen no elements as wanted.
+    `NONE`: not every target can have a ratio of its own, or the chosen gears have no suitable
+    combinations of elements.
     """
-    found, least = EACH, ratios + 1
+    scarcest, least = EACH, ratios + 1
     reach, chosen = room.cells.reach[top], room.match.chosen
     for target in range(len(chosen)):
         count = 0
@@ -166,15 +173,15 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
         if count == 0:
             return NONE
         if 1 < count < least:
-            found, least = target, count
-    if found == EACH:
+            scarcest, least = target, count
+    if scarcest == EACH:
         return EACH if _has_elements(room, top) else NONE
-    return found if matched(reach, ratios, room.match) else NONE
+    return scarcest if matched(reach, ratios, room.match) else NONE
 
 
 @compiled
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Two cells of one: in that on top the first ratio has the target, in the other it has not."""
+    """Split a cell: in the upper part only the first ratio has the target, in the lower not."""
     double(cells, top)
     bit = 1 << target
     is_given = False
@@ -190,7 +197,6 @@ def _give(target: int, cells: RatioCells, top: int) -> None:
 
 @compiled
 def _has_elements(room: CellRoom, top: int) -> bool:
-    """Whether the chosen gears can have elements as wanted."""
     if not room.cells.known[top]:
         if not chained(room.ratio_of, room.match.chosen, room.chains):
             return False
@@ -200,7 +206,7 @@ def _has_elements(room: CellRoom, top: int) -> bool:
 
 @compiled
 def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
-    """Whether a fit is to be tried in a cell; it is noted that it was."""
+    """Return whether a fit is due in a cell, and record the stage."""
     stage = before = cells.stages[top]
     while stage < len(SPREADS) and spread <= SPREADS[stage]:
         stage += 1
@@ -210,7 +216,7 @@ def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
 
 @compiled
 def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
-    """Fit the chosen ratios; whether all targets are met. The best is noted."""
+    """Fit the chosen ratios and record the best; return whether all targets are met."""
     cells, chosen = room.cells, room.match.chosen
     for number in range(cells.low.shape[1]):
         room.fit.logs[number] = 0.5 * math.log(cells.low[top, number] * cells.high[top, number])
@@ -225,9 +231,9 @@ def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
         chained(room.ratio_of, chosen, room.chains)
         put(room.chains.gears, room.best_gears)
         nearer = min(math.sqrt(total), 1.0)
-        for target in range(len(chosen)):  # what is better is within
+        for target in range(len(chosen)):  # better solutions are within these ranges
             part = math.exp(nearer * asked.widths[target])
-            one, other = asked.targets[target] / part, asked.targets[target] * part
-            room.least[target] = max(asked.least[target], min(one, other))
-            room.most[target] = min(asked.most[target], max(one, other))
+            first_end, second_end = asked.targets[target] / part, asked.targets[target] * part
+            room.least[target] = max(asked.least[target], min(first_end, second_end))
+            room.most[target] = min(asked.most[target], max(first_end, second_end))
     return total < math.inf

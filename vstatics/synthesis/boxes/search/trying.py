@@ -1,4 +1,4 @@
-"""Some of the boxes of a choice of ports, compiled: for an idea of how many, and how long."""
+"""Sample the gearboxes of a choice of ports, to estimate their number and the time; compiled."""
 
 from __future__ import annotations
 
@@ -13,35 +13,37 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
 class Some(NamedTuple):
-    """How much is tried of what there is."""
+    """Size of a sample."""
 
     there: int
+    """Number of sets from which the sample is drawn."""
     most: int
-    """About so many; all if there are not twice as many."""
+    """Approximate size of the sample; all sets if there are fewer than twice as many."""
 
 
 @compiled
 def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) -> tuple[int, float]:
-    """List sets that have some of the combinations that come first.
+    """List the sets that contain a sample of the first combinations.
 
     Parameters
     ----------
     table : Combinations
     port : PortGears
-        With its ratios.
+        Gears with their ratios.
     room : SetRoom
-        With what may join; it takes as many `steps` as there may be.
+        Prepared by `begun`; `steps` limits the number of attempts.
     most : int
-        About so many combinations, at equal steps; all if there are not twice as many.
+        Approximate number of combinations, evenly spaced; all combinations if there are fewer
+        than twice as many.
 
     Returns
     -------
     int, float
-        How many sets; which share of the combinations these are.
+        Number of sets; share of the combinations in the sample.
     """
     if room.branches[0] == ONE:
         count = sets_after(table, port, room, 0, NO_END)
-        return len(room.found) if count < 0 else count, 1.0
+        return len(room.listed) if count < 0 else count, 1.0
     there = room.lengths[room.branches[0]]
     step = max(there // most, 1)
     count = tried = 0
@@ -50,7 +52,7 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
         more = sets_after(table, port, room, count, first + 1)
         tried += 1
         if more < 0:
-            return len(room.found), tried / there
+            return len(room.listed), tried / there
         count = more
         if room.steps[0] >= room.steps[1]:
             break
@@ -61,34 +63,34 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
 def some_boxes(
     table: Combinations, port: PortGears, asked: Asked, room: Room, some: Some
 ) -> tuple[int, int]:
-    """Look at some of the listed sets, at equal steps, as many `steps` as there may be.
+    """Examine a sample of the listed sets, evenly spaced, within the limit of `steps`.
 
     Returns
     -------
     int, int
-        How many boxes; how many sets were looked at.
+        Number of gearboxes; number of examined sets.
     """
     step = max(some.there // some.most, 1)
-    found = tried = 0
+    boxes = tried = 0
     for number in range(step // 2, some.there, step):
-        found += is_box(table, port, asked, room, room.sets.found[number])
+        boxes += is_box(table, port, asked, room, room.sets.listed[number])
         tried += 1
         if room.cells.steps[0] >= room.cells.steps[1]:
             break
-    return found, tried
+    return boxes, tried
 
 
 @compiled
 def some_sequences(
     table: Combinations, port: PortGears, asked: Asked, room: Room, some: Some
 ) -> tuple[int, int]:
-    """The same where gears besides the targets are wanted."""
+    """Examine a sample of the listed sets for gears in addition to the targets."""
     step = max(some.there // some.most, 1)
-    found = tried = 0
+    boxes = tried = 0
     for number in range(step // 2, some.there, step):
-        length, _ = gears_besides(table, port, asked, room, room.sets.found[number])
-        found += length > 0
+        length, _ = gears_besides(table, port, asked, room, room.sets.listed[number])
+        boxes += length > 0
         tried += 1
         if room.sequences.steps[0] >= room.sequences.steps[1]:
             break
-    return found, tried
+    return boxes, tried

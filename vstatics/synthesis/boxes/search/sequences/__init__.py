@@ -1,6 +1,6 @@
-"""Gears that a set of elements has with ratios nobody knows beforehand, compiled.
+"""Sequences of gears whose ratios are not given but only bounded; compiled.
 
-What is told of them is in one place, `search`: `room` has what is wanted and the room for it,
-`bounds` between which steps are in a cell, `choosing` the choices that are possible by these
-bounds or at a point, `fitting` the ratios of the sets nearest to the middles of what is wanted.
+`search` decides which sequence is reported. `room` contains the requirements and the work arrays,
+`bounds` the ranges of steps in a cell, `choosing` the choices of gears that are possible within
+these ranges or at a point, and `fitting` the gear-set ratios nearest to the middles of the ranges.
 """

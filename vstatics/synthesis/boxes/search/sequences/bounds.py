@@ -1,10 +1,9 @@
-"""Between which the ratios of a cell, and the steps between them, are.
+"""Ranges of the ratios of a cell, and of the steps between them.
 
-A step i/j is a quotient of products of polynomials that are linear in each ratio of a set, so it
-is at most quadratic in each. In Bernstein's form of both products, a sum over pairs of corners for
-each coefficient, it lies between the quotients of coefficients (Narkawicz, Garloff, Smith,
-Munoz: Reliable Computing 17, 2012): much nearer than what the ends of i and of j say apart, since
-both move together.
+A step i/j is a quotient of products of polynomials that are linear in each gear-set ratio, so it is
+at most quadratic in each. In Bernstein form, with both products as sums over pairs of corners, it
+lies between the quotients of the coefficients (Narkawicz, Garloff, Smith, Munoz: Reliable Computing
+17, 2012). This range is much narrower than the separate ranges of i and j, which vary together.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 @compiled
 def ends_of(part: Floats) -> tuple[float, float]:
-    """Between which ln(i) is in a cell; infinity and less where it is never forward.
+    """Return the range of ln(i) in a cell, or infinity and -infinity if i is never positive.
 
     Parameters
     ----------
@@ -49,23 +48,23 @@ def ends_of(part: Floats) -> tuple[float, float]:
 
 @compiled
 def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: Floats) -> int:
-    """Which targets each ratio reaches in a cell, between which it is, and each step.
+    """Calculate the targets and range of each ratio in a cell, and the range of each step.
 
     Parameters
     ----------
     cell : array, shape (ratios, 2, corners)
     count : int
-        Of ratios.
+        Number of ratios.
     asked : Asked
     room : ChoiceRoom
-        Takes what is found.
+        Receives the results.
     sums : array, shape (2, 3**sets)
-        Scratch.
+        Work array.
 
     Returns
     -------
     int
-        So many ratios may be forward.
+        Number of ratios that can be forward.
     """
     forward = 0
     for ratio in range(count):
@@ -80,28 +79,28 @@ def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: 
 
 @compiled
 def _find_steps(cell: Floats, count: int, room: ChoiceRoom, sums: Floats) -> None:
-    """Between which each step is in a cell, as far as gears can be one behind the other."""
-    for one in range(count):
-        for other in range(one + 1, count):
+    """Calculate the range of each step in a cell, if both gears can be forward."""
+    for upper in range(count):
+        for lower in range(upper + 1, count):
             low, high = -math.inf, math.inf
-            if not (_is_forward(one, room) and _is_forward(other, room)):
+            if not (_is_forward(upper, room) and _is_forward(lower, room)):
                 low, high = high, low
-            elif _is_bounded(one, room) and _is_bounded(other, room):
-                low, high = _step(cell[one], cell[other], sums)
-            else:  # one goes through 0 or infinity
-                low = _less(room.ends[one, 0], room.ends[other, 1], -math.inf)
-                high = _less(room.ends[one, 1], room.ends[other, 0], math.inf)
-            room.steps[one, other, 0] = low
-            room.steps[one, other, 1] = high
-            room.steps[other, one, 0] = -high
-            room.steps[other, one, 1] = -low
+            elif _is_bounded(upper, room) and _is_bounded(lower, room):
+                low, high = _step(cell[upper], cell[lower], sums)
+            else:  # a ratio has a zero or a pole
+                low = _less(room.ends[upper, 0], room.ends[lower, 1], -math.inf)
+                high = _less(room.ends[upper, 1], room.ends[lower, 0], math.inf)
+            room.steps[upper, lower, 0] = low
+            room.steps[upper, lower, 1] = high
+            room.steps[lower, upper, 0] = -high
+            room.steps[lower, upper, 1] = -low
 
 
 @compiled
-def _less(one: float, other: float, unknown: float) -> float:
-    """The difference of two ends, unknown if one of them is infinite."""
-    is_known = -math.inf < one < math.inf and -math.inf < other < math.inf
-    return one - other if is_known else unknown
+def _less(minuend: float, subtrahend: float, unknown: float) -> float:
+    """Return the difference of two ends, or `unknown` if an end is infinite."""
+    is_known = -math.inf < minuend < math.inf and -math.inf < subtrahend < math.inf
+    return minuend - subtrahend if is_known else unknown
 
 
 @compiled
@@ -115,26 +114,26 @@ def _is_bounded(ratio: int, room: ChoiceRoom) -> bool:
 
 
 @compiled
-def _step(one: Floats, other: Floats, sums: Floats) -> tuple[float, float]:
-    """Between which ln(i/j) is in a cell where neither goes through 0 or infinity."""
-    corners = one.shape[1]
+def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float]:
+    """Return the range of ln(i/j) in a cell where neither ratio has a zero or a pole."""
+    corners = dividend.shape[1]
     fill(sums[0], 0.0)
     fill(sums[1], 0.0)
     first = 0
-    for corner in range(corners):
+    for first_corner in range(corners):
         second = 0
-        for another in range(corners):
-            sums[0, first + second] += one[0, corner] * other[1, another]
-            sums[1, first + second] += one[1, corner] * other[0, another]
-            second += _gap(another)
-        first += _gap(corner)
+        for second_corner in range(corners):
+            sums[0, first + second] += dividend[0, first_corner] * divisor[1, second_corner]
+            sums[1, first + second] += dividend[1, first_corner] * divisor[0, second_corner]
+            second += _gap(second_corner)
+        first += _gap(first_corner)
     least, most = extremes(sums[0], sums[1])
     return math.log(least), math.log(most)
 
 
 @compiled
 def _gap(corner: int) -> int:
-    """From the bits of a number, read with base 3, to those of the next."""
+    """Return the increment to the next corner when the bits of corners are read in base 3."""
     low, power = 0, 1
     while corner & 1:
         low += power

@@ -1,6 +1,6 @@
-"""Choices of ratios for the targets and for a sequence, by bounds of ratios and of their steps.
+"""Choices of ratios for the targets and for a sequence, by ranges of ratios and steps.
 
-At a point these bounds are numbers, and what is possible is so.
+At a point all ranges shrink to numbers, and the choices are exact.
 """
 
 from __future__ import annotations
@@ -15,20 +15,21 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
 class Goal(NamedTuple):
-    """Which choices are looked for."""
+    """Choices that are looked for."""
 
     targets: int
-    """The first gears chosen are theirs."""
+    """Number of targets; the first gears of a choice serve the targets."""
     ratios: int
+    """Number of ratios to choose from."""
     fewest: int
-    """Gears of the sequence."""
+    """Smallest number of gears in the sequence."""
     looks: int
-    """So many gears are looked at, no more."""
+    """Largest number of gears to examine."""
 
 
 @compiled
 def begin_choices(room: ChoiceRoom) -> None:
-    """Before the first choice."""
+    """Reset the room before the first choice."""
     for ratio in range(len(room.free)):
         room.free[ratio] = True
     room.places[0] = -1
@@ -37,23 +38,24 @@ def begin_choices(room: ChoiceRoom) -> None:
 
 @compiled
 def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> int:
-    """The next choice that the bounds let be; each is met once.
+    """Find the next choice that the ranges allow; each choice is met once.
 
     Parameters
     ----------
     wanted : Sequence
     goal : Goal
     depth : int
-        0 at first, then what was returned before.
+        0 for the first choice, then the previous return value.
     room : ChoiceRoom
 
     Returns
     -------
     int
-        The gears chosen, with those of the targets; 0 after the last, -1 after too many looks.
+        Number of chosen gears, including the targets; 0 after the last choice, -1 after too many
+        looks.
     """
     while depth >= 0:
-        if depth == goal.targets + wanted.most:  # there is no room for another one
+        if depth == goal.targets + wanted.most:  # no further gear fits
             depth -= 1
         place = room.places[depth]
         if place >= 0:
@@ -82,7 +84,6 @@ def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> i
 
 @compiled
 def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
-    """Whether the next gear may have a ratio."""
     if not room.free[ratio]:
         return False
     if depth < goal.targets:
@@ -94,7 +95,6 @@ def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRo
 
 @compiled
 def _follows(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
-    """Whether a ratio may be the next of a sequence."""
     first, last = room.chosen[goal.targets], room.chosen[depth - 1]
     low, high = room.steps[last, ratio, 0], room.steps[last, ratio, 1]
     largest = wanted.steps[1]
@@ -106,28 +106,33 @@ def _follows(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceR
         further = largest
     if high < wanted.steps[0] or low > largest or room.steps[first, ratio, 0] > wanted.spread[1]:
         return False
-    gears = goal.targets + wanted.most - depth - 1  # that may come further
+    gears = goal.targets + wanted.most - depth - 1  # that can still follow
     return bool(gears == 0 or room.steps[first, ratio, 1] + gears * further >= wanted.spread[0])
 
 
 @compiled
 def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> bool:
-    """Whether elements can be engaged in the chosen gears so that all are used.
+    """Assign elements to the chosen gears so that all elements are used.
 
     Parameters
     ----------
     asked : Asked
     length : int
-        So many gears are chosen at the point, with those of the targets.
+        Number of gears chosen at the point, including the targets.
     singly : int
-        Whether one element is to change between neighbours, too.
+        Whether neighbouring gears must also differ by a single shift.
     room : SequenceRoom
-        `chains` takes the combinations.
+        `chains` receives the combinations.
+
+    Returns
+    -------
+    bool
+        Whether such an assignment exists.
     """
     chains, targets, turn = room.chains, asked.targets, 0
     for sign in (1, -1):
         start, after, last = turn, math.inf, -1
-        while True:  # by falling size, as a transmission has them
+        while True:  # gears of one sign in order of falling size
             best, largest = -1, -math.inf
             for gear in range(length):
                 if gear < len(targets):
@@ -150,7 +155,10 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
 
 @compiled
 def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
-    """The same of gears that may be in a cell; with targets they may follow in another order."""
+    """Check for elements as `set_elements`, for gears chosen by ranges in a cell.
+
+    With targets the order of the gears is not known yet, so single shifts are not checked.
+    """
     chains = room.chains
     for gear in range(length):
         chains.order[gear] = gear

@@ -1,8 +1,9 @@
-"""Ratios of sets with which the gears of a choice are nearest to the middles of what is wanted.
+"""Gear-set ratios for which the gears of a choice are nearest to the middles of their ranges.
 
-Least squares of ln(i/target)/width of the targets, and of ln(what is/middle)/half-width of the
-spread and of each step, with all of them within their ranges: by Levenberg and Marquardt, what is
-beyond is pulled back by more and more, as augmented Lagrangians do. What has no end has no middle.
+Least squares of ln(i/target)/width for the targets, and of ln(value/middle)/half-width for the
+spread and each step, all within their ranges, by Levenberg-Marquardt. Values beyond their ranges
+are pulled back more strongly in each turn (augmented Lagrangian). A range without an end has no
+middle and does not count.
 """
 
 from __future__ import annotations
@@ -33,28 +34,28 @@ from vstatics.synthesis.tolerances import (
     NARROWEST_RANGE,
 )
 
-UNIT = 0.1
-"""In place of the half-width of what has no middle. [-]"""
+WIDTH_WITHOUT_MIDDLE = 0.1
+"""Half-width that replaces that of a range without a middle. [-]"""
 
 
 @compiled
 def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """The least sum of squares near a point with all gears of a choice within their ranges.
+    """Minimise the sum of squares near a point with all gears of a choice in range.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
         Numerator and denominator of each ratio at the corners of the bounds.
     length : int
-        So many gears are chosen at the point, with those of the targets.
+        Number of gears chosen at the point, including the targets.
     asked : Asked
     room : SequenceRoom
-        `fit.logs` tell where to begin, and where it ended.
+        `fit.logs` contains the starting point and receives the solution.
 
     Returns
     -------
     float
-        Infinity where there is none.
+        Smallest sum of squares, infinity without a solution.
     """
     fit, rows = room.fit, _find_rows(length, asked, room)
     fill(fit.pulls, 0.0)
@@ -68,7 +69,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
         if total == math.inf or beyond <= BEYOND_WIDTH:
             return total
         if turn == 0 and total > rows:
-            return math.inf  # one is beyond its range wherever it is
+            return math.inf  # some value is always beyond its range
         if turn > FIRST_TURNS + 1 and beyond > LESS_BEYOND * before:
             return math.inf
         stiffness, before = PULL, beyond
@@ -80,7 +81,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
 
 @compiled
 def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """The sum of squares of a choice at the logarithms of the fit, within its ranges or not."""
+    """Return the sum of squares of a choice at the current point, ignoring the ranges."""
     _find_rows(length, asked, room)
     weigh(room.fit.logs, asked, room.fit)
     return _errors(parts, length, asked, room, room.fit.trial)
@@ -88,11 +89,11 @@ def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> 
 
 @compiled
 def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
-    """What each error is measured by, into `rows`; how many count."""
+    """Write the middle, half-width and range of each error to `rows`; count the valid rows."""
     wanted, targets, count = room.wanted, len(asked.targets), 0
     steps = length - targets - 1
     for row in range(len(room.rows)):
-        middle, half, low, high, counts = 0.0, UNIT, -math.inf, 0.0, 0.0
+        middle, half, low, high, counts = 0.0, WIDTH_WITHOUT_MIDDLE, -math.inf, 0.0, 0.0
         if row < targets:
             middle, half = math.log(abs(asked.targets[row])), asked.widths[row]
             low, high, counts = -1.0, 1.0, 1.0
@@ -114,7 +115,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
 
 @compiled
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
-    """By how much an error is beyond its range with its pull, at the end that is nearer, signed."""
+    """Return the signed excess of an error over the nearer end of the range, with the pull."""
     pull = room.fit.pulls[row]
     above, below = error - room.rows[row, 3] + pull, room.rows[row, 2] - error + pull
     if above >= below:
@@ -126,7 +127,7 @@ def _pulled(error: float, row: int, room: SequenceRoom) -> float:
 def _fitted(
     parts: Floats, length: int, asked: Asked, stiffness: float, room: SequenceRoom
 ) -> float:
-    """The least sum of squares near a point, with such a stiffness; that of the errors alone."""
+    """Minimise the penalised sum of squares near a point; return the part without penalty."""
     fit = room.fit
     least, most = math.log(asked.low), math.log(asked.high)
     weigh(fit.logs, asked, fit)
@@ -162,7 +163,6 @@ def _fitted(
 
 @compiled
 def _squares(errors: Floats, room: SequenceRoom) -> float:
-    """The sum of squares of the errors that count."""
     total = 0.0
     for row in range(len(errors)):
         total += room.rows[row, 4] * errors[row] ** 2
@@ -171,7 +171,6 @@ def _squares(errors: Floats, room: SequenceRoom) -> float:
 
 @compiled
 def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
-    """What is added to it for what is beyond its range."""
     total = 0.0
     if stiffness > 0:
         for row in range(len(errors)):
@@ -180,50 +179,52 @@ def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
 
 
 @compiled
-def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, found: Floats) -> float:
-    """All errors at the weights of the corners; the sum of squares, infinity without a gear."""
+def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> float:
+    """Calculate all errors at the current corner weights; return the sum of squares.
+
+    The sum is infinite if a gear has the wrong sign.
+    """
     for gear in range(length):
-        above, below = weighed(parts[room.point.chosen[gear]], room.fit.own)
+        above, below = weighed(parts[room.point.chosen[gear]], room.fit.corner_weights)
         ratio = above / below
         if gear < len(asked.targets) and asked.targets[gear] < 0:
             ratio = -ratio
         if not 0 < ratio < math.inf:
             return math.inf
         room.gear_logs[gear] = math.log(ratio)
-    _combine(room.gear_logs, length, asked, room, found)
-    for row in range(len(found)):
-        found[row] -= room.rows[row, 0] / room.rows[row, 1]
-    return _squares(found, room)
+    _combine(room.gear_logs, length, asked, room, errors)
+    for row in range(len(errors)):
+        errors[row] -= room.rows[row, 0] / room.rows[row, 1]
+    return _squares(errors, room)
 
 
 @compiled
-def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, found: Floats) -> None:
-    """What each error is by the logarithms of ratios, or their slopes; over its half-width."""
+def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> None:
+    """Combine logarithms of ratios, or slopes, to spread and steps, per half-width."""
     targets = len(asked.targets)
-    fill(found, 0.0)
+    fill(errors, 0.0)
     for target in range(targets):
-        found[target] = logs[target]
-    found[targets] = logs[targets] - logs[length - 1]
+        errors[target] = logs[target]
+    errors[targets] = logs[targets] - logs[length - 1]
     steps = length - targets - 1
     for step in range(steps):
-        found[targets + 1 + step] = logs[targets + step] - logs[targets + step + 1]
+        errors[targets + 1 + step] = logs[targets + step] - logs[targets + step + 1]
     if room.wanted.falling:
         for step in range(1, steps):
-            above, below = found[targets + 1 + step], found[targets + step]
-            found[targets + steps + step] = above - below
-    for row in range(len(found)):
-        found[row] /= room.rows[row, 1]
+            above, below = errors[targets + 1 + step], errors[targets + step]
+            errors[targets + steps + step] = above - below
+    for row in range(len(errors)):
+        errors[row] /= room.rows[row, 1]
 
 
 @compiled
 def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
-    """Derivatives of all errors by the logarithms of the ratios of sets."""
     fit = room.fit
     weigh(fit.logs, asked, fit)
     for number in range(len(fit.logs)):
         for gear in range(length):
             part = parts[room.point.chosen[gear]]
-            above, below = weighed(part, fit.own)
+            above, below = weighed(part, fit.corner_weights)
             over, under = weighed(part, fit.slopes[number])
             room.gear_logs[gear] = over / above - under / below
         _combine(room.gear_logs, length, asked, room, fit.jacobian[:, number])
@@ -231,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Half the derivatives of the sum of squares by the errors, the first and the second."""
+    """Calculate half the first and second derivatives of the sum of squares by the errors."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]

@@ -1,4 +1,4 @@
-"""What the ratios are at a point of the bounds, and the best choice that is known so far."""
+"""Ratios at a point of the bounds, and the best choice of gears so far."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
 
 @compiled
 def is_best(room: SequenceRoom) -> bool:
-    """Whether nothing can be better than what there is, as far as is looked for now."""
+    """Return whether the best choice cannot be improved in the current phase."""
     if room.is_single_left[0]:
         return bool(room.best[1] > 0)
     return bool(room.best[0] == room.wanted.most)
@@ -21,20 +21,20 @@ def is_best(room: SequenceRoom) -> bool:
 
 @compiled
 def fewest(room: SequenceRoom) -> int:
-    """So many gears has what is better, at least."""
+    """Return the smallest number of gears of a better choice."""
     longer = 0 if room.is_single_left[0] else 1
     return int(max(room.wanted.least, room.best[0] + longer))
 
 
 @compiled
 def is_singly(room: SequenceRoom) -> int:
-    """Whether something is better only if it shifts singly."""
+    """Return 1 if a better choice must shift singly, otherwise 0."""
     return 1 if room.wanted.singly or room.is_single_left[0] else 0
 
 
 @compiled
 def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """ln(i) of all forward ratios at the logarithms of the fit."""
+    """Calculate ln(i) of all forward ratios at the current point."""
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(len(parts)):
         _ratio_at(parts, ratio, room)
@@ -42,8 +42,8 @@ def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled
 def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
-    """A ratio at the weights of the corners; ln(i) of it is kept."""
-    above, below = weighed(parts[ratio], room.fit.own)
+    """Return a ratio at the current corner weights, and store the logarithm."""
+    above, below = weighed(parts[ratio], room.fit.corner_weights)
     value = above / below
     room.logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
     return float(value)
@@ -51,34 +51,34 @@ def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
 
 @compiled
 def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """All ratios, and the steps between them, at the logarithms of the fit."""
-    own, logs, count = room.point, room.logs, len(parts)
+    """Calculate all ratios and steps at the current point, and sort the ratios."""
+    point, logs, count = room.point, room.logs, len(parts)
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(count):
         value = _ratio_at(parts, ratio, room)
-        own.reach[ratio] = 0
+        point.reach[ratio] = 0
         for target in range(len(asked.targets)):
             if asked.least[target] <= value <= asked.most[target]:
-                own.reach[ratio] |= 1 << target
-        own.ends[ratio, 0] = own.ends[ratio, 1] = logs[ratio]
+                point.reach[ratio] |= 1 << target
+        point.ends[ratio, 0] = point.ends[ratio, 1] = logs[ratio]
         if logs[ratio] == -math.inf:
-            own.ends[ratio, 0] = math.inf
+            point.ends[ratio, 0] = math.inf
         place = ratio
-        while place > 0 and logs[own.order[place - 1]] < logs[ratio]:
-            own.order[place] = own.order[place - 1]
+        while place > 0 and logs[point.order[place - 1]] < logs[ratio]:
+            point.order[place] = point.order[place - 1]
             place -= 1
-        own.order[place] = ratio
-    for one in range(count):
-        for other in range(count):
-            is_step = min(logs[one], logs[other]) > -math.inf
-            step = logs[one] - logs[other]
-            own.steps[one, other, 0] = step if is_step else math.inf
-            own.steps[one, other, 1] = step if is_step else -math.inf
+        point.order[place] = ratio
+    for upper in range(count):
+        for lower in range(count):
+            is_step = min(logs[upper], logs[lower]) > -math.inf
+            step = logs[upper] - logs[lower]
+            point.steps[upper, lower, 0] = step if is_step else math.inf
+            point.steps[upper, lower, 1] = step if is_step else -math.inf
 
 
 @compiled
 def note(length: int, asked: Asked, singly: int, squares: float, room: SequenceRoom) -> bool:
-    """Note a choice at the point, if elements can be engaged for it, maybe only singly."""
+    """Record a choice at the point if shift elements for the choice exist."""
     gears = length - len(asked.targets)
     is_single = set_elements(asked, length, 1, room)
     if not is_single and (singly > 0 or not set_elements(asked, length, 0, room)):

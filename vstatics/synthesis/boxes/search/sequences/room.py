@@ -1,4 +1,4 @@
-"""What is wanted of a sequence of gears, in logarithms, and room to look for one."""
+"""Requirements on a sequence of gears, in logarithms, and work arrays of its search."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.synthesis.boxes.box import LARGEST_RATIO, WantedSequence
+from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import NO_END
@@ -16,32 +16,33 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO, TARGET_MARGIN
 
-NARROW = 1.01
-"""A cell is not halved along a ratio whose bounds are so near. [-]"""
+NARROW_SEQUENCE_CELL = 1.01
+"""Quotient of the bounds of a ratio below which a cell is not halved further. [-]"""
 
 
 class Sequence(NamedTuple):
-    """Which forward gears a box is to have; logarithms of quotients of ratios."""
+    """Forward gears that a gearbox shall have; quotients of ratios as logarithms."""
 
     least: int
-    """So many gears at least."""
+    """Smallest number of gears."""
     most: int
+    """Largest number of gears."""
     spread: tuple[float, float]
-    """Of the first over the last ratio. [-]"""
+    """Range of ln(first ratio/last ratio). [-]"""
     steps: tuple[float, float]
-    """Of each ratio over the next one; gears differ. [-]"""
+    """Range of ln(ratio/next ratio); the lower end separates the gears. [-]"""
     falling: bool
-    """Whether no step is larger than the one below it."""
+    """True if no step can be larger than the step below."""
     singly: bool
-    """Whether one element is to change between neighbours."""
+    """True if neighbouring gears must differ by a single shift."""
 
 
 def sequence_of(wanted: WantedSequence | None, *, singly: bool) -> Sequence:
-    """The gears besides the targets, none where there is nothing wanted.
+    """Return the gears wanted in addition to the targets, empty without a request.
 
     Examples
     --------
-    An end that no box reaches is none:
+    An end beyond the reach of any gearbox becomes infinite:
 
     >>> wanted = WantedSequence(3, 4, (2.0, 4.0), (1.0, 1e6))
     >>> sequence_of(wanted, singly=False).steps
@@ -56,79 +57,83 @@ def sequence_of(wanted: WantedSequence | None, *, singly: bool) -> Sequence:
 
 def _ends(given: tuple[float, float]) -> tuple[float, float]:
     low, high = given
-    no_end = high >= LARGEST_RATIO**2
+    no_end = high >= LARGEST_BOX_RATIO**2
     return math.log(low) - TARGET_MARGIN, math.inf if no_end else math.log(high) + TARGET_MARGIN
 
 
 class ChoiceRoom(NamedTuple):
-    """Room for choices of ratios, in a cell or at a point: of the targets, then of a sequence."""
+    """Work arrays for choices of ratios: of the targets, then of a sequence."""
 
     reach: Integers
     """Targets that each ratio reaches, as bits, shape (ratios,)."""
     ends: Floats
-    """Between which ln(i) of each ratio is, the first above the other where it is never forward;
-    shape (ratios, 2). [-]"""
+    """Range of ln(i) of each ratio, reversed for a reverse gear; shape (ratios, 2). [-]"""
     steps: Floats
-    """Between which ln(i/j) of two ratios is, shape (ratios, ratios, 2). [-]"""
+    """Range of ln(i/j) of each pair of ratios, shape (ratios, ratios, 2). [-]"""
     order: Integers
-    """Ratios, those with the largest first, shape (ratios,)."""
+    """Ratios in order of falling size, shape (ratios,)."""
     places: Integers
-    """The place in the order of each gear, below 0 at first, shape (gears,)."""
+    """Place of each gear in the order, negative at first, shape (gears,)."""
     chosen: Integers
-    """The ratio of each gear, shape (gears,)."""
+    """Ratio of each gear, shape (gears,)."""
     free: Booleans
-    """Whether a ratio is of no gear, shape (ratios,)."""
+    """True if a ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """So many gears were looked at, shape (1,)."""
+    """Number of examined gears, shape (1,)."""
 
 
 class SequenceRoom(NamedTuple):
-    """Room for cells, kept one on the other, and for sequences."""
+    """Work arrays for a stack of cells and for sequences."""
 
     wanted: Sequence
     ratio_of: Integers
-    """The ratio of each combination of a set, below 0 of none, shape (combinations of a set,)."""
+    """Ratio of each combination of a set, negative without a ratio, shape (combinations of a
+    set,)."""
     chains: ChainRoom
-    """A combination of elements for each gear."""
+    """Combination of elements for each gear."""
     match: MatchRoom
     steps: Integers
-    """How many cells were looked at, and how many may be; shape (2,)."""
+    """Number of examined cells, and the limit; shape (2,)."""
     parts: Floats
-    """Numerators and denominators, shape (cells, ratios, 2, corners)."""
+    """Numerators and denominators at the corners of cells, shape (cells, ratios, 2, corners)."""
     low: Floats
-    """Bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
+    """Lower bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
     high: Floats
+    """Upper bounds, shape (cells, sets). [-]"""
     cell: ChoiceRoom
+    """Choices by the ranges in a cell."""
     point: ChoiceRoom
+    """Choices by the numbers at a point."""
     sums: Floats
-    """Coefficients of a quotient in a cell, shape (2, 3**sets)."""
+    """Bernstein coefficients of a step in a cell, shape (2, 3**sets)."""
     logs: Floats
-    """ln(i) of each ratio at the point, -inf of one backward, shape (ratios,). [-]"""
+    """ln(i) of each ratio at the point, -inf for reverse, shape (ratios,). [-]"""
     fit: FitRoom
     rows: Floats
-    """Of each error of a fit the middle, half the width, in terms of that both ends, and whether it
-    counts; shape (errors, 5)."""
+    """Middle and half-width of each error, both ends of the range in half-widths, and 1 if the
+    error counts; shape (errors, 5)."""
     gear_logs: Floats
-    """ln(i) of each gear in a fit, or its slope, shape (gears,)."""
+    """ln(i) of each gear of a fit, or the slope, shape (gears,)."""
     best: Integers
-    """Gears of the sequence that is told, whether they shift singly, shape (2,)."""
+    """Number of gears of the best sequence, and 1 for single shifts, shape (2,)."""
     is_single_left: Booleans
-    """Whether no longer one is looked for, only one that shifts singly, shape (1,)."""
+    """True if the search only looks for a sequence of equal length with single shifts, shape
+    (1,)."""
     squares: Floats
-    """Its sum of squares, shape (1,). [-]"""
+    """Sum of squares of the best sequence, shape (1,). [-]"""
     best_chosen: Integers
-    """Ratios of the targets, then of the sequence, shape (gears,)."""
+    """Ratios of the best choice: targets, then the sequence, shape (gears,)."""
     best_gears: Integers
-    """Their combinations of elements, shape (gears,)."""
+    """Combination of elements in each gear of the best choice, shape (gears,)."""
     best_logs: Floats
-    """Logarithms of ring teeth/sun teeth there, shape (sets,). [-]"""
+    """Logarithms of ring teeth/sun teeth of the best choice, shape (sets,). [-]"""
 
 
 def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int) -> SequenceRoom:
-    """Room for sequences of a set of elements."""
+    """Return work arrays for sequences of a set of elements."""
     ratios, targets = len(table.places), len(asked.targets)
     gears = targets + wanted.most
-    halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW))
+    halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_SEQUENCE_CELL))
     deep = 2 + sets * math.ceil(max(halvings, 0)) if wanted.most else 1
     rows = targets + 2 * wanted.most  # targets, steps, spread, falls
     return SequenceRoom(

@@ -1,14 +1,14 @@
-"""The sequence of gears that is told of a set of elements, and the ratios of its sets.
+"""Find the sequence of gears to report for a set of elements, and its gear-set ratios.
 
-A sequence is found where some ratios of the sets leave its spread and steps, and the targets
-besides, within their ranges. What is told of it is, first, as many gears as there can be, then
-such whose neighbours differ by one element's change, then what is nearest to the middles of the
-ranges: the least squares, with the choices of ratios at a grid of points. Where single shifts are
-asked for, only such sequences are looked for, so as many gears as can be shifted so.
+A sequence exists if some gear-set ratios keep its spread and steps, and the targets, within their
+ranges. The reported sequence has, first, as many gears as possible; second, single shifts between
+neighbours; third, the smallest sum of squared distances from the middles of the ranges, over the
+choices of ratios at a grid of points. If single shifts are required, only such sequences are
+considered, so the result has as many gears as can be shifted singly.
 
-The bounds are halved again and again. A cell is left where no choice is possible by the bounds of
-its steps; in its middle the best is looked for; where it is small, what is possible in it is fitted
-from its middle, and what is not found then is not there.
+The bounds are halved repeatedly. A cell is discarded if the ranges of its steps allow no choice;
+the best choice at its middle is recorded. In a small cell every possible choice is fitted from the
+middle; solutions missed by these fits are lost.
 """
 
 from __future__ import annotations
@@ -36,36 +36,36 @@ from vstatics.synthesis.boxes.search.sequences.point import (
     is_singly,
     note,
 )
-from vstatics.synthesis.boxes.search.sequences.room import NARROW, SequenceRoom
+from vstatics.synthesis.boxes.search.sequences.room import NARROW_SEQUENCE_CELL, SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
-MOST_LOOKS = 2000
-"""So many gears of choices are looked at in a cell, before it is halved."""
+MOST_CELL_LOOKS = 2000
+"""Largest number of gears to examine before a cell is halved."""
 MOST_AT_POINT = 50_000
-"""And at a point."""
-MOST_CELLS = 20_000
-"""With more cells a set of elements is given up."""
+"""Largest number of gears to examine at a point."""
+MOST_SEQUENCE_CELLS = 20_000
+"""Number of cells after which a set of elements is given up."""
 MORE_CELLS = 1000
-"""So many are looked at for as many gears that shift singly."""
+"""Number of further cells to examine for an equally long sequence with single shifts."""
 SMALL = 1.05
-"""All that is possible in a cell is fitted where no ratio of a set has bounds farther apart. [-]"""
-MOST_FITS = 40
-"""So many choices are fitted in a cell, before it is halved."""
+"""Quotient of the bounds of each ratio below which every choice in a cell is fitted. [-]"""
+MOST_CELL_FITS = 40
+"""Largest number of choices to fit before a cell is halved."""
 
 
 @compiled
 def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int, bool]:
-    """The gears of the sequence that is told; whether there may be one where none is found.
+    """Return the number of gears of the best sequence, and whether the search is incomplete.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
         Numerators and denominators of different ratios at the corners of the bounds.
     asked : Asked
-        Its targets are gears besides.
+        Its targets are gears in addition to the sequence.
     room : SequenceRoom
-        `ratio_of` and `chains.used` tell whose ratios they are; `best_gears` and `best_logs`
-        take what is found.
+        `ratio_of` and `chains.used` describe the combinations; `best_gears` and `best_logs`
+        receive the sequence.
     """
     best, count = room.best, len(parts)
     fill(best, 0)
@@ -73,7 +73,7 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
     if count < len(asked.targets) + room.wanted.least:
         return 0, False
     room.is_single_left[0] = False
-    is_open = _looked(parts, MOST_CELLS, asked, room)
+    is_open = _looked(parts, MOST_SEQUENCE_CELLS, asked, room)
     if best[0] > 0 and best[1] == 0:
         room.is_single_left[0] = True
         _looked(parts, MORE_CELLS, asked, room)
@@ -84,7 +84,7 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
 
 @compiled
 def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Look for what is better in so many cells; whether there may be more."""
+    """Look for a better choice in at most `most` cells; return whether cells remain."""
     count, top, is_open = len(parts), 1, False
     for ratio in range(count):
         put(parts[ratio, 0], room.parts[0, ratio, 0])
@@ -113,15 +113,15 @@ def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled
 def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Whether something better may be in a cell; of long searches that is taken for granted."""
-    own, targets = room.cell, len(asked.targets)
-    forward = find_bounds(room.parts[top], count, asked, own, room.sums)
-    if forward < fewest(room) or not matched(own.reach, count, room.match):
+    """Return whether a cell can contain a better choice; True if the search takes too long."""
+    cell, targets = room.cell, len(asked.targets)
+    forward = find_bounds(room.parts[top], count, asked, cell, room.sums)
+    if forward < fewest(room) or not matched(cell.reach, count, room.match):
         return False
-    goal, depth = Goal(targets, count, fewest(room), MOST_LOOKS), 0
-    begin_choices(own)
+    goal, depth = Goal(targets, count, fewest(room), MOST_CELL_LOOKS), 0
+    begin_choices(cell)
     while True:
-        depth = next_choice(room.wanted, goal, depth, own)
+        depth = next_choice(room.wanted, goal, depth, cell)
         if depth <= 0:
             return depth < 0
         if may_use_all(targets, depth, is_singly(room), room):
@@ -130,14 +130,13 @@ def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bo
 
 @compiled
 def _find_middle(top: int, room: SequenceRoom) -> None:
-    """The middle of a cell, as logarithms of the ratios of sets."""
     for number in range(room.low.shape[1]):
         room.fit.logs[number] = 0.5 * math.log(room.low[top, number] * room.high[top, number])
 
 
 @compiled
 def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
-    """Whether something better is at the point; then it is noted."""
+    """Record the best choice at the point; return True for an improvement."""
     find_point(parts, asked, room)
     targets, is_better, depth = len(asked.targets), False, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_AT_POINT)
@@ -153,21 +152,22 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled
 def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Whether all that is possible in a small cell was fitted, so nothing better is left in it.
+    """Fit every possible choice in a small cell; return whether nothing better can remain.
 
-    It was not where a gear of a choice turns the other way in the middle, but in a narrow one.
+    Something can remain if a gear of a choice has the wrong sign in the middle, unless the cell is
+    narrow.
     """
-    targets, own, depth, fits = len(asked.targets), room.cell, 0, 0
-    goal = Goal(targets, len(parts), fewest(room), MOST_LOOKS)
-    begin_choices(own)
-    while fits < MOST_FITS and not is_best(room):
-        depth = next_choice(room.wanted, goal, depth, own)
+    targets, cell, depth, fits = len(asked.targets), room.cell, 0, 0
+    goal = Goal(targets, len(parts), fewest(room), MOST_CELL_LOOKS)
+    begin_choices(cell)
+    while fits < MOST_CELL_FITS and not is_best(room):
+        depth = next_choice(room.wanted, goal, depth, cell)
         if depth <= 0:
             return depth == 0
         gears = depth - targets
         if gears >= fewest(room) and may_use_all(targets, depth, is_singly(room), room):
             fits += 1
-            put(own.chosen[:depth], room.point.chosen)
+            put(cell.chosen[:depth], room.point.chosen)
             _find_middle(top, room)
             if widest >= 0 and squares_at(parts, depth, asked, room) == math.inf:
                 return False
@@ -179,23 +179,22 @@ def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: Sequen
 
 @compiled
 def _widest(count: int, top: int, room: SequenceRoom) -> int:
-    """The set along whose ratio forward gears change most in a cell; -1 if it is narrow."""
-    found, most = -1, 0.0
+    """Return the gear set whose ratio changes the forward gears most; -1 in a narrow cell."""
+    widest, most = -1, 0.0
     for number in range(room.low.shape[1]):
-        if room.high[top, number] <= NARROW * room.low[top, number]:
+        if room.high[top, number] <= NARROW_SEQUENCE_CELL * room.low[top, number]:
             continue
         total = math.log(room.high[top, number] / room.low[top, number]) * 1e-3
         for ratio in range(count):
             if room.cell.ends[ratio, 0] <= room.cell.ends[ratio, 1]:
                 total += change_along(room.parts[top, ratio], number)
         if total > most:
-            found, most = number, total
-    return found
+            widest, most = number, total
+    return widest
 
 
 @compiled
 def _is_small(top: int, room: SequenceRoom) -> bool:
-    """Whether a cell is so small that what is possible in it is fitted."""
     for number in range(room.low.shape[1]):
         if room.high[top, number] > SMALL * room.low[top, number]:
             return False
@@ -204,7 +203,6 @@ def _is_small(top: int, room: SequenceRoom) -> bool:
 
 @compiled
 def _halve(room: SequenceRoom, count: int, top: int, number: int) -> None:
-    """Halve the cell on top, along one ratio: the lower half stays there, the other is next."""
     low, high = room.low[top, number], room.high[top, number]
     middle = math.sqrt(low * high)
     part = (middle - low) / (high - low)
