@@ -23,12 +23,13 @@ ROOMS = (
     *("core.start", "core.annexes", "core.errors", "core.extras", "core.arguments", "core.texts"),
     *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
     *("core.tables", "core.readers", "core.examples", "core.checking"),
-    *("vehicle.damage", "sweep", "torsion", "simulation", "core.writers", "core.flow"),
+    *("sweep", "torsion", "simulation", "core.writers", "core.flow"),
     *(
         "core.summary",
         "core.comparison",
         "core.explain",
         "synthesis",
+        "vehicle",
         "pictures",
         "page.report",
         "page.serve",
@@ -37,12 +38,6 @@ ROOMS = (
 )
 """The order of the rooms; docs/architecture.md shows it."""
 STANDING_ELSEWHERE = {
-    "vehicle.case": "core.model",
-    "vehicle.tolerances": "core.model",
-    "torsion.clutch.clutch_dump": "core.model",
-    "vehicle.operation": "core.summary",
-    "vehicle.duty": "core.summary",
-    "vehicle.duty_file": "core.summary",
     **{f"{annex}.pictures": "pictures" for annex in ("torsion", "simulation", "sweep")},
     **{f"{annex}.pictures": "pictures" for annex in ("synthesis", "vehicle")},
     **{f"{annex}.report": "pictures" for annex in ("torsion", "simulation", "synthesis")},

@@ -17,10 +17,13 @@ from vstatics.core.cli import main
 
 def test_every_name_of_a_record_is_in_its_module() -> None:
     for annex in annexes():
-        for names in (annex.names, annex.methods):
+        for names in (annex.names, annex.methods, annex.types):
             for name, module in names.items():
                 assert module.startswith(f"vstatics.{annex.name}"), name
                 assert hasattr(import_module(module), name), name
+        for key, module in annex.keys.items():
+            assert module.startswith(f"vstatics.{annex.name}."), key
+            assert import_module(module).KEY.shape.name == key
 
 
 def test_every_command_has_a_place_of_its_own_and_a_module_in_its_annex() -> None:

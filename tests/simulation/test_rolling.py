@@ -13,10 +13,10 @@ from scipy.integrate import solve_ivp
 from tests.commands import vstatics
 from vstatics import Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.parts import Scenario, Start
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY
 
 MASS, RADIUS = 1000.0, 0.5
 CASE = Transmission(1, [], [], [], inertias={1: MASS * RADIUS**2}, link_names=["wheels"])

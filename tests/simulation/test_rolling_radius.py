@@ -12,10 +12,10 @@ from scipy.optimize import brentq
 from tests.commands import vstatics
 from vstatics import Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.simulation.run import simulate
 from vstatics.simulation.scenario.laws import Road, constant
 from vstatics.simulation.scenario.parts import Scenario, Start
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY
 
 MASS, FREE, BY_TORQUE, AREA, SLOPE = 9000.0, 0.48, 3e-6, 6.0, 0.02
 POINTS = ((0.0, 0.012), (10.0, 0.02), (25.0, 0.024))

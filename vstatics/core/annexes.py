@@ -17,6 +17,8 @@ from typing import NamedTuple
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
 _NOTHING: Mapping[str, str] = MappingProxyType({})
+KEYS = MappingProxyType({"vehicle": "vehicle", "fatigue": "vehicle", "dump": "torsion"})
+"""Key of a case, in the order of reading and writing -> the annex that provides it."""
 DOCUMENTS = MappingProxyType(
     {
         "boxes": ("synthesis", b'"searched"'),
@@ -128,6 +130,10 @@ class Annex(NamedTuple):
     """Name of a file of `schemas/` -> the type that it describes."""
     report: Mapping[str, ReportPart] = MappingProxyType({})
     """Word that chooses a section of the page of a case -> the section."""
+    keys: Mapping[str, str] = _NOTHING
+    """Key of a case -> the module whose `KEY` declares it."""
+    types: Mapping[str, str] = _NOTHING
+    """Type of a part of other annexes' or the core's answers -> the module that defines it."""
 
 
 @cache
@@ -200,6 +206,16 @@ def picture_options() -> Mapping[str, str]:
 def document_kind(kind: str) -> DocumentKind | None:
     """Return what is declared of a kind of documents; None if its annex is not installed."""
     return next((annex.documents[kind] for annex in annexes() if kind in annex.documents), None)
+
+
+def module_of_key(key: str) -> str:
+    """Return the module that declares a key of a case; empty if its annex is not installed."""
+    return next((annex.keys[key] for annex in annexes() if key in annex.keys), "")
+
+
+def module_of_type(name: str) -> str:
+    """Return the module that defines a type of a part of an answer; empty if none does."""
+    return next((annex.types[name] for annex in annexes() if name in annex.types), "")
 
 
 def not_installed(what: str, annex: str) -> str:

@@ -142,6 +142,7 @@ DOUBTS = {
     "W804": "what is doubtful before ratios are fitted",
     "W805": "what is doubtful about ratios that are found",
     "W806": "a found box has other ratios, gears or engaged elements than its `case`",
+    "W807": "a case has a key of an annex that is not installed, which is left out",
     "W880": "of a device with `fatigue` no torque is known, so that it is left out",
     "W890": "power passes by more than engine and output: nothing of the vehicle is told there",
     "W891": "a vehicle has a converter, which stays at its speed ratio",

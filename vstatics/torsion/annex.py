@@ -13,6 +13,7 @@ ANNEX = Annex(
     names={
         "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
     },
+    keys={"dump": "vstatics.torsion.clutch.dump_key"},
     methods={
         "frequencies": "vstatics.torsion.vibration.varied_frequencies",
         "mode_names": "vstatics.torsion.vibration.varied_frequencies",

@@ -33,10 +33,22 @@ ANNEX = Annex(
         "resized": "vstatics.vehicle.damage.resize",
         "resized_by_ratio": "vstatics.vehicle.damage.resize",
     },
+    keys={
+        "vehicle": "vstatics.vehicle.case.vehicle_key",
+        "fatigue": "vstatics.vehicle.case.fatigue_key",
+    },
     methods={
-        "driven_duty": "vstatics.vehicle.cli.duty",
+        "damage_grid": "vstatics.vehicle.damage.tables",
+        "damages": "vstatics.vehicle.damage.devices",
         "duty_options": "vstatics.vehicle.cli.duty",
-        "performance": "vstatics.vehicle.operation.traction",
+        "expect_fatigue": "vstatics.vehicle.cli.strengths",
+        "torque_life": "vstatics.vehicle.damage.rayleigh",
+        "vehicle_section": "vstatics.vehicle.operation.traction",
+    },
+    types={
+        "Damages": "vstatics.vehicle.damage.devices",
+        "DutyResults": "vstatics.vehicle.operation.load_spectrum",
+        "Performance": "vstatics.vehicle.operation.traction",
     },
     groups={
         "damage": {

@@ -9,7 +9,9 @@ from typing import Literal, NamedTuple
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.statics.physical import known_units
 from vstatics.core.statics.ports import ports
+from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.grid import Grid, Values, grid_of, word
 
 Kind = Literal["energy", "time"]
 """What the shares of a duty cycle are shares of."""
@@ -39,6 +41,22 @@ class Cycle(NamedTuple):
     stages: Sequence[Stage]
     efficiency: float
     """Energy that leaves by energy that enters. [-]"""
+
+    @property
+    def damage(self) -> Mapping[str, object]:
+        """Damage, which shares by gear do not give."""
+        return {}
+
+    @property
+    def messages(self) -> Sequence[Message]:
+        """Doubts, of which shares by gear have none."""
+        return ()
+
+    def grids(self) -> Iterator[Grid]:
+        """Yield the table of a summary."""
+        title = "Duty cycle: share of the input energy, efficiency"
+        rows: list[Values] = [*self.stages, (word("in all"), 1.0, self.efficiency)]
+        yield grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
 
 
 def cycle(results: Results, duty: Duty) -> Cycle:

@@ -17,11 +17,11 @@ from tests.installed import needs
 from tests.page.report.pages import NASTY, NASTY_CASE, Page, number, output, report, value, write
 from vstatics import load, solve
 from vstatics.core.errors import CaseError
-from vstatics.core.summary import summarize
 from vstatics.core.tables.quantities import BY_NAME, QUANTITIES
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import gather
 from vstatics.page.report.sections import sections
+from vstatics.vehicle.operation.traction import performance
 
 NUMBERED = """\
 links: ["-3", "8-1", out]
@@ -365,8 +365,7 @@ def test_the_page_of_a_car_has_what_its_vehicle_does() -> None:
     results = box([3.5, 1.9, 1.0])
     [part] = [one for one in sections(gather(results)) if one.name == "Vehicle"]
     shown = " ".join(part.shown)
-    vehicle = summarize(results).vehicle
-    assert vehicle is not None
+    vehicle = performance(results.case)
     assert all(f"{one.top_speed:.3f}" in shown for one in vehicle.gears.values())
     assert (part.is_printed, shown.count("<svg")) == (True, 2)
     alone = gather(box([3.5, 1.9, 1.0], vehicle=None))

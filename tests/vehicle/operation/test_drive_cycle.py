@@ -17,9 +17,10 @@ from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, 
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.parts import BatteryBalance
 from vstatics.core.model.transmission import SpeedOf
+from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.readers import sweep_tables
 from vstatics.core.summary.design_table import design
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import DriveCycle, drive
 from vstatics.vehicle.operation.fuel_map import FuelMap, read_fuel_map

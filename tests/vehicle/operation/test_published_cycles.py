@@ -16,7 +16,8 @@ import pytest
 from tests.chance import count, seeded
 from tests.commands import vstatics
 from vstatics import Gear, Mechanism, ReadError, Transmission
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.core.numerics.constants import AIR, GRAVITY
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
 from vstatics.vehicle.operation.drive_cycle import drive
 from vstatics.vehicle.operation.trace import read_trace

@@ -11,7 +11,8 @@ import pytest
 
 from tests.commands import vstatics
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY, Vehicle
+from vstatics.core.numerics.constants import AIR, GRAVITY
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import performance
 
 CLUTCHES = [ShiftElement(1, 2), ShiftElement(1, 3)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from typing import Any, ParamSpec, TypeVar
 
@@ -69,14 +69,19 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
     return decorated
 
 
-def refuse_fields(what: str, fields: object, **classes: str) -> None:
+def refuse_fields(what: str, fields: object, types: Mapping[str, object], **classes: str) -> None:
     """Refuse the fields of a dataclass that are of other types than it declares.
+
+    Parameters
+    ----------
+    types : mapping
+        Types of some fields, instead of the declared ones.
 
     Raises
     ------
     TypeError
     """
-    for name, hint in hints(type(fields), classes).items():
+    for name, hint in {**hints(type(fields), classes), **types}.items():
         given = getattr(fields, name)
         if not fits(given, hint):
             raise TypeError(f"{what}: `{name}` is {type_and_value(given)}, {expected(given, hint)}")

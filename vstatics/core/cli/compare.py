@@ -10,7 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.options import Command, completing, refuse
+from vstatics.core.cli.shared.options import Command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import value
 from vstatics.core.comparison import layout
 from vstatics.core.comparison.pairs import (
@@ -42,15 +42,19 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 @click.command()
 @click.argument("actual", type=click.Path())
 @click.argument("expected", type=click.Path())
-@_tolerance("--atol", ATOL, "Absolute tolerance.")
-@_tolerance("--rtol", RTOL, "Tolerance relative to the expected number.")
-@click.option(
-    "--leave-out",
-    multiple=True,
-    metavar="TABLE",
-    callback=value(left_out),
-    shell_complete=completing(lambda: (one.name for one in QUANTITIES)),
-    help="Do not compare this table, by name or alias; may be given several times.",
+@gathered(
+    "how",
+    Tolerances,
+    _tolerance("--atol", ATOL, "Absolute tolerance."),
+    _tolerance("--rtol", RTOL, "Tolerance relative to the expected number."),
+    click.option(
+        "--leave-out",
+        multiple=True,
+        metavar="TABLE",
+        callback=value(left_out),
+        shell_complete=completing(lambda: (one.name for one in QUANTITIES)),
+        help="Do not compare this table, by name or alias; may be given several times.",
+    ),
 )
 @click.option("--all", "all_numbers", is_flag=True, help="Every number that differs.")
 @click.option("--summary", is_flag=True, help="The first line of each case alone.")
@@ -58,9 +62,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 def compare(
     actual: str,
     expected: str,
-    atol: float,
-    rtol: float,
-    leave_out: frozenset[str],
+    how: Tolerances,
     all_numbers: bool,
     summary: bool,
     form: str,
@@ -92,7 +94,6 @@ def compare(
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
-    how = Tolerances(atol, rtol, leave_out)
     folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
     if any(folders):
         for path in (actual, expected):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -13,7 +13,7 @@ from vstatics.core.cli.shared import formats, texts
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import refuse
+from vstatics.core.cli.shared.options import gathered, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import CaseError, ReadError, listed
 from vstatics.core.statics.results import Results
@@ -23,16 +23,28 @@ if TYPE_CHECKING:
     from vstatics.core.explain.answer import ExplanationAnswer
 
 
+class AskedExercise(NamedTuple):
+    """A gear as an exercise: with blanks, with numbers, with other numbers for each seed."""
+
+    worksheet: bool
+    solution: bool
+    seed: int | None
+
+
 @click.command()
 @arguments.argument
 @arguments.some_gears
-@click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks.")
-@click.option("--solution", is_flag=True, help="The same exercise with its numbers.")
-@click.option(
-    "--seed",
-    type=click.IntRange(min=0),
-    metavar="N",
-    help="With other teeth, which can be assembled, and ratios; others for each N.",
+@gathered(
+    "asked",
+    AskedExercise,
+    click.option("--worksheet", is_flag=True, help="An exercise: what is given, and blanks."),
+    click.option("--solution", is_flag=True, help="The same exercise with its numbers."),
+    click.option(
+        "--seed",
+        type=click.IntRange(min=0),
+        metavar="N",
+        help="With other teeth, which can be assembled, and ratios; others for each N.",
+    ),
 )
 @formats.options(*formats.TABLES)
 @arguments.settings
@@ -40,9 +52,7 @@ if TYPE_CHECKING:
 def explain(
     cases: tuple[str, ...],
     gears: tuple[str, ...],
-    worksheet: bool,
-    solution: bool,
-    seed: int | None,
+    asked: AskedExercise,
     wanted: OutputOptions,
     settings: CaseOptions,
 ) -> int:
@@ -65,6 +75,7 @@ def explain(
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     to = wanted.destination(cases, several=len(cases) > 1)
+    worksheet, solution, seed = asked
     exercise = worksheet or solution
     refuse(
         (worksheet and solution, "--worksheet has blanks, --solution has numbers: expected one"),

@@ -22,13 +22,11 @@ from vstatics.core.errors import ReadError
 from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid
-from vstatics.vehicle.cli import duty as duty_cycles
-from vstatics.vehicle.cli.duty import DutyOptions
 
 if TYPE_CHECKING:
     from vstatics.core.summary import Summary
     from vstatics.core.summary.answer import SummaryAnswer
-    from vstatics.vehicle.duty_file import DutyFile, DutyTable
+    from vstatics.core.summary.sections import CycleOptions, GivenCycle
 
 
 MOST_COMBINATIONS = 10_000
@@ -57,7 +55,7 @@ def _torque(text: str) -> float:
     metavar="N",
     help="Try no more --combinations than these.  [default: 10000]",
 )
-@duty_cycles.options
+@provided("duty_options")
 @click.option(
     "--output-torque",
     callback=value(_torque),
@@ -79,11 +77,11 @@ def summary(
     wanted: OutputOptions,
     combinations: bool,
     at_most: int | None,
-    duty: DutyOptions,
     output_torque: float | None,
     reserve: float | None,
     settings: CaseOptions,
     boxes: tuple[int, ...] = (),
+    duty: CycleOptions | None = None,
 ) -> int:
     """Ratios, steps, spread, transitions and largest values of each CASE; - is standard input.
 
@@ -108,13 +106,13 @@ def summary(
     Exit status: 0 done; 1 a case is in error or a gear is tied up; 2 wrong use.
     """
     refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
-    others = duty.files
+    others = duty.files if duty else []
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
     summarized = partial(
         _summarized,
         at_most=at_most or (MOST_COMBINATIONS if combinations else None),
-        duty=duty.read(),
+        duty=duty.read() if duty else None,
         output_torque=output_torque or 0.0,
         reserve=reserve,
     )
@@ -157,6 +155,7 @@ def _side_by_side(
 ) -> int:
     """Write the summaries of all cases that have one beside one another."""
     from vstatics.core.summary.contrast import contrasted, letters
+    from vstatics.core.summary.sections import doubts
 
     failed, found = False, []
     for outcome in outcomes:
@@ -164,7 +163,7 @@ def _side_by_side(
         if outcome.results is not None:
             try:
                 summary = summarized(outcome, outcome.results)
-                more = duty_cycles.doubts(summary.cycle, outcome.file)
+                more = doubts(summary.cycle, outcome.file)
                 telling = outcome.telling._replace(notes=True)
                 show_problems(more, telling, outcome.file)
                 failed |= telling.fails(more)
@@ -187,7 +186,7 @@ def _summarized(
     outcome: CalculatedCase,
     results: Results,
     at_most: int | None,
-    duty: DutyFile | DutyTable | None,
+    duty: GivenCycle | None,
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
@@ -205,6 +204,8 @@ def _shown(
     summarized: Callable[[CalculatedCase, Results], Summary],
 ) -> texts.CaseOutput:
     """The summary of a case by itself."""
+    from vstatics.core.summary.sections import doubts
+
     summary = summarized(outcome, results)
 
     def tables() -> Iterable[Grid]:
@@ -219,6 +220,6 @@ def _shown(
 
     titles, problems = (
         [results.case.name or outcome.file],
-        duty_cycles.doubts(summary.cycle, outcome.file),
+        doubts(summary.cycle, outcome.file),
     )
     return texts.CaseOutput(titles, {}, tables, answer, problems=problems)

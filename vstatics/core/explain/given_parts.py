@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from vstatics.core.annexes import KEYS
 from vstatics.core.elements.drawing import drawing_of, parts_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.group import group_of
@@ -20,7 +21,7 @@ UNREAD = frozenset(
     (
         *("name", "description", "source", "allow", "links", "gears", "kind", "cylinders"),
         *("inertias", "masses", "stiffness", "damping", "static", "friction", "capacity"),
-        *("converters", "dump", "vehicle", "fatigue", "planet"),
+        *("converters", "planet", *KEYS),
     )
 )
 """Keys of a case and of its parts that no blank depends on; other gears do not count, either."""

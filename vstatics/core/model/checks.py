@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.core.errors import Path, Problem, spoken, why_not_allowed
+from vstatics.core.model.carried import carried_keys, left_out
 from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.core.model.part_checks import (
     called,
     doubtful,
-    no_unit,
     of_element,
     of_gear,
     of_link,
@@ -34,8 +34,6 @@ MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""
 LARGE_DRAG = 0.05
 """Drag by the input torque; a larger one was meant in N*m. [-]"""
-THICKEST_SHAFT = 1.0
-"""Diameter; a thicker one was written in mm without the unit. [m]"""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
@@ -68,22 +66,15 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
-    """What torsion and vehicles need."""
+    """Yield problems of torsion, and of data of annexes."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     elastic = any(part.stiffness is not None or part.damping for part in parts)
     if _moves(case) or case.converters or elastic:
         from vstatics.core.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
-    if case.dump is not None or case.fatigue:
-        from vstatics.core.model.torsional_checks import of_dump, of_fatigue  # likewise
-
-        yield from of_dump(case)
-        yield from of_fatigue(case)
-    if case.vehicle is not None:
-        from vstatics.vehicle.case.vehicle_checks import of_vehicle  # likewise
-
-        yield from of_vehicle(case.vehicle)
+    for key in carried_keys(case):
+        yield from key.problems(case)
 
 
 def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
@@ -110,14 +101,9 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """The warnings alone, of a case that has no error."""
     for number, mechanism in _not_drawn(case):
         yield from doubtful(mechanism, ("mechanisms", number))
-    if case.vehicle is not None:
-        from vstatics.vehicle.case.vehicle_checks import doubts_of_vehicle  # costs start-up time
-
-        yield from doubts_of_vehicle(case, case.vehicle)
+    for key in carried_keys(case):
+        yield from key.doubts(case)
     yield from _bare_drags(case)
-    for name, one in case.fatigue.items():
-        if one.diameter and one.diameter > THICKEST_SHAFT:
-            yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
 
 
 def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
@@ -161,10 +147,8 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     """Notes on what a case leaves to be guessed."""
     yield from _sharing(case)
     yield from _turning(case)
-    if case.springs and case.vehicle is not None:
-        from vstatics.vehicle.case.vehicle_checks import without_vehicle  # costs start-up time
-
-        yield from without_vehicle(case)
+    if case.springs:
+        yield from left_out(case)
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:

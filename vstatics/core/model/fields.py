@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, runtime_checkable
 
 from vstatics.core.errors import Problem, listed, nearest, typed_number
 from vstatics.core.model.bodies import Bodies, join
@@ -28,9 +28,6 @@ from vstatics.core.model.springs import Spring, ends
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.core.model.converters import Converter
-    from vstatics.torsion.clutch.clutch_dump import ClutchDump
-    from vstatics.vehicle.case.fatigue import Fatigue
-    from vstatics.vehicle.case.vehicle import Vehicle
 
 IdleConvention = Literal["published", "exact"]
 """Which sign an idle mechanism gets; see docs/method.md."""
@@ -66,6 +63,13 @@ class AnyDrawing(Protocol):
         """The fields of a case that follow from it, for names of its own links."""
 
 
+class Carried(Protocol):
+    """Data of an annex in a case; the core only asks for them by the key of the annex."""
+
+    def completed(self) -> Self:
+        """Return checked data with all numbers as floats."""
+
+
 @dataclass(frozen=True)
 class TransmissionFields:
     """The fields of a `Transmission`, whose docstring tells of them."""
@@ -88,9 +92,9 @@ class TransmissionFields:
     inertias: Mapping[int, float] = field(default_factory=dict)
     springs: Sequence[Spring] = ()
     converters: Sequence[Converter] = ()
-    dump: ClutchDump | None = None
-    vehicle: Vehicle | None = None
-    fatigue: Mapping[str, Fatigue] = field(default_factory=dict)
+    dump: Carried | None = None
+    vehicle: Carried | None = None
+    fatigue: Mapping[str, Carried] = field(default_factory=dict)
     allow: Sequence[str] = ()
     masses: Mapping[int, float] = field(default_factory=dict)
     cylinders: int | None = None

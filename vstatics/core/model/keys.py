@@ -6,8 +6,10 @@ others refer to comes first.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
+from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.fields import MOST_CYLINDERS
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -47,9 +49,7 @@ from vstatics.core.model.shape import (
     Numbers,
     RowOf,
 )
-from vstatics.core.model.torsional_keys import ABOVE_0, CONVERTER, DUMP, ELASTIC, SPRING
-from vstatics.vehicle.case.fatigue_keys import FATIGUE
-from vstatics.vehicle.case.vehicle_keys import VEHICLE
+from vstatics.core.model.torsional_keys import ABOVE_0, CONVERTER, ELASTIC, SPRING
 
 COEFFICIENTS = ByKey(
     "Coefficients",
@@ -495,13 +495,6 @@ CASE = ByKey(
             limits={"minimum": 1, "maximum": MOST_CYLINDERS},
             examples=(4,),
         ),
-        KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
-        KeyShape(
-            "fatigue",
-            ByName("device", FATIGUE),
-            "Fatigue strengths, each under the name of a spring or another device.",
-        ),
-        KeyShape("dump", DUMP, "A clutch that is dumped, for `vstatics torsion dump`."),
         KeyShape(
             "allow",
             ListOf(Leaf("text"), "messages"),
@@ -510,6 +503,12 @@ CASE = ByKey(
         ),
     ),
 )
+
+
+def with_carried(case: ByKey, keys: Iterable[CaseKey]) -> ByKey:
+    """Return the shape of a case that has some keys of annexes; they come before `allow`."""
+    *known, allow = case.keys
+    return case._replace(keys=(*known, *(key.shape for key in keys), allow))
 
 
 def with_masses(case: ByKey) -> ByKey:

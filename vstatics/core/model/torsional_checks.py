@@ -1,4 +1,4 @@
-"""What springs, inertias, fatigue strengths, a dumped clutch must fulfil; problems with paths."""
+"""Checks of springs, inertias and converters; problems with paths."""
 
 from __future__ import annotations
 
@@ -7,14 +7,13 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from vstatics.core.errors import Path, Problem, listed, nearest, quoted
+from vstatics.core.errors import Path, Problem, nearest, quoted
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import called, expect, of_characteristic, of_link
 from vstatics.core.model.parts import HOUSING, Damping, damping, element_names, mechanism_names
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit
 from vstatics.core.model.springs import Spring, SpringLimit, ends, spring_names
-from vstatics.torsion.clutch.clutch_dump import NEEDED, NUMBERS
 
 _TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 
@@ -268,59 +267,3 @@ def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequenc
         members = [member.name for member in device.members]
         members += [planet.name.removeprefix(f"{device.name}.") for planet in device.planets]
         yield what, device.name, ("mechanisms", device.mechanisms[0] + 1), members
-
-
-def of_dump(case: TransmissionFields) -> Iterator[Problem]:
-    """Links that there are, each once, and numbers above 0."""
-    dump = case.dump
-    if dump is None:
-        return
-    seen: dict[int, str] = {}
-    for name, links in dump.masses.items():
-        if not links and name in NEEDED:
-            yield Problem("E259", "there is no link, expected one at least", ("dump", name))
-        for number, link in enumerate(links, 1):
-            path: Path = ("dump", name, number)
-            yield from of_link(link, path, case.own_links, lowest=1)
-            if link in seen:
-                message = f"link {called(case, link)} is in {seen[link]} already"
-                yield Problem("E260", f"{message}, expected each link once", path)
-            seen.setdefault(link, name)
-    if dump.to is not None:
-        yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)
-    for name in NUMBERS:
-        value = getattr(dump, name)
-        if value is not None:
-            right = value > 0 and (value < math.inf or name == "M_phi")
-            yield from expect(value, "a number above 0", ("dump", name), right=right)
-
-
-_STRENGTHS = {
-    "endurance": "an endurance",
-    "exponent": "an exponent",
-    "cycles": "a number of cycles",
-    "diameter": "a diameter",
-    "section_modulus": "a section modulus",
-    "sum": "a sum of damages",
-}
-_PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
-
-
-def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """What is wrong in the fatigue strengths of a case."""
-    names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
-    names += spring_names(case.springs)
-    for number, (name, fatigue) in enumerate(case.fatigue.items(), 1):
-        path = ("fatigue", number)
-        if name not in names:
-            hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
-            yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
-        if (fatigue.diameter is None) == (fatigue.section_modulus is None):
-            read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
-            message = f"read {read} `section_modulus`, expected one of them"
-            yield Problem("E881", message, path)
-        for key, value in fatigue._asdict().items():
-            if key in _PARTS:
-                yield from not_negative(value, _PARTS[key], (*path, key))
-            elif value is not None:
-                yield from above_0(value, _STRENGTHS[key], (*path, key))

@@ -1,12 +1,9 @@
-"""The keys of springs, of devices that are rigid but for vibration, of a clutch that is dumped."""
+"""The keys of springs, of converters, and of devices that are rigid but for vibration."""
 
 from __future__ import annotations
 
-from functools import partial
-
 from vstatics.core.model.parts import damping_fault, damping_of
 from vstatics.core.model.shape import (
-    LINK,
     NUMBER,
     TEXT,
     ByKey,
@@ -21,7 +18,6 @@ from vstatics.core.model.shape import (
 )
 from vstatics.core.model.springs import limit_fault, limit_of, spring_fault, spring_of
 from vstatics.core.model.struts import Strut
-from vstatics.torsion.clutch.clutch_dump import MASSES, NEEDED, ClutchDump
 
 DAMPING = Either(
     Leaf("damping", straight=True),
@@ -228,65 +224,4 @@ CONVERTER = ByKey(
             examples=([[0, 2.4, 3.1e-3], [0.8, 1.0, 2.2e-3], [1, 1, 0]],),
         ),
     ),
-)
-
-
-_OF = {
-    "J1": "the engine and the driving parts of the clutch",
-    "J2": "the driven disc",
-    "J3": "the transmission",
-    "J4": "the wheels",
-    "J5": "the vehicle",
-}
-
-DUMP = ByKey(
-    "Clutch dump",
-    "What makes up the masses of a clutch that is dumped, for `vstatics torsion dump`.",
-    (
-        *(
-            KeyShape(
-                name,
-                ListOf(LINK, "links"),
-                f"Links of {_OF[name]}; their inertias are reduced and added.",
-                required=name in NEEDED,
-                limits={"minItems": 1} if name in NEEDED else {},
-            )
-            for name in MASSES
-        ),
-        KeyShape(
-            "M_C0",
-            Leaf("si_torque"),
-            "Torque at which the clutch breaks away, on the first link of J2, in N*m.",
-            required=True,
-            limits=ABOVE_0,
-        ),
-        KeyShape(
-            "M_phi",
-            Leaf("si_torque", infinite=True),
-            "Torque at which the tyres lose their grip, that of all wheels on the first link of "
-            "J4, in N*m; when not given they don't.",
-            limits=ABOVE_0,
-        ),
-        KeyShape(
-            "omega1",
-            Leaf("si_speed"),
-            "Speed before of the first link of J1, in rad/s.",
-            required=True,
-            limits=ABOVE_0,
-        ),
-        KeyShape(
-            "E",
-            Leaf("compliance"),
-            "Compliance from J2 to J5 on the link `to`, in rad/(N*m); that of the elastic devices "
-            "when not given.",
-            limits=ABOVE_0,
-        ),
-        KeyShape(
-            "to",
-            LINK,
-            "Link to which all is reduced and on which the torques are told; the first of J2 when "
-            "not given.",
-        ),
-    ),
-    partial(ClutchDump, J3=(), J4=()),
 )

@@ -10,6 +10,7 @@ from typing import Any
 from vstatics.core.arguments import refuse_fields
 from vstatics.core.errors import CaseError, nearest, plural
 from vstatics.core.extras import higher
+from vstatics.core.model.carried import carried_keys
 from vstatics.core.model.checks import problems
 from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.core.model.part_checks import of_mechanism
@@ -38,12 +39,7 @@ __all__ = [
     "Transmission",
 ]
 
-_CLASSES = {
-    "ClutchDump": "vstatics.torsion.clutch.clutch_dump",
-    "Converter": "vstatics.core.model.converters",
-    "Fatigue": "vstatics.vehicle.case.fatigue",
-    "Vehicle": "vstatics.vehicle.case.vehicle",
-}
+_CLASSES = {"Converter": "vstatics.core.model.converters"}
 """The modules of parts that few cases have."""
 
 
@@ -227,7 +223,8 @@ class Transmission(TransmissionFields):
         try:
             self._complete()
         except (AttributeError, TypeError):
-            refuse_fields("Transmission", self, **_CLASSES)
+            types = {key.shape.name: key.type for key in carried_keys(self)}
+            refuse_fields("Transmission", self, types, **_CLASSES)
             raise
 
     def _complete(self) -> None:

@@ -13,6 +13,6 @@ for arrays: numbers record their operations on a `tape`, as `traced` numbers of 
 arrays in `memory`, and `plans` makes plans and assigns variants to them. `exact` converts
 fractions, `motions` finds the free solutions of equations, `lookup_table` interpolates over one or
 two variables, `sides` locates changes of sign, `fronts` selects the best points by several
-objectives, `steps` spaces numbers evenly, and `compiled` compiles loops with Numba. Nothing here
-knows of transmissions.
+objectives, `steps` spaces numbers evenly, `compiled` compiles loops with Numba, and `constants` are
+those of physics. Nothing here knows of transmissions.
 """

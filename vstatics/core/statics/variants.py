@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 
+from vstatics.core.annexes import KEYS
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
@@ -223,8 +224,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     Transmission: frozenset(
         {
             *("name", "description", "source", "link_names", "load", "allow", "hushed"),
-            *("drawing", "_lowered", "inertias", "masses", "dump", "vehicle", "fatigue"),
-            "cylinders",
+            *("drawing", "_lowered", "inertias", "masses", "cylinders", *KEYS),
         }
     ),
     ShiftElement: frozenset({"name", "capacity", "stiffness", "damping", "static", "friction"}),

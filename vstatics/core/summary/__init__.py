@@ -44,9 +44,7 @@ from vstatics.core.summary.unused_sets import Combination, combinations
 from vstatics.core.tables.html import shown
 
 if TYPE_CHECKING:
-    from vstatics.vehicle.duty import Cycle
-    from vstatics.vehicle.operation.load_spectrum import Spectrum
-    from vstatics.vehicle.operation.traction import Performance
+    from vstatics.core.summary.sections import CycleSection, Section
 
 __all__ = ["Summary", "summarize"]
 
@@ -67,11 +65,11 @@ class Summary(NamedTuple):
     """Of the shift elements that have a capacity."""
     combinations: Sequence[Combination] | None = None
     """If they were asked for."""
-    cycle: Cycle | Spectrum | None = None
+    cycle: CycleSection | None = None
     """If there is a duty cycle."""
     inertias: Sequence[GearInertia] = ()
     """If anything has an inertia."""
-    vehicle: Performance | None = None
+    vehicle: Section | None = None
     """If the case has a vehicle with an engine."""
     needed: Sequence[Needed] = ()
     """What shift elements must carry, if a reserve is asked for."""
@@ -138,6 +136,6 @@ def summarize(
         margins(results),
         None if at_most is None else combinations(results, at_most),
         inertias=reduced_inertias(results, output_torque),
-        vehicle=higher("performance")(case) if case.vehicle and case.vehicle.engine else None,
+        vehicle=higher("vehicle_section")(case) if case.vehicle else None,
         needed=() if reserve is None else needed_capacities(results, reserve),
     )

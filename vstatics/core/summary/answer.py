@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 from vstatics.core.summary import Summary
 from vstatics.core.summary.design_table import Design
@@ -11,12 +11,8 @@ from vstatics.core.summary.extremes import Largest, Margin, Needed
 from vstatics.core.summary.inertia import GearInertia
 from vstatics.core.summary.shifts import Transition
 from vstatics.core.summary.unused_sets import Combination
-from vstatics.core.tables.answer import Flat, Sometimes, document
+from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.core.tables.ports import PortTable, port_tables
-from vstatics.vehicle.damage.devices import DeviceDamage
-from vstatics.vehicle.duty import Cycle
-from vstatics.vehicle.operation.load_spectrum import Spectrum
-from vstatics.vehicle.operation.traction import Performance
 
 
 @document("vstatics-summary")
@@ -33,9 +29,9 @@ class SummaryAnswer(NamedTuple):
     margins: Sometimes[Sequence[Margin]]
     needed_capacity: Sometimes[Sequence[Needed]]
     inertia: Sometimes[Sequence[GearInertia]]
-    vehicle: Sometimes[Performance]
-    duty: Sometimes[Cycle | Spectrum]
-    damage: Sometimes[Mapping[str, DeviceDamage]]
+    vehicle: Sometimes[Annotated[object, Provided("Performance")]]
+    duty: Sometimes[Annotated[object, Provided("DutyResults")]]
+    damage: Sometimes[Annotated[object, Provided("Damages")]]
     """By a duty cycle of points."""
     combinations: Sometimes[Sequence[Combination]]
 
@@ -57,6 +53,6 @@ def summary_answer(summary: Summary) -> SummaryAnswer:
         summary.inertias or None,
         summary.vehicle,
         summary.cycle,
-        summary.cycle.damage if isinstance(summary.cycle, Spectrum) else None,
+        summary.cycle and summary.cycle.damage,
         summary.combinations,
     )

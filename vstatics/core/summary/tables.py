@@ -10,11 +10,9 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import NEUTRAL
 from vstatics.core.summary import Summary
 from vstatics.core.summary.extremes import LOSSY_TORQUES, PLANETS, SLIPS, TORQUES, Largest, quantity
-from vstatics.core.tables.grid import NO, YES, Cell, Column, Grid, Row, Values, exact, grid_of, word
+from vstatics.core.tables.grid import NO, YES, Cell, Column, Grid, Row, exact, grid_of, word
 from vstatics.core.tables.ports import PortTable, port_tables, ports_grid
 from vstatics.core.tables.quantities import UNITS, Quantity, headed
-from vstatics.vehicle.damage.tables import damage_grid
-from vstatics.vehicle.operation.load_spectrum import Spectrum
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
 WITH_LOAD = " with load"
@@ -48,9 +46,9 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
         *_largest(summary),
         *_margins(summary),
         _needed(summary),
-        *_duty(summary),
+        *(summary.cycle.grids() if summary.cycle else ()),
         _inertias(summary),
-        *_vehicle(summary),
+        *(summary.vehicle.grids() if summary.vehicle else ()),
         _sensitivities(summary),
         _efficiency_sensitivities(summary),
     )
@@ -229,61 +227,6 @@ def _needed(summary: Summary) -> Grid:
     ]
     headings = "element", headed("capacity", unit), "gear"
     return grid_of("Needed capacity, with the reserve", headings, rows, key="needed capacity")
-
-
-def _duty(summary: Summary) -> Iterator[Grid]:
-    cycle = summary.cycle
-    if isinstance(cycle, Spectrum):
-        yield from _spectrum(cycle)
-        return
-    title = "Duty cycle: share of the input energy, efficiency"
-    rows: list[Values] = [*cycle.stages, (word("in all"), 1.0, cycle.efficiency)] if cycle else []
-    yield grid_of(title, ["gear", "energy", "efficiency"], rows, key="duty")
-
-
-def _spectrum(cycle: Spectrum) -> Iterator[Grid]:
-    """Energies, and what links, members and clutches carry."""
-    what, energy = ("mean power, W" if cycle.are_shares else "energy, J"), cycle.energy
-    lost = [(word(f"lost: {name}"), one) for name, one in energy.lost.items() if one]
-    rows = [
-        (word("in"), energy.in_),
-        (word("out"), energy.out),
-        *lost,
-        (word("efficiency"), cycle.efficiency),
-    ]
-    yield grid_of("Duty cycle", ["", what], rows, key="duty")
-    members = [
-        (
-            *(
-                name,
-                one.torque.largest,
-                one.torque.row or math.nan,
-                one.speed.largest,
-                one.speed.row,
-            ),
-            *(one.revolutions, one.equivalent_torque),
-        )
-        for name, one in cycle.members.items()
-        if one.torque.largest
-    ]
-    headings = (
-        *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
-        *("turns" + " a second" * cycle.are_shares, f"equivalent, p = {cycle.exponent:.6g}, N*m"),
-    )
-    yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
-    if cycle.damage:
-        yield damage_grid(cycle.damage, "Damage by the points as one record, whatever their time")
-
-
-def _vehicle(summary: Summary) -> Iterator[Grid]:
-    """What the vehicle can, in each gear and in all."""
-    if summary.vehicle is None:
-        return
-    rows = [(name, one.top_speed, one.slope) for name, one in summary.vehicle.gears.items()]
-    headings = "gear", "top speed, km/h", "slope"
-    yield grid_of("Vehicle at full load", headings, rows, key="vehicle gears")
-    row = summary.vehicle.top_speed, summary.vehicle.time_to_100
-    yield grid_of("Vehicle", ["top speed, km/h", "0 to 100 km/h, s"], [row], key="vehicle")
 
 
 def _inertias(summary: Summary) -> Grid:

@@ -27,6 +27,7 @@ from typing import (
 
 import numpy as np
 
+from vstatics.core.annexes import module, module_of_type
 from vstatics.core.errors import Problem
 from vstatics.core.statics.result_arrays import Message
 
@@ -43,6 +44,12 @@ class Words(dict[str, Any]):
     """What a schema says beside the type, as in ``Annotated[int, Words(minimum=0)]``."""
 
     __hash__ = object.__hash__  # type: ignore[assignment] # of a type it is a part
+
+
+class Provided(str):
+    """Name of a type that an annex provides, as in ``Annotated[object, Provided("Damages")]``."""
+
+    __slots__ = ()
 
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
@@ -280,9 +287,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
     """The schema of a type that is made of others."""
     origin, (first, *others) = get_origin(kind), get_args(kind)
     if origin is Annotated:
-        if isinstance(others[0], dict):
-            return of(first) | others[0]
-        return of(first) if others[0] in _MARKS else {"enum": [*others[0]]}
+        return _of_marked(first, others[0], of)
     if origin is Literal:
         return {"enum": [first, *others]}
     if origin in (Union, UnionType):
@@ -291,6 +296,16 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
         more = {} if others[0] is Any else {"additionalProperties": of(others[0])}
         return {"type": "object", **more}
     return list_of(NUMBER if origin is np.ndarray else of(first))
+
+
+def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
+    """The schema of an annotated type; nothing is valid where an annex is not installed."""
+    if isinstance(mark, Provided):
+        declaring = module_of_type(mark)
+        return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
+    if isinstance(mark, dict):
+        return of(kind) | mark
+    return of(kind) if mark in _MARKS else {"enum": [*mark]}
 
 
 def _either(first: Schema, *others: Schema) -> Schema:

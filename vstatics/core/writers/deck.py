@@ -60,7 +60,14 @@ def template(case: Transmission) -> Iterator[str]:
 
 def lost(case: Transmission) -> list[str]:
     """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
-    from vstatics.core.model.keys import CASE, ELEMENT, GEAR, MECHANISM  # costs start-up time
+    from vstatics.core.model.carried import carried_keys
+    from vstatics.core.model.keys import (  # costs start-up time
+        CASE,
+        ELEMENT,
+        GEAR,
+        MECHANISM,
+        with_carried,
+    )
 
     elements = case.shift_elements
     named = (
@@ -69,7 +76,7 @@ def lost(case: Transmission) -> list[str]:
         ("mechanism", MECHANISM, case.mechanisms),
     )
     return [
-        *_unkept(case, CASE),
+        *_unkept(case, with_carried(CASE, carried_keys(case))),
         *(KINDS[one.kind].format(one.name) for one in elements if one.kind in KINDS),
         *(
             f"{key} of {what} {part.name}"

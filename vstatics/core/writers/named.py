@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import printable
-from vstatics.core.model.keys import CASE
+from vstatics.core.model.carried import carried_keys
+from vstatics.core.model.keys import CASE, with_carried
 from vstatics.core.model.parts import BatteryBalance, Law, OfLoad, mechanism_record
 from vstatics.core.model.shape import (
     UNITS,
@@ -31,8 +32,6 @@ from vstatics.core.model.shape import (
 )
 from vstatics.core.model.springs import spring_record
 from vstatics.core.model.transmission import SpeedOf, Transmission
-from vstatics.torsion.clutch.clutch_dump import dump_record
-from vstatics.vehicle.case.vehicle import vehicle_record
 
 if TYPE_CHECKING:
     import yaml
@@ -86,8 +85,9 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     values["converters"] = {
         one.name: {"links": one.links, "points": one.points} for one in case.converters
     }
-    values["dump"] = dump_record(case.dump)
-    values["vehicle"] = vehicle_record(case.vehicle)
+    if carried := carried_keys(case):
+        shape = with_carried(shape, carried)
+        values |= {key.shape.name: key.record(case) for key in carried}
     order = _CASE if shape is CASE else _as_written(shape)
     ratios = ["", *sets, *values["converters"]]
     writer = _Writer(links, ["", *values["shift_elements"]], ratios, wholes)

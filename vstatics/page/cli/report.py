@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from functools import partial
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -16,7 +15,7 @@ from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import TextStyle
 from vstatics.core.cli.shared.one_or_many import carry_out
-from vstatics.core.cli.shared.options import gathered, refuse
+from vstatics.core.cli.shared.options import gathered, provided, refuse
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.cli.shared.values import each, named, separated, value
 from vstatics.core.extras import higher
@@ -25,16 +24,8 @@ from vstatics.core.texts import Language, speaking
 from vstatics.page.cli.scenarios import naming_of, run_of
 from vstatics.page.report.asked import SECTIONS, AskedPage, section
 
-
-class AskedDuty(Protocol):
-    """Options of a duty cycle, as their annex has them."""
-
-    @property
-    def files(self) -> list[str]:
-        """The file, if it is given."""
-
-    def read(self) -> object | None:
-        """Return the duty cycle, if there is one, for `driven_duty` of its annex."""
+if TYPE_CHECKING:
+    from vstatics.core.summary.sections import CycleOptions, GivenCycle
 
 
 class PageOptions(NamedTuple):
@@ -44,21 +35,13 @@ class PageOptions(NamedTuple):
     digits: int | None
     lang: Language
     settings: CaseOptions
-    duty: AskedDuty | None = None
-    """None where its annex is not installed."""
+    duty: CycleOptions | None = None
+    """None if its annex is not installed."""
 
     @property
     def duty_files(self) -> list[str]:
         """The file of the duty cycle, if it is given."""
         return self.duty.files if self.duty else []
-
-
-def _duty_options(command: Callable[..., int]) -> Callable[..., int]:
-    """Add the options of a duty cycle if their annex is installed."""
-    if module_of_method("duty_options"):
-        with_options: Callable[..., int] = higher("duty_options")(command)
-        return with_options
-    return command
 
 
 @click.command()
@@ -103,7 +86,7 @@ def _duty_options(command: Callable[..., int]) -> Callable[..., int]:
             help="A head on the page, such as author=A. Author,project=P-7,date=2026-11-26.",
         ),
     ),
-    _duty_options,
+    provided("duty_options"),
     formats.digits,
     arguments.language("the words of the page, but not of names and messages"),
     arguments.settings,
@@ -181,8 +164,7 @@ def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOp
             return _report_two(cases, output, page._replace(settings=takes))
     to = to._replace(style=TextStyle(page.lang))
     files.spare(page.duty_files, to.output)
-    cycle = page.duty.read() if page.duty else None
-    show = partial(_shown, page=page, cycle=cycle)
+    show = partial(_shown, page=page, cycle=page.duty.read() if page.duty else None)
     return carry_out(Job("report", takes, to, show), cases, others=page.duty_files)
 
 
@@ -215,16 +197,17 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
 
 
 def _shown(
-    outcome: CalculatedCase, results: Results, page: PageOptions, cycle: object | None
+    outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
     """The page of a case."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
-    driven, found = None, []
-    if cycle is not None:
-        driven, found = higher("driven_duty")(cycle, results, outcome.file)
+    from vstatics.core.summary.sections import doubts
+
+    driven = None if cycle is None else cycle.of(results)
+    found = doubts(driven, outcome.file)
 
     def html(_: str | None) -> str:
         from vstatics.page.report.html_page import page as whole

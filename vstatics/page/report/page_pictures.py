@@ -18,8 +18,7 @@ OF_A_VEHICLE = ("traction", "sawtooth")
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
     """The pictures of all gears that the page of a case has."""
-    vehicle = case.vehicle
-    return (*OF_ALL_GEARS, *(OF_A_VEHICLE if vehicle is not None and vehicle.engine else ()))
+    return (*OF_ALL_GEARS, *(OF_A_VEHICLE if getattr(case.vehicle, "engine", ()) else ()))
 
 
 class Pictures(NamedTuple):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -15,14 +15,15 @@ from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import file_name, one_text, tell
 from vstatics.core.cli.shared.options import needs, refuse
 from vstatics.core.errors import CaseError, ReadError
+from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known
 from vstatics.simulation.cli.documents import read_with_case
 from vstatics.simulation.cli.options import SimulateOptions, options
-from vstatics.simulation.cli.scenario_run import run_problems
+from vstatics.simulation.cli.scenario_run import expect_fatigue, run_problems
 from vstatics.simulation.cli.watched import watched
-from vstatics.vehicle.cli.strengths import expect_fatigue
 
 if TYPE_CHECKING:
+    from vstatics.core.tables.grid import Grid
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
 
@@ -160,10 +161,14 @@ def show(
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet
     from vstatics.simulation.record.tables import motion_grids
-    from vstatics.vehicle.damage.tables import damage_grid
 
     title = read.name or read.scenario.case.name or file_name(scenario)
     targets = bool(read.scenario.targets)
+
+    def grids() -> Iterable[Grid]:
+        of_damage = [higher("damage_grid")(motion.damage)] if damage else []
+        return in_both_units(read.scenario.case, [*motion_grids(motion), *of_damage])
+
     shown = texts.CaseOutput(
         [title],
         {
@@ -171,9 +176,7 @@ def show(
             "npz": lambda _: as_npz(motion),
             "parquet": lambda _: as_parquet(motion),
         },
-        lambda: in_both_units(
-            read.scenario.case, [*motion_grids(motion), *[damage_grid(motion.damage)] * damage]
-        ),
+        grids,
         lambda: motion_answer(motion, read.scenario.case.name, targets=targets, damage=damage),
         lay_out,
     )

@@ -21,6 +21,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.suffixes import format_of, known
 from vstatics.simulation.cli.documents import read_swept_document
 from vstatics.simulation.cli.options import SimulateOptions
+from vstatics.simulation.cli.scenario_run import expect_fatigue
 from vstatics.simulation.variants.samples import sample_plan
 from vstatics.simulation.variants.statistics import (
     columns_statistics,
@@ -33,7 +34,6 @@ from vstatics.sweep.cli.subject import spare
 from vstatics.sweep.formats import Format
 from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.tasks import calculate
-from vstatics.vehicle.cli.strengths import expect_fatigue
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
 """Formats of the variants themselves, which are read again for the statistics."""

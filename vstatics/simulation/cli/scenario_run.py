@@ -5,18 +5,38 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+import click
+
+from vstatics.core.annexes import KEYS, module_of_method, not_installed
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase
 from vstatics.core.cli.shared.options import needs
 from vstatics.core.errors import CaseError, Problem, ReadError
+from vstatics.core.extras import higher
 from vstatics.simulation.scenario.file import ScenarioFile
 
 if TYPE_CHECKING:
+    from vstatics.core.readers.reading import Reading
     from vstatics.core.statics.results import Results
     from vstatics.simulation.record.motion import Motion
 
 INSTANTS = 400
 """Of a run that is drawn, at least."""
+
+
+def expect_fatigue(reading: Reading) -> None:
+    """Refuse to report damage if no life can be calculated.
+
+    Raises
+    ------
+    UsageError
+        If the annex that calculates it is not installed.
+    ReadError
+        If the case has no fatigue strength.
+    """
+    if not module_of_method("expect_fatigue"):
+        raise click.UsageError(not_installed("--damage", KEYS["fatigue"]))
+    higher("expect_fatigue")(reading)
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple, TypeAlias
+from typing import Annotated, Any, NamedTuple, TypeAlias
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import Flat, Sometimes, document
+from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
-from vstatics.vehicle.damage.devices import DeviceDamage
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
 """Columns of a table by row, if somebody asks for them."""
@@ -49,7 +48,7 @@ class MotionAnswer(NamedTuple):
     events: Sequence[Event]
     energy: Energy
     peaks: Mapping[str, Peak]
-    damage: Sometimes[Mapping[str, DeviceDamage]]
+    damage: Sometimes[Annotated[object, Provided("Damages")]]
     """If somebody asks for it."""
     targets: Sometimes[Sequence[Reached]]
     """If speeds were asked for that links reach."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Protocol
 
 from vstatics.core.errors import Problem, plural
 from vstatics.core.extras import AnyPicture, higher
@@ -13,7 +13,6 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import SOMETIMES
 from vstatics.core.tables.html import shown
-from vstatics.vehicle.damage.devices import DeviceDamage
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -56,6 +55,18 @@ class Energy(NamedTuple):
     """Lost at once."""
     balance: float
     """Work less all the rest."""
+
+
+class Damage(Protocol):
+    """Fatigue damage of a device by its torque in a run."""
+
+    @property
+    def damage(self) -> float:
+        """Part of the damage at which the device fails [-]."""
+
+    @property
+    def repeats(self) -> float | None:
+        """Number of runs that the device bears; None: any number [-]."""
 
 
 class Peak(NamedTuple):
@@ -144,7 +155,7 @@ class Motion(NamedTuple):
     messages: tuple[Message, ...] = ()
     stopped: Problem | None = None
     asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
-    damage: Mapping[str, DeviceDamage] = MappingProxyType({})
+    damage: Mapping[str, Damage] = MappingProxyType({})
     beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
     case: Transmission | None = None
 

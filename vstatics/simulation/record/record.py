@@ -10,6 +10,8 @@ from types import MappingProxyType
 import numpy as np
 
 from vstatics.core.errors import Problem, listed, not_allowed
+from vstatics.core.extras import higher
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.impacts import kinetic_energy
@@ -20,7 +22,7 @@ from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.asked import empty_columns
 from vstatics.simulation.record.beside import chosen
 from vstatics.simulation.record.drawn import DrawnRun
-from vstatics.simulation.record.motion import Event, Motion, Reached
+from vstatics.simulation.record.motion import Damage, Event, Motion, Reached
 from vstatics.simulation.record.rows import roads_of
 from vstatics.simulation.record.segments import Piece, peaks
 from vstatics.simulation.scenario.formula_code import Seen
@@ -36,7 +38,6 @@ from vstatics.simulation.tolerances import (
     SHARED_TORQUE,
     SMALL_VALUE,
 )
-from vstatics.vehicle.damage.devices import damages
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
 """Numbers of the states that are kept in full, and as many as a step besides takes room for."""
@@ -297,7 +298,7 @@ class Record:
             tuple(not_allowed(dict.fromkeys(messages), self.system.case.untold)),
             stopped,
             asked,
-            damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
+            _damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
             chosen(self.drawn.beside, kept),
         )
 
@@ -354,3 +355,9 @@ def _different(times: Floats, columns: Floats) -> Booleans:
         before, after = columns[:, number - 1], columns[:, number]
         kept[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
     return kept
+
+
+def _damages(case: Transmission, torques: Mapping[str, Floats]) -> Mapping[str, Damage]:
+    """Return the damage of devices with a fatigue strength, which another annex calculates."""
+    found: Mapping[str, Damage] = higher("damages")(case, torques) if case.fatigue else {}
+    return found

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
+from vstatics.core.model.carried import left_out
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import HOUSING
 from vstatics.core.model.springs import SpringLimit
@@ -37,7 +38,6 @@ from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
 from vstatics.simulation.tolerances import LARGEST_NUMBER, MISSING_MASS
-from vstatics.vehicle.case.vehicle_checks import without_vehicle
 
 _TRIED_TIMES = 1001
 
@@ -93,7 +93,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
-    yield from without_vehicle(case)
+    yield from left_out(case)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(

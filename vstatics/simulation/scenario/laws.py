@@ -8,9 +8,9 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
-from vstatics.vehicle.case.vehicle import AIR, GRAVITY
 
 Over = Literal["time", "speed", "angle"]
 """What stands along the abscissa: s, rad/s, rad."""

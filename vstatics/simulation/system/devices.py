@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.elements.bodies import planet_bodies
 from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.elements.planet_bodies import planet_bodies
 from vstatics.core.elements.planet_inertia import planet_inertias
 from vstatics.core.errors import CaseError, Path, Problem
 from vstatics.core.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping

@@ -31,42 +31,46 @@ def _sizes(texts: Sequence[str]) -> list[int]:
 
 
 class Trials(NamedTuple):
-    """How many combinations may be tried, and whether any is."""
+    """Combinations that are tried: of how many elements, of which, between which ports."""
 
+    engaged: list[int]
+    elements: tuple[str, ...]
+    ports: tuple[str, ...]
+    sort: str | None
     at_most: int
     dry_run: bool
 
 
 @click.command()
-@click.option(
-    "--engaged",
-    multiple=True,
-    callback=value(_sizes),
-    metavar="K",
-    help="So many elements are engaged; several as 2,3. "
-    "[default: as many as leave one degree of freedom]",
-)
-@click.option(
-    "--elements",
-    multiple=True,
-    metavar="auto|NAME,...",
-    help="auto: all clutches and brakes that the scheme may have; else these of the case only, "
-    "a name with commas in double quotes.",
-)
-@click.option(
-    "--ports",
-    multiple=True,
-    metavar="all|IN:OUT,...",
-    help="Between these links in place of the case's own ports; all: each ordered pair.",
-)
-@click.option(
-    "--sort",
-    type=click.Choice(["torques"]),
-    help="Direct drives first, then gears, each by the largest torque of an element.",
-)
 @gathered(
     "trials",
     Trials,
+    click.option(
+        "--engaged",
+        multiple=True,
+        callback=value(_sizes),
+        metavar="K",
+        help="So many elements are engaged; several as 2,3. "
+        "[default: as many as leave one degree of freedom]",
+    ),
+    click.option(
+        "--elements",
+        multiple=True,
+        metavar="auto|NAME,...",
+        help="auto: all clutches and brakes that the scheme may have; else these of the case only, "
+        "a name with commas in double quotes.",
+    ),
+    click.option(
+        "--ports",
+        multiple=True,
+        metavar="all|IN:OUT,...",
+        help="Between these links in place of the case's own ports; all: each ordered pair.",
+    ),
+    click.option(
+        "--sort",
+        type=click.Choice(["torques"]),
+        help="Direct drives first, then gears, each by the largest torque of an element.",
+    ),
     click.option(
         "--at-most",
         type=click.IntRange(min=1),
@@ -81,10 +85,6 @@ class Trials(NamedTuple):
 @one_case
 def combinations(
     one: OneCase,
-    engaged: list[int],
-    elements: tuple[str, ...],
-    ports: tuple[str, ...],
-    sort: str | None,
     trials: Trials,
     target: str | None,
 ) -> int:
@@ -130,24 +130,24 @@ def combinations(
         refuse_converters,
     )
 
-    if ports and (trials.dry_run or target):
+    if trials.ports and (trials.dry_run or target):
         raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
     reading = one.read()
     with problems_of(reading):
         refuse_converters(reading.case)
-    chosen = _chosen([each.name for each in reading.case.shift_elements], elements)
+    chosen = _chosen([each.name for each in reading.case.shift_elements], trials.elements)
     with wrong_value("--elements"):
         if chosen != [AUTO]:
             chosen_elements(reading.case, chosen)
     with wrong_value("--ports"):
-        pairs = port_pairs(reading.case, separated(ports))
+        pairs = port_pairs(reading.case, separated(trials.ports))
     cases = [between(reading.case, pair) for pair in pairs] or [reading.case]
     with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
-        searches = [CombinationSearch(case, engaged, chosen) for case in cases]
+        searches = [CombinationSearch(case, trials.engaged, chosen) for case in cases]
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
         for each in searches:
             each.check(None if trials.dry_run else trials.at_most // len(searches))
-    search, kept, by_torque = searches[0], True, sort is not None
+    search, kept, by_torque = searches[0], True, trials.sort is not None
     if pairs:
         show_ports(searches, one.case, to, telling, by_torque=by_torque)
     elif trials.dry_run:

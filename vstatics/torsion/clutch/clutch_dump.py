@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from vstatics.core.model.carried import as_type
+
+if TYPE_CHECKING:
+    from vstatics.core.model.fields import TransmissionFields
 
 MASSES = ("J1", "J2", "J3", "J4", "J5")
 NEEDED = ("J1", "J2", "J5")
@@ -69,8 +74,14 @@ class ClutchDump(NamedTuple):
         return self._replace(**changed)
 
 
-def dump_record(dump: ClutchDump | None) -> dict[str, Any] | None:
+def dump_in(case: TransmissionFields) -> ClutchDump | None:
+    """Return the clutch dump of a case, if there is one."""
+    return as_type(case.dump, ClutchDump)
+
+
+def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
     """A clutch dump by the keys of a case; that something is infinite is not written."""
+    dump = dump_in(case)
     if dump is None:
         return None
     return {name: one for name, one in dump._asdict().items() if one != math.inf}

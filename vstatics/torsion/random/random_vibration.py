@@ -11,6 +11,8 @@ import numpy as np
 
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
+from vstatics.core.extras import higher
+from vstatics.core.model.fields import Carried
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.answer import Failure, Sometimes, told
@@ -24,8 +26,6 @@ from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import asked_gears, vibrating
 from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_gear
 from vstatics.torsion.vibration.damped import damped_modes
-from vstatics.vehicle.case.fatigue import Fatigue
-from vstatics.vehicle.damage.rayleigh import rayleigh_life
 
 Excitation = Literal["torque", "motion"]
 
@@ -165,7 +165,7 @@ def _gear_random(
 
 
 def _devices(
-    elastic: Sequence[TorsionalDevice], found: FormVariances, strengths: Mapping[str, Fatigue]
+    elastic: Sequence[TorsionalDevice], found: FormVariances, strengths: Mapping[str, Carried]
 ) -> dict[str, RandomDevice]:
     made = {}
     for number, one in enumerate(elastic):
@@ -177,20 +177,15 @@ def _devices(
             torque = math.sqrt(torque**2 + 2 * viscous * lost * float(found.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
         strength = strengths.get(one.name)
-        life = strength and _life(strength, one.rate * twist, crossings)
+        life = _life(strength, one.rate * twist, crossings) if strength else None
         made[one.name] = RandomDevice(twist, rate, torque, crossings, life)
     return made
 
 
-def _life(strength: Fatigue, deviation: float, crossings: float) -> float:
-    """In a narrow band, of the torque of the spring [s]; NaN where it is not known."""
-    if not (deviation > 0 and 0 < crossings < math.inf):
-        return math.nan
-    try:
-        life = rayleigh_life(strength, deviation / strength.modulus, crossings).life
-    except ValueError:
-        return math.nan
-    return math.inf if life is None else life
+def _life(strength: Carried, deviation: float, crossings: float) -> float:
+    """Return the life under the torque of a spring [s], which another annex calculates."""
+    life: float = higher("torque_life")(strength, deviation, crossings)
+    return life
 
 
 def _links(

@@ -8,7 +8,7 @@ import numpy as np
 from scipy import linalg
 
 from vstatics.core.arguments import refusing
-from vstatics.core.elements.bodies import Body
+from vstatics.core.elements.planet_bodies import Body
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import TIE

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.elements.bodies import Body
+from vstatics.core.elements.planet_bodies import Body
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.elements.bodies import Body, Shares, planet_bodies
+from vstatics.core.elements.planet_bodies import Body, Shares, planet_bodies
 from vstatics.core.model.parts import NO_DAMPING, Damping, Mechanism, ShiftElement, damping
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission

@@ -1,5 +1,5 @@
 """What a case says of its vehicle and of the fatigue strength of its components.
 
-`vehicle` and `fatigue` are the values, `vehicle_keys` and `fatigue_keys` their keys in a document,
-and `vehicle_checks` finds what contradicts itself.
+`vehicle` and `fatigue` are the values, `vehicle_checks` and `fatigue_checks` find what contradicts
+itself, and `vehicle_key` and `fatigue_key` declare their keys in a document for the core.
 """

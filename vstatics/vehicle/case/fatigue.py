@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+from vstatics.core.model.carried import as_type
+
+if TYPE_CHECKING:
+    from vstatics.core.model.fields import TransmissionFields
 
 
 class Fatigue(NamedTuple):
@@ -54,3 +59,9 @@ class Fatigue(NamedTuple):
         """A checked one with its numbers as floats."""
         changed = {name: float(one) for name, one in self._asdict().items() if one is not None}
         return self._replace(**changed)
+
+
+def strengths(case: TransmissionFields) -> dict[str, Fatigue]:
+    """Return the fatigue strengths of a case by the names of devices."""
+    given = ((name, as_type(one, Fatigue)) for name, one in case.fatigue.items())
+    return {name: fatigue for name, fatigue in given if fatigue is not None}

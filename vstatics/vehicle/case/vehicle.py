@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import spoken
+from vstatics.core.model.carried import as_type
 from vstatics.core.model.parts import Gear, SpeedOf
+from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.tolerances import SAME_SPEED
 
-GRAVITY = 9.81
-"""[m/s^2]"""
-AIR = 1.2
-"""Density. [kg/m^3]"""
+if TYPE_CHECKING:
+    from vstatics.core.model.fields import TransmissionFields
 NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]
@@ -123,8 +123,14 @@ def vehicle_of(fuel: str = "", **others: Any) -> Vehicle:
     return Vehicle(fuel=fuel, **others)
 
 
-def vehicle_record(vehicle: Vehicle | None) -> dict[str, Any] | None:
+def vehicle_in(case: TransmissionFields) -> Vehicle | None:
+    """Return the vehicle of a case, if there is one."""
+    return as_type(case.vehicle, Vehicle)
+
+
+def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     """A vehicle by the keys of a case."""
+    vehicle = vehicle_in(case)
     if vehicle is None:
         return None
     record: dict[str, Any] = vehicle._asdict()

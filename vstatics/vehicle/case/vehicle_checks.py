@@ -9,13 +9,16 @@ from vstatics.core.errors import Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.springs import ends
-from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
+from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine, vehicle_in
 
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
 
 
-def of_vehicle(vehicle: Vehicle) -> Iterator[Problem]:
-    """What is wrong in a vehicle."""
+def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
+    """What is wrong in the vehicle of a case."""
+    vehicle = vehicle_in(case)
+    if vehicle is None:
+        return
     for name in NUMBERS_OF_VEHICLE:
         value = getattr(vehicle, name)
         least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
@@ -36,8 +39,11 @@ def of_vehicle(vehicle: Vehicle) -> Iterator[Problem]:
             before = speed
 
 
-def doubts_of_vehicle(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     """What was meant otherwise, it seems."""
+    vehicle = vehicle_in(case)
+    if vehicle is None:
+        return
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
@@ -106,9 +112,10 @@ REDUCED = " by the speed of the output"
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     """That runs and vibration leave the mass of a vehicle out, where inertias do not have it."""
-    if case.vehicle is None:
+    vehicle = vehicle_in(case)
+    if vehicle is None:
         return
-    mass, inertias = _at_output(case, case.vehicle)
+    mass, inertias = _at_output(case, vehicle)
     if sum(inertias.values()) < MASS_AGAIN * mass:
         message = (
             "runs and vibration leave it out, only `inertias` move there: its mass would be an "

@@ -1,4 +1,4 @@
-"""The duty cycle that a command is given: its options, its file, what is doubtful about it."""
+"""Options of commands that take a duty cycle."""
 
 from __future__ import annotations
 
@@ -7,17 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.options import Command, gathered, refuse
+from vstatics.core.cli.shared.options import gathered, refuse
 from vstatics.core.cli.shared.values import above_0, value
-from vstatics.core.errors import Problem, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.suffixes import suffix_of
 
 if TYPE_CHECKING:
-    from vstatics.core.statics.results import Results
-    from vstatics.vehicle.duty import Cycle
     from vstatics.vehicle.duty_file import DutyFile, DutyTable
-    from vstatics.vehicle.operation.load_spectrum import Spectrum
 
 
 class DutyOptions(NamedTuple):
@@ -49,7 +45,7 @@ class DutyOptions(NamedTuple):
         return read_duty_table(*text, self.exponent) if is_table else read_duty(*text)
 
 
-options = gathered(
+duty_options = gathered(
     "duty",
     DutyOptions,
     click.option(
@@ -68,22 +64,3 @@ options = gathered(
     ),
 )
 """Both options; a command gets `duty`."""
-
-
-def duty_options(command: Command) -> Command:
-    """Add both options to a command of another annex."""
-    return options(command)
-
-
-def driven_duty(
-    duty: DutyFile | DutyTable, results: Results, file: str
-) -> tuple[Cycle | Spectrum, list[Problem]]:
-    """Return the duty cycle of a case, and what is doubtful about it."""
-    cycle = duty.of(results)
-    return cycle, doubts(cycle, file)
-
-
-def doubts(cycle: Cycle | Spectrum | None, file: str) -> list[Problem]:
-    """What is doubtful about the duty cycle of a case."""
-    messages = getattr(cycle, "messages", ())  # shares by gear have none
-    return [of_file(one.id, file, one.text) for one in messages]

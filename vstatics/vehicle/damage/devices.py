@@ -16,7 +16,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, as_floats
 from vstatics.core.tables.answer import document
-from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.case.fatigue import Fatigue, strengths
 from vstatics.vehicle.damage.rainflow import LoadCycle, rainflow
 
 if TYPE_CHECKING:
@@ -34,6 +34,10 @@ class DeviceDamage(NamedTuple):
     """Of all cycles, as it counts for damage. [Pa]"""
     cycles: Sequence[LoadCycle]
     """Ranges and means in N*m."""
+
+
+Damages = Mapping[str, DeviceDamage]
+"""Damage by names of devices."""
 
 
 @document("vstatics-damage")
@@ -111,6 +115,6 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     """
     return {
         name: device_damage(fatigue, as_floats(name, torques[name]))
-        for name, fatigue in case.fatigue.items()
+        for name, fatigue in strengths(case).items()
         if name in torques
     }

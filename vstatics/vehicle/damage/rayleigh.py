@@ -72,3 +72,28 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     if max(logarithm, life) > LARGEST_LOGARITHM:
         raise ValueError("numbers so large give no life")
     return RayleighLife(math.exp(logarithm), math.exp(life))
+
+
+def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:
+    """Return the life under a random torque of a narrow band [s].
+
+    Parameters
+    ----------
+    fatigue : Fatigue
+    deviation : float
+        Standard deviation of the torque. [N*m]
+    crossings : float
+        Upward crossings of the mean. [1/s]
+
+    Returns
+    -------
+    float
+        Infinite if there is no damage; NaN if the numbers give no life.
+    """
+    if not (deviation > 0 and 0 < crossings < math.inf):
+        return math.nan
+    try:
+        life = rayleigh_life(fatigue, deviation / fatigue.modulus, crossings).life
+    except ValueError:
+        return math.nan
+    return math.inf if life is None else life

@@ -23,6 +23,7 @@ from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import document, told
+from vstatics.vehicle.case.vehicle import vehicle_in
 from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
@@ -88,18 +89,19 @@ def drive(
     >>> round(made.energy.engine, 6), round(made.energy.lost["pair"], 6), made.distance
     (62500.0, 12500.0, 50.0)
     """
-    assert case.vehicle is not None  # noqa: S101 - who asks knows
-    steps = CycleSteps.of(bare(case), case.vehicle, trace, choice)
+    vehicle = vehicle_in(case)
+    assert vehicle is not None  # noqa: S101 - who asks knows
+    steps = CycleSteps.of(bare(case), vehicle, trace, choice)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
     lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
     brakes = 0.0
     if (trace.speed > 0).any():
         for rows in _blocks(trace.speed > 0):
             engine[rows] = steps.engine_torques(rows)
-        over = engine < case.vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
+        over = engine < vehicle.overrun_torque(speeds) - SAME_ENGINE_TORQUE
         over &= trace.speed > 0
         if over.any():
-            engine[over] = case.vehicle.overrun_torque(speeds[over])
+            engine[over] = vehicle.overrun_torque(speeds[over])
         for rows in _blocks((trace.speed > 0) & ~over):
             steps.add_losses(rows, lost)
         brakes = math.fsum(steps.braked(rows, engine, lost) for rows in _blocks(over))
@@ -110,7 +112,7 @@ def drive(
         brakes,
         lost.energies,
     )
-    full = case.vehicle.full_torque(speeds) if case.vehicle.engine else np.inf
+    full = vehicle.full_torque(speeds) if vehicle.engine else np.inf
     beyond = int((engine > full + SAME_ENGINE_TORQUE).sum())
     taken, course = math.nan, steps.course(engine)
     outside = [*lost.outside]

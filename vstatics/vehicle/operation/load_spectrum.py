@@ -19,7 +19,10 @@ from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import told
+from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
+from vstatics.vehicle.damage.tables import damage_grid
+from vstatics.vehicle.duty import Cycle
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
 
 EXPONENT = 3.0
@@ -74,6 +77,44 @@ class Spectrum(NamedTuple):
     """Of devices with a fatigue strength, whose torques are those of the points in their order."""
     exponent: float = EXPONENT
     """Of the equivalent torques. [-]"""
+
+    def grids(self) -> Iterator[Grid]:
+        """Yield tables of a summary: energies, loads of links, members and clutches, damage."""
+        what, energy = ("mean power, W" if self.are_shares else "energy, J"), self.energy
+        lost = [(word(f"lost: {name}"), one) for name, one in energy.lost.items() if one]
+        rows = [
+            (word("in"), energy.in_),
+            (word("out"), energy.out),
+            *lost,
+            (word("efficiency"), self.efficiency),
+        ]
+        yield grid_of("Duty cycle", ["", what], rows, key="duty")
+        members = [
+            (
+                *(
+                    name,
+                    one.torque.largest,
+                    one.torque.row or math.nan,
+                    one.speed.largest,
+                    one.speed.row,
+                ),
+                *(one.revolutions, one.equivalent_torque),
+            )
+            for name, one in self.members.items()
+            if one.torque.largest
+        ]
+        headings = (
+            *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
+            *("turns" + " a second" * self.are_shares, f"equivalent, p = {self.exponent:.6g}, N*m"),
+        )
+        yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
+        if self.damage:
+            title = "Damage by the points as one record, whatever their time"
+            yield damage_grid(self.damage, title)
+
+
+DutyResults = Cycle | Spectrum
+"""Results over a duty cycle of shares by gear, or of points."""
 
 
 def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT) -> Spectrum:

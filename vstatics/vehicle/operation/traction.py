@@ -8,7 +8,7 @@ link with an inertia.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -17,9 +17,11 @@ import numpy as np
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.constants import GRAVITY
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
-from vstatics.vehicle.case.vehicle import GRAVITY, Vehicle, beside_engine
+from vstatics.core.tables.grid import Grid, grid_of
+from vstatics.vehicle.case.vehicle import Vehicle, beside_engine, vehicle_in
 from vstatics.vehicle.operation.shifting import directions
 
 KMH = 3.6
@@ -52,6 +54,14 @@ class Performance(NamedTuple):
     time_to_100: float
     """From rest to 100 km/h at full load, without time for shifts; NaN if it is not reached [s]."""
 
+    def grids(self) -> Iterator[Grid]:
+        """Yield tables for a summary: of each gear, and of all gears."""
+        rows = [(name, one.top_speed, one.slope) for name, one in self.gears.items()]
+        headings = "gear", "top speed, km/h", "slope"
+        yield grid_of("Vehicle at full load", headings, rows, key="vehicle gears")
+        row = self.top_speed, self.time_to_100
+        yield grid_of("Vehicle", ["top speed, km/h", "0 to 100 km/h, s"], [row], key="vehicle")
+
 
 def bare(case: Transmission) -> Transmission:
     """The case without loads and directions of its own, for points of any load."""
@@ -62,6 +72,12 @@ def bare(case: Transmission) -> Transmission:
 def engine_alone(case: Transmission) -> Booleans:
     """In which gears the engine alone drives: of the others nothing is told."""
     return np.array([not beside_engine(gear, case.link_name) for gear in case.gears])
+
+
+def vehicle_section(case: Transmission) -> Performance | None:
+    """Return the performance of a case, if its vehicle has an engine."""
+    vehicle = vehicle_in(case)
+    return performance(case) if vehicle and vehicle.engine else None
 
 
 def performance(case: Transmission) -> Performance:
@@ -79,8 +95,9 @@ def performance(case: Transmission) -> Performance:
     >>> round(made.top_speed, 6), round(made.time_to_100, 6), round(made.gears["1"].slope, 6)
     (180.0, 27.777778, 0.101937)
     """
-    assert case.vehicle is not None and case.vehicle.engine  # noqa: PT018, S101 - who asks knows
-    pull = Traction(bare(case), case.vehicle)
+    vehicle = vehicle_in(case)
+    assert vehicle is not None and vehicle.engine  # noqa: PT018, S101 - who asks knows
+    pull = Traction(bare(case), vehicle)
     gears = {
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
         for number, gear in enumerate(case.gears)

@@ -29,10 +29,11 @@ def needs(extra: str, purpose: str) -> None:
 
 def provided(name: str) -> Callable[[Command], Command]:
     """Return the decorator of options of an annex; without the annex it adds nothing."""
-    return higher(name) if module_of_method(name) else _as_it_is
+    decorator: Callable[[Command], Command] = _unchanged
+    return higher(name) if module_of_method(name) else decorator
 
 
-def _as_it_is(command: Command) -> Command:
+def _unchanged(command: Command) -> Command:
     return command
 
 

@@ -9,6 +9,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from vstatics.core.annexes import KEYS
 from vstatics.core.errors import Path
 from vstatics.core.model.converters import converters_of
 from vstatics.core.model.keys import CASE
@@ -18,7 +19,7 @@ from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.units import WithUnit
 from vstatics.core.readers.named.walk import Walk
 
-_OWN = tuple(key.name for key in CASE.keys)
+_OWN = (*(key.name for key in CASE.keys), *KEYS)
 """Keys that are attributes of a case."""
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from vstatics.core.annexes import KEYS, not_installed
 from vstatics.core.errors import Problem, ReadError
-from vstatics.core.model.keys import CASE, with_masses
+from vstatics.core.model.carried import installed_keys
+from vstatics.core.model.keys import CASE, with_carried, with_masses
 from vstatics.core.model.shape import ByKey
 from vstatics.core.readers.named.arguments import arguments, read_with_stand_ins
 from vstatics.core.readers.named.nodes import (
@@ -23,6 +25,9 @@ from vstatics.core.readers.reading import Reading, finish
 
 if TYPE_CHECKING:
     from vstatics.core.readers import Format
+
+_OF_CORE = {*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency"}
+"""Keys of a case that the core declares."""
 
 
 def read_yaml(data: bytes, file: str) -> Reading:
@@ -103,7 +108,8 @@ def read_case_tree(root: Node, found: Found) -> Reading:
     walk = Walk(Spots(found))
     given = {key.text for key, _ in root.entries}
     masses = _has_masses(root)
-    shape = with_masses(CASE) if masses else CASE
+    root, case = _with_annexes(root, found)
+    shape = with_masses(case) if masses else case
     if "elements" in given:
         from vstatics.core.readers.named.drawing import read_drawing  # others do without
 
@@ -117,6 +123,27 @@ def read_case_tree(root: Node, found: Found) -> Reading:
         read_with_stand_ins(walk.spots.unreadable),
         walk.spots.locate,
     )
+
+
+def _with_annexes(root: Mapping, found: Found) -> tuple[Mapping, ByKey]:
+    """Return the document and the shape of a case with the keys of annexes that it needs.
+
+    Keys of annexes that are not installed are left out, with a warning. No annex is asked for a
+    document whose keys are all of the core; an unknown key needs the names of all keys.
+    """
+    unknown = {key.text for key, _ in root.entries} - _OF_CORE
+    if not unknown:
+        return root, CASE
+    mistyped = not unknown <= KEYS.keys()
+    keys = installed_keys(key for key in KEYS if mistyped or key in unknown)
+    missing = (unknown & KEYS.keys()) - {key.shape.name for key in keys}
+    for key, _ in root.entries:
+        if key.text in missing:
+            place = found.source.place(key.line, key.column)
+            message = not_installed(key.text, KEYS[key.text])
+            found.problems.append(Problem("W807", message, (), place))
+    entries = [entry for entry in root.entries if entry[0].text not in missing]
+    return root._replace(entries=entries), with_carried(CASE, keys)
 
 
 def _has_masses(root: Mapping) -> bool:

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from typing import Any, get_args
 
 from vstatics.core.elements.keys import with_elements
-from vstatics.core.model.keys import CASE, EFFICIENCY, with_masses
+from vstatics.core.model.carried import installed_keys
+from vstatics.core.model.keys import CASE, EFFICIENCY, with_carried, with_masses
 from vstatics.core.model.shape import (
     STRAIGHT,
     UNIT_OF,
@@ -95,7 +96,7 @@ def json_schema() -> Words:
     """
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **_record(with_elements(with_masses(CASE))),
+        **_record(with_elements(with_masses(with_carried(CASE, installed_keys())))),
         "anyOf": list(_ENOUGH),
     }
     measures = {name: _measure(name) for name in get_args(Measure) if name not in _IN_NO_CASE}

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, runtime_checkable
 
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.style import Excitation
+from vstatics.torsion.clutch.clutch_dump import dump_in
 
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 """Of any four-stroke engine: half orders, the shaft, the firing of four, six, eight, twelve
@@ -92,12 +93,26 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
     return sorted({certain(abs(one)) for one in found if one})
 
 
+@runtime_checkable
+class HasEngine(Protocol):
+    """The vehicle of a case, as far as its engine is concerned."""
+
+    @property
+    def engine(self) -> Sequence[tuple[float, float]]:
+        """Speed [rad/s] and torque [N*m] at full load."""
+
+    @property
+    def overrun(self) -> Sequence[tuple[float, float]]:
+        """Speed [rad/s] and torque [N*m] of the engine as a brake."""
+
+
 def _of_engine(case: Transmission) -> Iterator[float]:
     """Speeds of the engine [rad/s]."""
-    if case.vehicle is not None:
+    if isinstance(case.vehicle, HasEngine):
         yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
-    if case.dump is not None and case.dump.J1[0] == case.input:
-        yield case.dump.omega1
+    dump = dump_in(case)
+    if dump is not None and dump.J1[0] == case.input:
+        yield dump.omega1
 
 
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:

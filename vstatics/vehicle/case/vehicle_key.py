@@ -1,10 +1,12 @@
-"""The keys of the vehicle that a box is in."""
+"""The key `vehicle` of a case: its declaration, and its checks."""
 
 from __future__ import annotations
 
+from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.vehicle import vehicle_of
+from vstatics.vehicle.case.vehicle import Vehicle, vehicle_of, vehicle_record
+from vstatics.vehicle.case.vehicle_checks import doubts_of_vehicle, of_vehicle, without_vehicle
 
 _POINTS = ListOf(
     RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"), "points", unique=False
@@ -72,4 +74,12 @@ VEHICLE = ByKey(
         ),
     ),
     vehicle_of,
+)
+KEY = CaseKey(
+    KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),
+    Vehicle | None,
+    vehicle_record,
+    of_vehicle,
+    doubts_of_vehicle,
+    without_vehicle,
 )

@@ -1,10 +1,14 @@
-"""The keys of what a device bears of cycles of torque."""
+"""The key `fatigue` of a case: its declaration, and its checks."""
 
 from __future__ import annotations
 
-from vstatics.core.model.shape import NUMBER, ByKey, KeyShape, Leaf
+from collections.abc import Mapping
+
+from vstatics.core.model.carried import CaseKey
+from vstatics.core.model.shape import NUMBER, ByKey, ByName, KeyShape, Leaf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.fatigue import Fatigue
+from vstatics.vehicle.case.fatigue import Fatigue, strengths
+from vstatics.vehicle.case.fatigue_checks import doubts_of_fatigue, of_fatigue
 
 FATIGUE = ByKey(
     "Fatigue",
@@ -66,4 +70,15 @@ FATIGUE = ByKey(
         KeyShape("sum", NUMBER, "Of damages at which it fails.", default=1, limits=ABOVE_0),
     ),
     Fatigue,
+)
+KEY = CaseKey(
+    KeyShape(
+        "fatigue",
+        ByName("device", FATIGUE),
+        "Fatigue strengths, each under the name of a spring or another device.",
+    ),
+    Mapping[str, Fatigue],
+    strengths,
+    of_fatigue,
+    doubts_of_fatigue,
 )

@@ -1,0 +1,68 @@
+"""Data of annexes in a case, under keys that annexes declare; the core calculates without them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+from vstatics.core.annexes import KEYS, module, module_of_key
+
+if TYPE_CHECKING:
+    from vstatics.core.errors import Problem
+    from vstatics.core.model.fields import Carried, TransmissionFields
+    from vstatics.core.model.shape import KeyShape
+
+Data = TypeVar("Data")
+
+
+def _nothing(_: TransmissionFields) -> Iterator[Problem]:
+    yield from ()
+
+
+class CaseKey(NamedTuple):
+    """A key of a case that an annex provides; the module of the key holds it as `KEY`."""
+
+    shape: KeyShape
+    type: object
+    """Type of the field of a case, for messages about arguments."""
+    record: Callable[[TransmissionFields], Any]
+    """Returns the data of a case as a document has them."""
+    problems: Callable[[TransmissionFields], Iterator[Problem]]
+    doubts: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
+    left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
+    """Returns notes about data that runs and vibration do not use."""
+
+
+def as_type(data: Carried | None, kind: type[Data]) -> Data | None:
+    """Return data of an annex as the type that its annex declares.
+
+    Raises
+    ------
+    TypeError
+        If they are of another type.
+    """
+    if data is None or isinstance(data, kind):
+        return data
+    raise TypeError(f"read {data!r}, expected a {kind.__name__}")
+
+
+def _key(name: str) -> CaseKey | None:
+    declaring = module_of_key(name)
+    key: CaseKey | None = module(declaring).KEY if declaring else None
+    return key
+
+
+def installed_keys(names: Iterable[str] = KEYS) -> list[CaseKey]:
+    """Return the keys of these names whose annexes are installed."""
+    return [key for name in names if (key := _key(name))]
+
+
+def carried_keys(case: TransmissionFields) -> list[CaseKey]:
+    """Return the keys of annexes under which a case has data."""
+    return installed_keys(name for name in KEYS if getattr(case, name) not in (None, {}))
+
+
+def left_out(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield notes about data that runs and vibration do not use."""
+    for key in carried_keys(case):
+        yield from key.left_out(case)

@@ -1,0 +1,57 @@
+"""Sections of a summary that annexes calculate, as far as the core knows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Protocol
+
+from vstatics.core.errors import Problem, of_file
+from vstatics.core.statics.result_arrays import Message
+from vstatics.core.statics.results import Results
+from vstatics.core.tables.grid import Grid
+
+
+class Section(Protocol):
+    """Results of an annex about a case."""
+
+    def grids(self) -> Iterable[Grid]:
+        """Return the tables of the section."""
+
+
+class CycleSection(Section, Protocol):
+    """Results over a duty cycle."""
+
+    @property
+    def efficiency(self) -> float:
+        """Energy that leaves, divided by energy that enters [-]."""
+
+    @property
+    def damage(self) -> Mapping[str, object]:
+        """Damage of devices by their names."""
+
+    @property
+    def messages(self) -> Sequence[Message]:
+        """Doubts about the cycle."""
+
+
+class GivenCycle(Protocol):
+    """A duty cycle that was read."""
+
+    def of(self, results: Results) -> CycleSection:
+        """Return the results of a case over the cycle."""
+
+
+class CycleOptions(Protocol):
+    """Options of a command that give a duty cycle."""
+
+    @property
+    def files(self) -> list[str]:
+        """Files that are read."""
+
+    def read(self) -> GivenCycle | None:
+        """Return the duty cycle, if one is given."""
+
+
+def doubts(cycle: CycleSection | None, file: str) -> list[Problem]:
+    """Return the warnings about the duty cycle of a case."""
+    return [of_file(one.id, file, one.text) for one in (cycle.messages if cycle else ())]

@@ -1,0 +1,52 @@
+"""Checks of the fatigue strengths of a case."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from vstatics.core.errors import Problem, listed, nearest, quoted
+from vstatics.core.model.fields import TransmissionFields
+from vstatics.core.model.part_checks import no_unit
+from vstatics.core.model.parts import element_names, mechanism_names
+from vstatics.core.model.springs import spring_names
+from vstatics.core.model.torsional_checks import above_0, not_negative
+from vstatics.vehicle.case.fatigue import strengths
+
+THICKEST_SHAFT = 1.0
+"""Diameter; a thicker one was written in mm without the unit. [m]"""
+_STRENGTHS = {
+    "endurance": "an endurance",
+    "exponent": "an exponent",
+    "cycles": "a number of cycles",
+    "diameter": "a diameter",
+    "section_modulus": "a section modulus",
+    "sum": "a sum of damages",
+}
+_PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
+
+
+def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
+    """What is wrong in the fatigue strengths of a case."""
+    names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
+    names += spring_names(case.springs)
+    for number, (name, fatigue) in enumerate(strengths(case).items(), 1):
+        path = ("fatigue", number)
+        if name not in names:
+            hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
+            yield Problem("E880", f"there is no device {quoted(name)}{hint}", path)
+        if (fatigue.diameter is None) == (fatigue.section_modulus is None):
+            read = "neither `diameter` nor" if fatigue.diameter is None else "both `diameter` and"
+            message = f"read {read} `section_modulus`, expected one of them"
+            yield Problem("E881", message, path)
+        for key, value in fatigue._asdict().items():
+            if key in _PARTS:
+                yield from not_negative(value, _PARTS[key], (*path, key))
+            elif value is not None:
+                yield from above_0(value, _STRENGTHS[key], (*path, key))
+
+
+def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield warnings about diameters in mm without their unit."""
+    for name, one in strengths(case).items():
+        if one.diameter and one.diameter > THICKEST_SHAFT:
+            yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
