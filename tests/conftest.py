@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from _pytest.doctest import DoctestModule
+from _pytest.doctest import DoctestItem, DoctestModule
 from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
-from tests.installed import HERE, TESTS, is_tested
+from tests.installed import HERE, TESTS, is_tested, missing, needs, used_in
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -40,6 +40,15 @@ def pytest_configure(config: pytest.Config) -> None:
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     gc.disable()
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Skip examples in docstrings that use an annex which is not installed."""
+    for item in items:
+        if isinstance(item, DoctestItem) and item.dtest is not None:
+            text = "".join(example.source for example in item.dtest.examples)
+            if missing(used_in(text)):
+                item.add_marker(needs(*used_in(text)))
 
 
 def pytest_collection_finish() -> None:

@@ -39,22 +39,24 @@ NAMES = {
 }
 """The annex of each public name of the package that is not of the core."""
 FILES: dict[str, tuple[str, ...]] = {
-    "page/report/pair/test_runs.py": ("simulation",),
     "page/serve/test_bare_units.py": ("simulation",),
     "page/serve/test_random_numbers.py": ("sweep",),
     "simulation/published/test_pages.py": ("torsion",),
     "simulation/published/test_published_starts.py": ("torsion",),
     "simulation/report/runs/test_browser.py": ("page",),
-    "simulation/report/runs/test_record.py": ("page",),
     "simulation/report/test_motion.py": ("page",),
+    "simulation/report/test_pair.py": ("page",),
     "synthesis/cli/box/test_process.py": ("sweep",),
     "torsion/report/test_vibration.py": ("page",),
+    "torsion/vibration/test_varied_frequencies.py": ("sweep",),
 }
 """Annexes that files of tests need beside their own, and beside those that it needs."""
 ANNEXES = tuple(dict.fromkeys([*COMMANDS.values(), *NAMES.values()]))
 HERE = {annex.name for annex in annexes()}
 _FOLDER = re.compile(rf"\b(?:vstatics|tests|docs)[./]({'|'.join(ANNEXES)})\b")
 _CALL = re.compile(rf"\bvstatics[ .]({'|'.join({**COMMANDS, **NAMES})})\b")
+_IMPORT = re.compile(r"^(?:>>> )?from vstatics import (.*)$", re.MULTILINE)
+_METHOD = re.compile(r"\w\.plot\(")
 
 
 def missing(names: Iterable[str]) -> list[str]:
@@ -88,6 +90,10 @@ def used_in(text: str) -> set[str]:
 
     >>> sorted(used_in("vstatics simulate run.yaml; vstatics.cycle(case); vstatics.torsion.modes"))
     ['simulation', 'torsion', 'vehicle']
+    >>> sorted(used_in("from vstatics import load, sweep\\nfound = results.plot('lever')"))
+    ['pictures', 'sweep']
     """
-    found = {{**NAMES, **COMMANDS}[word] for word in _CALL.findall(text)}
-    return found | {*_FOLDER.findall(text)}
+    known = {**NAMES, **COMMANDS}
+    words = [*_CALL.findall(text), *re.findall(r"\w+", " ".join(_IMPORT.findall(text)))]
+    words += ["plot"] * bool(_METHOD.search(text))
+    return {known[word] for word in words if word in known} | {*_FOLDER.findall(text)}

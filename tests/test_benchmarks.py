@@ -19,6 +19,7 @@ import pytest
 import vstatics
 from tests.chance import some
 from tests.commands import CASES
+from tests.installed import skip_without, used_in
 from vstatics import load, solve
 
 BENCHMARKS = Path(__file__).parent.parent / "benchmarks"
@@ -75,6 +76,7 @@ def tables(peer: Path, path: Path, folder: Path) -> dict[str, np.ndarray[Any, An
 
 @pytest.mark.parametrize("name", some(SCRIPTS))
 def test_each_prints_a_table(name: str, tmp_path: Path) -> None:
+    skip_without(*used_in((BENCHMARKS / f"{name}.py").read_text(encoding="utf-8")))
     said = run(sys.executable, str(BENCHMARKS / f"{name}.py"), "--quick", folder=tmp_path)
     assert said.count("\n| ---") == 1
     assert said.count("\n| ") > 3

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 
 from tests import message_page as page
 from tests.commands import ROOT, vstatics
+from tests.installed import ANNEXES, missing
 from tests.rooms import PACKAGE, modules, nodes
 from vstatics.core import readers
 from vstatics.core.cli import main
@@ -63,7 +64,8 @@ def test_the_page_lists_every_id() -> None:
     page = (ROOT / "docs/messages.md").read_text("utf-8")
     listed = re.findall(r"^\| ([EWN]\d{3}) \|", page, re.MULTILINE)
     assert listed == sorted(set(listed))
-    assert set(listed) == ids_in_code()
+    assert set(listed) == ids_in_code() or missing(ANNEXES)
+    assert set(listed) >= ids_in_code()
     for identity, says in DOUBTS.items():
         assert f"| {identity} | {says} |" in page
 
@@ -79,7 +81,9 @@ def test_every_id_has_a_cause_and_a_cure() -> None:
     told = known_ids()
     missing, unknown = sorted(ids_in_code() - {*told}), sorted({*told} - ids_in_code())
     assert not missing, f"no line for {missing}.{HOW_TO_ADD}"
-    assert not unknown, f"the code has no message {unknown}: remove their lines.{HOW_TO_ADD}"
+    assert not unknown or missing(ANNEXES), (
+        f"the code has no message {unknown}: remove their lines.{HOW_TO_ADD}"
+    )
     ordered = sorted(told, key=lambda one: ("EWN".index(one[0]), one))
     assert told == ordered, "expected the lines in order: E, W, N"
     doubts = {one for one in told if one[0] in "WN"}
@@ -105,6 +109,8 @@ def test_every_example_is_of_an_id() -> None:
 @pytest.mark.parametrize("one", EXAMPLES, ids=lambda one: one.id)
 def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
     Path("example.yaml").write_text(str(one.example), encoding="utf-8")
+    if one.id not in ids_in_code():
+        pytest.skip("it is a message of an annex that is not installed")
     records = json.loads(vstatics("check", "example.yaml", "-f", "json").out)
     assert one.id in {record["id"] for record in records}
     severities = {record["severity"] for record in records if record["id"] == one.id}

@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from tests.commands import ROOT
+from tests.installed import skip_without, used_in
 
 NOTEBOOK = ROOT / "docs" / "notebook.ipynb"
 TAG = re.compile(r"<style.*?</style>|<[^>]*>", re.DOTALL)
@@ -28,6 +29,7 @@ SHOWN = {
 def test_the_notebook_shows_what_it_says(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
+    skip_without(*used_in(NOTEBOOK.read_text(encoding="utf-8")))
     for extra in ("matplotlib", "pandas", "sympy", "xarray", "scipy", "numba"):
         pytest.importorskip(extra)
     monkeypatch.chdir(tmp_path)

@@ -11,7 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -19,7 +19,11 @@ import pytest
 
 import vstatics
 from tests.commands import CASES, MZKT
+from tests.installed import ANNEXES, HERE, needs, skip_without
 from vstatics import Gear, Load, Mechanism, ReadError, ShiftElement, Transmission
+
+if TYPE_CHECKING:
+    from vstatics import Motion
 
 BOX = CASES / "simpson-th400.yaml"
 anything: Any = vstatics
@@ -38,6 +42,7 @@ def test_every_name_of_the_package_is_there() -> None:
         assert getattr(vstatics, name) is not None
 
 
+@needs(*ANNEXES)
 def test_checkers_of_types_know_all_public_names() -> None:
     """They read a list that is written; the program asks the records of annexes."""
     tree = ast.parse(Path(vstatics.__file__).read_text(encoding="utf-8"))
@@ -49,6 +54,7 @@ def test_checkers_of_types_know_all_public_names() -> None:
     assert written == vstatics.__all__ == dir(vstatics)
 
 
+@needs("sweep")
 @pytest.mark.parametrize(
     "imports",
     [
@@ -166,8 +172,14 @@ def test_a_fault_in_a_text_has_its_line() -> None:
         (lambda: anything.flows(vstatics.load(BOX)), "expected Results; solve(case) gives them"),
         (lambda: anything.summarize("box.yaml"), "summarize of str 'box.yaml': expected Results"),
         (lambda: anything.explain_gear(vstatics.load(BOX), 1), "explain_gear of <Transmission"),
-        (lambda: anything.plot(vstatics.load(BOX)), "plot of <Transmission"),
-        (lambda: anything.write_report(BOX, "x.html"), "write_report of "),
+        pytest.param(
+            lambda: anything.plot(vstatics.load(BOX)),
+            "plot of <Transmission",
+            marks=needs("pictures"),
+        ),
+        pytest.param(
+            lambda: anything.write_report(BOX, "x.html"), "write_report of ", marks=needs("page")
+        ),
         (
             lambda: vstatics.load(BOX).replace(lod=1),
             "a transmission has no 'lod'; did you mean `load`?",
@@ -186,10 +198,11 @@ TORQUES = pd.DataFrame({"load.torque": [100.0, 300.0]})
 @pytest.mark.parametrize(
     ("call", "kind", "said"),
     [
-        (
+        pytest.param(
             lambda: vstatics.sweep(LOADED, {"load.torque": ["100 lbf*ft"]}),
             vstatics.CaseError,
             "load.torque: read `['100 lbf*ft']`, expected numbers; with a unit",
+            marks=needs("sweep"),
         ),
         (
             lambda: vstatics.solve(LOADED, vary={"load.torque": ["100 lbf*ft"]}),
@@ -206,12 +219,18 @@ TORQUES = pd.DataFrame({"load.torque": [100.0, 300.0]})
             ValueError,
             "one length, read load.torque (3,), load.speed (2,)",
         ),
-        (
+        pytest.param(
             lambda: anything.sweep(LOADED, TORQUES),
             TypeError,
             "expected a mapping or texts; a table of variants is `variants`",
+            marks=needs("sweep"),
         ),
-        (lambda: anything.sweep(LOADED, np.array([1, 2])), TypeError, "sweep: `vary` is ndarray"),
+        pytest.param(
+            lambda: anything.sweep(LOADED, np.array([1, 2])),
+            TypeError,
+            "sweep: `vary` is ndarray",
+            marks=needs("sweep"),
+        ),
         (lambda: vstatics.save(LOADED, "nowhere/x.yaml"), FileNotFoundError, "tory: 'nowhere'"),
     ],
 )
@@ -220,6 +239,7 @@ def test_what_is_given_in_place_of_numbers_is_told(call: Any, kind: Any, said: s
         call()
 
 
+@needs("sweep")
 def test_a_table_of_pandas_is_one_of_variants() -> None:
     [chunk] = anything.sweep(LOADED, variants=TORQUES, out="lossy_output_torque_Nm[1]")
     varied = anything.solve(LOADED, vary=TORQUES)
@@ -253,7 +273,8 @@ def test_a_part_that_cannot_be_is_told(changes: dict[str, Any], said: str) -> No
 def test_what_speaks_of_one_case_refuses_variants() -> None:
     case = vstatics.load(BOX)
     many: Any = vstatics.solve(case, efficiencies=np.full((2, len(case.mechanisms)), 0.98))
-    for function in (vstatics.summarize, vstatics.flows, vstatics.plot):
+    drawing = [vstatics.plot] if "pictures" in HERE else []
+    for function in (vstatics.summarize, vstatics.flows, *drawing):
         with pytest.raises(ValueError, match="expected one case"):
             function(many)
 
@@ -305,8 +326,9 @@ def test_a_notebook_shows_what_is_told_of_gears_escaped() -> None:
 
 
 @pytest.fixture(scope="module")
-def stopped() -> vstatics.Motion:
+def stopped() -> Motion:
     """A wheel of 2 kg*m^2 at 10 rad/s, which a brake of 40 N*m stops in 0.5 s: 100 J."""
+    skip_without("simulation")
     from vstatics.simulation import Capacity, Scenario, Start, constant
 
     case = Transmission(
@@ -316,7 +338,7 @@ def stopped() -> vstatics.Motion:
     return vstatics.simulate(Scenario(case, 1.0, Start(speeds={1: 10.0}), brake))
 
 
-def test_a_notebook_shows_what_happened_in_a_run_escaped(stopped: vstatics.Motion) -> None:
+def test_a_notebook_shows_what_happened_in_a_run_escaped(stopped: Motion) -> None:
     shown = stopped._repr_html_()
     cells = re.findall(r"<t[dh][^>]*>([^<]*)</t[dh]>", shown)
     event = cells.index("0.500000000")
@@ -325,6 +347,7 @@ def test_a_notebook_shows_what_happened_in_a_run_escaped(stopped: vstatics.Motio
     assert not re.search("<[bi]>", shown)
 
 
+@needs("torsion")
 def test_a_notebook_shows_frequencies_of_gears_and_shapes_of_one() -> None:
     """Two inertias of 2 kg*m^2 on 100 N*m/rad: omega^2 = 100/2 + 100/2."""
     shaft = vstatics.Spring({1: 1, 2: -1}, stiffness=100.0, name="<b>")
@@ -338,7 +361,7 @@ def test_a_notebook_shows_frequencies_of_gears_and_shapes_of_one() -> None:
     assert not re.search("<[bi]>", both + one)
 
 
-def test_results_and_runs_have_their_pictures(stopped: vstatics.Motion) -> None:
+def test_results_and_runs_have_their_pictures(stopped: Motion) -> None:
     """Those of `plot`, to the byte."""
     pytest.importorskip("matplotlib")
     results = vstatics.solve(vstatics.load(BOX))
@@ -351,6 +374,7 @@ def test_results_and_runs_have_their_pictures(stopped: vstatics.Motion) -> None:
         stopped.plot("lever")
 
 
+@needs("pictures")
 def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     results = vstatics.solve(vstatics.load(BOX))
@@ -367,6 +391,7 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
         vstatics.plot(results, "lever", gear="X")
 
 
+@needs("pictures", "torsion", "simulation")
 @pytest.mark.parametrize(
     ("kind", "options", "said"),
     [
@@ -385,6 +410,7 @@ def test_a_picture_refuses_at_once_what_it_does_not_show(
         vstatics.solve(vstatics.load(BOX)).plot(kind, **options)
 
 
+@needs("sweep")
 @pytest.mark.parametrize(
     ("kind", "options", "said"),
     [
@@ -405,6 +431,7 @@ def test_a_picture_of_a_sweep_refuses_columns_at_once(
         made.plot(kind, **options)
 
 
+@needs("page")
 @pytest.mark.usefixtures("without_pictures")
 def test_a_report_is_written_whole(tmp_path: Path) -> None:
     path = tmp_path / "box.html"

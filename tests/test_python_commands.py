@@ -17,6 +17,7 @@ import pytest
 import vstatics
 from tests import commands
 from tests.commands import BAD, CASES, NEUTRAL, ROOT, TIED_UP
+from tests.installed import ANNEXES, COMMANDS, HERE, needs, skip_without
 
 WRITTEN = "written.json"
 
@@ -44,6 +45,7 @@ def test_check_tells_what_the_command_tells(text: str) -> None:
     assert [(one.id, one.message) for one in found] == [(one["id"], one["message"]) for one in told]
 
 
+@needs("simulation")
 def test_a_scenario_is_checked_with_its_case() -> None:
     Path("box.yaml").write_text(BAD, encoding="utf-8")
     Path("run.yaml").write_text("{case: box.yaml, duration: 1}", encoding="utf-8")
@@ -60,6 +62,7 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
     assert [(one.message, one.place and one.place[1:]) for one in told] == [
         (one.message, one.place and one.place[1:]) for one in of_file
     ]
+    skip_without("simulation")
     run = "{case: box.yaml, duration: 1, start: {speeds: {1: 10}}}"
     (refused,) = vstatics.check(io.StringIO(run))
     assert (refused.id, "are not read" in refused.message) == ("E660", True)
@@ -82,6 +85,7 @@ def test_the_first_problem_of_a_case_that_cannot_be_is_an_error() -> None:
     assert kinds == ["error", "note"]
 
 
+@needs("simulation")
 @pytest.mark.parametrize("line", ["user{}:*:::\n", "user{}:x:0:0::/home:/bin/sh\n"])
 def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     """A scenario may name any file as its case."""
@@ -148,6 +152,7 @@ for call in (
 """
 
 
+@needs("simulation", "torsion", "vehicle")
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -199,14 +204,17 @@ def test_another_suffix_is_refused() -> None:
         vstatics.save(vstatics.example("simpson"), "box.xls")
 
 
+@needs("vehicle")
 def test_a_cycle_needs_a_vehicle() -> None:
     with pytest.raises(vstatics.CaseError, match="the case has no `vehicle`"):
         vstatics.cycle(vstatics.example("simpson"), "trace.csv")
 
 
+WITH_NAMES = ("torsion", "simulation", "synthesis")
+"""Annexes that have public names beside those of the package."""
 PUBLIC = [
     (module, name)
-    for module in ("", ".core.elements", ".torsion", ".simulation", ".synthesis")
+    for module in ("", ".core.elements", *(f".{name}" for name in WITH_NAMES if name in HERE))
     for name in importlib.import_module(f"vstatics{module}").__all__
     if name != "__version__"
 ]
@@ -221,6 +229,7 @@ GIVEN = {
 """What functions give, and the parts and files of that: it has no example."""
 
 
+@needs(*ANNEXES)
 def test_what_a_function_gives_has_a_public_name() -> None:
     assert GIVEN - {"None", "Any", "Floats", "Iterator"} <= {name for _, name in PUBLIC}
 
@@ -258,7 +267,8 @@ def test_the_page_names_every_command() -> None:
     every = {*main.list_commands(None)}  # type: ignore[arg-type]
     assert every <= named
     headings = re.findall(r"^## (.*)$", lines, re.MULTILINE)
-    assert every - {"serve"} == {one for heading in headings for one in heading.split(", ")}
+    told = {one for heading in headings for one in heading.split(", ")}
+    assert every - {"serve"} == {one for one in told if COMMANDS.get(one, "") in ("", *HERE)}
 
 
 @pytest.mark.parametrize("seed", [None, 7])

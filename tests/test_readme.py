@@ -10,22 +10,22 @@ are their output, both streams together; a line ``...`` stands for any lines. Bl
 
 from __future__ import annotations
 
+import ast
 import doctest
 import os
 import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import click
 import pytest
 
+from tests.installed import HERE, missing, needs, skip_without, used_in
 from vstatics.core.cli import main
-from vstatics.synthesis.boxes.batches.found import prepare
-from vstatics.synthesis.boxes.box import BoxSearch
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("**/*.md"))]
@@ -124,6 +124,29 @@ def write_file(block: Block, folder: Path) -> None:
         target.write_text(block.text, encoding="utf-8")
 
 
+def made(block: Block) -> set[str]:
+    """Return the files and the variables that a block makes."""
+    if block.kind != "python":
+        return {*re.findall(r"(?:-o|--output|--write|>) (\S+)", block.text)}
+    source = "".join(one.source for one in doctest.DocTestParser().get_examples(block.text))
+    return {
+        node.id
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+
+
+def installed(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Return the blocks but those that use an annex that is missing, or what such blocks make."""
+    gone: set[str] = set()
+    for block in blocks:
+        words = {*re.findall(r"[\w./-]+", block.text)}
+        if not block.file and (missing(used_in(block.text)) or words & gone):
+            gone |= made(block)
+        else:
+            yield block
+
+
 def check_console(block: Block, folder: Path) -> Iterator[str]:
     """What differs from the outputs shown."""
     asked = [(command, shown) for command, shown in commands(block) if is_run(command)]
@@ -150,14 +173,18 @@ def check_python(block: Block, name: str, variables: dict[str, object]) -> Itera
     [pytest.param(name, marks=[pytest.mark.slow] * (name != "README.md")) for name in NAMES],
 )
 def test_examples_print_what_they_show(name: str, folder: Path) -> None:
-    if "$ vstatics synth box" in (ROOT / name).read_text(encoding="utf-8"):
+    if "synthesis" in HERE and "$ vstatics synth box" in (ROOT / name).read_text(encoding="utf-8"):
+        from vstatics.synthesis.boxes.batches.found import prepare
+        from vstatics.synthesis.boxes.box import BoxSearch
+
         prepare(BoxSearch(1, 2, 1, (3.0, 1.0)))  # to compile it takes longer than a command may
     wrong: list[str] = []
     variables: dict[str, object] = {}
     for other in FILES_OF.findall((ROOT / name).read_text(encoding="utf-8")):
+        skip_without(*used_in(os.path.normpath(Path(name).parent / other)))
         for block in blocks((ROOT / name).parent / other):
             write_file(block, folder)
-    for block in blocks(ROOT / name):
+    for block in installed(blocks(ROOT / name)):
         if block.file:
             write_file(block, folder)
             continue
@@ -198,7 +225,7 @@ def broken_links(document: Path) -> Iterator[str]:
     """Links to files and headings that are not there."""
     for link in LINK.findall(FENCE.sub("", document.read_text(encoding="utf-8"))):
         path, _, heading = link.partition("#")
-        if "://" in link:
+        if "://" in link or missing(used_in(os.path.relpath(document.parent / path, ROOT))):
             continue
         target = document.parent / path if path else document
         if not target.exists() or (heading and heading not in anchors(target)):
@@ -291,7 +318,10 @@ COMMANDS_OF_SOURCES = dict.fromkeys(
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("bash") is None, reason="the examples are for a shell")
-@pytest.mark.parametrize("command", COMMANDS_OF_SOURCES)
+@pytest.mark.parametrize(
+    "command",
+    [pytest.param(command, marks=needs(*used_in(command))) for command in COMMANDS_OF_SOURCES],
+)
 def test_a_command_of_the_sources_runs_as_printed(command: str, folder: Path) -> None:
     """Within sentences and tables; those in blocks are examples, see above."""
     for block in blocks(CASES_OF_SOURCES):
@@ -325,6 +355,8 @@ def options_of(words: list[str]) -> set[str]:
 def test_a_command_within_a_sentence_has_its_options(name: str) -> None:
     """Those are not run; the list of changes tells of what was."""
     for command in SPAN.findall((ROOT / name).read_text(encoding="utf-8")):
+        if missing(used_in(command)):
+            continue
         words = command.split()[1:]
         asked = {word.split("=")[0] for word in words if re.match("--[a-z]", word)}
         assert asked <= options_of(words), command

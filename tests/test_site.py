@@ -18,6 +18,7 @@ from urllib.parse import unquote
 import pytest
 
 import vstatics
+from tests.installed import ANNEXES, needs
 from vstatics.core.cli import main
 from vstatics.core.cli.schemas import schemas
 from vstatics.core.writers.explained import known_ids
@@ -26,7 +27,7 @@ from website.page import KINDS
 
 MOST_WORDS = 1500
 """Of a page of start or how-to, outside `pre`."""
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, needs(*ANNEXES)]
 
 
 class Read(NamedTuple):

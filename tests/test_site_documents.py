@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from tests.commands import vstatics
+from tests.installed import needs
 from vstatics.core.elements.kinds import KINDS
 from website import keys
 from website.documents import ROOT, pages, places
@@ -19,6 +20,7 @@ def test_every_document_is_a_page_of_a_kind() -> None:
     assert len({*known.values()}) == len(known)
 
 
+@needs("sweep")
 def test_links_to_documents_follow_them_to_their_pages() -> None:
     texts = {page.name: page.text for page in pages()}
     assert "](../reference/sweep.md)" in texts["how-to/vary-a-number"]

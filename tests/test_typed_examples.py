@@ -10,6 +10,7 @@ from typing import get_args
 
 import pytest
 
+from tests.installed import ANNEXES, needs
 from tests.test_readme import ROOT, blocks
 from vstatics.core.statics.result_arrays import GearTable
 from vstatics.core.tables.quantities import BY_NAME
@@ -25,6 +26,7 @@ def typed(page: str) -> str:
 
 
 @pytest.mark.slow
+@needs(*ANNEXES)
 def test_the_examples_of_the_pages_pass_a_strict_check_of_types(tmp_path: Path) -> None:
     """In the way of one who has the package installed: only their own lines are looked at."""
     for number, page in enumerate(PAGES):

@@ -20,9 +20,10 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import ID
+from tests.installed import ANNEXES, needs
+from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.new import TEMPLATES
 from vstatics.core.extras import EXTRAS, __version__
-from vstatics.pictures import drawn_kinds
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -79,7 +80,11 @@ REFUSED = {
         "@ vstatics.sweep(case, {'P1.ratio': [-3]}).to_xarray()",
     ),
     "plot": (
-        *(f"vstatics plot case.yaml --kind {kind} -o out.svg" for kind in drawn_kinds()),
+        *(
+            f"vstatics plot case.yaml --kind {kind} -o out.svg"
+            for kind, own in picture_kinds().items()
+            if not own.plots
+        ),
         "@ vstatics.plot(vstatics.solve(case), 'stick')",
         "@ vstatics.solve(case).plot('lever')",
     ),
@@ -269,6 +274,7 @@ def says_what_is_left_out_without_an_extra(fresh: Fresh) -> None:
 
 
 @pytest.mark.slow
+@needs(*ANNEXES)
 def test_the_wheel_in_a_fresh_environment(wheel: Path, fresh: Fresh) -> None:
     """One test, so that processes of pytest do not each make a wheel and an environment."""
     has_every_file_of_the_package(wheel)

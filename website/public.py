@@ -5,16 +5,19 @@ from __future__ import annotations
 import inspect
 from collections.abc import Iterator
 from importlib import import_module
+from importlib.util import find_spec
 
 from website.page import Page
 
-MODULES = {
+_TITLES = {
     "vstatics": "The calculation",
     "vstatics.core.elements": "Teeth and drawn elements",
     "vstatics.torsion": "Torsion",
     "vstatics.simulation": "Motion",
     "vstatics.synthesis": "Synthesis",
 }
+MODULES = {name: title for name, title in _TITLES.items() if find_spec(name)}
+"""Titles of the public modules; an annex may not be installed."""
 
 
 def pages() -> Iterator[Page]:
@@ -32,7 +35,7 @@ def pages() -> Iterator[Page]:
 def names(module: str) -> list[str]:
     """The public names of a module; one that `vstatics` has stands there.
 
-    >>> "solve" in names("vstatics"), "Scenario" in names("vstatics.simulation")
+    >>> "solve" in names("vstatics"), "transmission" in names("vstatics.core.elements")
     (True, False)
     """
     own = list(import_module(module).__all__)

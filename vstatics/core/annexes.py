@@ -178,11 +178,7 @@ def module_of_method(name: str) -> str:
 
 
 def module_of_own_name(annex: str, name: str) -> str:
-    """Return the module that defines a public name of an annex itself; empty if there is none.
-
-    >>> module_of_own_name("torsion", "modes"), module_of_own_name("torsion", "simulate")
-    ('vstatics.torsion.vibration.gear_modes', '')
-    """
+    """Return the module that defines a public name of an annex itself; empty if there is none."""
     return next(own.own_names.get(name, "") for own in annexes() if own.name == annex)
 
 

@@ -88,6 +88,10 @@ def prepare(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         from tests.sweep.states import prepare_sweeps
 
         prepare_sweeps(monkeypatch)
+    if "simulation" in HERE:
+        from tests.simulation.variants.states import prepare_runs
+
+        prepare_runs(monkeypatch)
     if "synthesis" in HERE:
         from tests.synthesis.boxes.states import prepare_boxes
 

@@ -78,9 +78,13 @@ def prepare(folder: Path) -> None:
     """A folder with the cases, which differ in a number."""
     folder.mkdir()
     if "sweep" in HERE:
-        from tests.sweep.states import write_inputs
+        from tests.sweep.sweeps import CASE_TEXT
 
-        write_inputs(folder)
+        (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    if "simulation" in HERE:
+        from tests.simulation.variants.states import write_scenario
+
+        write_scenario(folder)
     text = MZKT.read_text(encoding="utf-8")
     assert ".9500Е+00" in text
     for number in range(CASES):

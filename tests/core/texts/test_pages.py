@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
 from collections.abc import Iterator
@@ -42,6 +43,16 @@ def of_case(document: dict[str, Any]) -> set[str]:
 def left(text: str, known: set[str]) -> set[str]:
     """Latin words of three letters that a name does not explain."""
     return {word for word in re.findall("[A-Za-z]{3,}", text) if word not in known}
+
+
+def words_of(page: str) -> str:
+    """What a page shows or tells those who do not see it; formulas stand in `pre`."""
+    body = page[page.index("<body") :]
+    body = re.sub(r"<script.*?</script>", "", body, flags=re.DOTALL)
+    body = re.sub(r'<li class="(error|warning|note)">.*?</li>', "", body)  # messages
+    found = re.findall(r'(?<=>)[^<>]+(?=<)|(?<=aria-label=")[^"]+|(?<= title=")[^"]+', body)
+    told = (one for one in found if "не нарисовано" not in one)  # what follows is a message
+    return html.unescape("\n".join(told))
 
 
 @pytest.mark.parametrize("command", ["run", "summary", "explain", "flow"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import re
 import shutil
@@ -12,19 +11,9 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES, vstatics
-from tests.core.texts.test_pages import SHOWN, left, names, of_case
+from tests.core.texts.test_pages import SHOWN, left, names, of_case, words_of
 from tests.page.serve.windows import Program, Window
 from vstatics.core.texts import table
-
-
-def words_of(page: str) -> str:
-    """What a page shows or tells those who do not see it; formulas stand in `pre`."""
-    body = page[page.index("<body") :]
-    body = re.sub(r"<script.*?</script>", "", body, flags=re.DOTALL)
-    body = re.sub(r'<li class="(error|warning|note)">.*?</li>', "", body)  # messages
-    found = re.findall(r'(?<=>)[^<>]+(?=<)|(?<=aria-label=")[^"]+|(?<= title=")[^"]+', body)
-    told = (one for one in found if "не нарисовано" not in one)  # what follows is a message
-    return html.unescape("\n".join(told))
 
 
 def document_of(page: str) -> dict[str, Any]:

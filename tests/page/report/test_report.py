@@ -21,7 +21,6 @@ from vstatics.core.tables.quantities import BY_NAME, QUANTITIES
 from vstatics.page.report.html_page import page
 from vstatics.page.report.material import gather
 from vstatics.page.report.sections import sections
-from vstatics.vehicle.operation.traction import performance
 
 NUMBERED = """\
 links: ["-3", "8-1", out]
@@ -358,9 +357,11 @@ def test_a_case_in_error_gives_no_page(tmp_path: Path) -> None:
 
 
 @needs("vehicle")
+@needs("vehicle")
 def test_the_page_of_a_car_has_what_its_vehicle_does() -> None:
     """Top speeds of the summary, wheel force and the speeds of its engine; a box alone has none."""
     from tests.vehicle.pictures.cars import box
+    from vstatics.vehicle.operation.traction import performance
 
     results = box([3.5, 1.9, 1.0])
     [part] = [one for one in sections(gather(results)) if one.name == "Vehicle"]

@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.core.texts.test_pages import SYMBOLS, left, names
-from tests.page.report.test_languages import words_of
+from tests.core.texts.test_pages import SYMBOLS, left, names, words_of
 from tests.synthesis.boxes.listed_boxes import many, simpson, zf_6hp
 from vstatics import CaseError
 from vstatics.core.texts import speaking

@@ -121,8 +121,15 @@ def _safely_told() -> Iterator[None]:
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
         if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
-            message += f" {', '.join(WITH_LANGUAGES[:-1])} and {WITH_LANGUAGES[-1]} have it."
+            *most, last = with_languages()
+            message += f" {', '.join(most)} and {last} have it."
         raise click.UsageError(message + _slip(message), error.ctx) from None
+
+
+def with_languages() -> list[str]:
+    """Return the installed commands that have words in other languages."""
+    installed = main.listed()
+    return [name for name in WITH_LANGUAGES if name in installed]
 
 
 def _slip(message: str) -> str:
