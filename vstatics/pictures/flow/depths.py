@@ -43,18 +43,23 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
     stacks = _stacked(graph, scale, cells, columns, back)
     shifts = neighbours(graph, cells, stacks.starts, stacks.ends)
     places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
+    heights = [
+        (
+            {own: one.lower for own, one in column.items()},
+            [one.above + one.thick + one.below + SPACE for one in column.values()],
+        )
+        for column in columns
+    ]
     for sweep in range(RUN_SWEEPS):
         sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
-        for column in columns if sweep % 2 == 0 else reversed(columns):
+        for lowered, sizes in heights if sweep % 2 == 0 else reversed(heights):
             wanted = [
-                mean([pair for side in sides for pair in side.get(own, ())], places, own)
-                + one.lower
-                for own, one in column.items()
+                mean([pair for side in sides for pair in side.get(own, ())], places, own) + lower
+                for own, lower in lowered.items()
             ]
-            sizes = [one.above + one.thick + one.below + SPACE for one in column.values()]
             found = spread(_rising(wanted), sizes)
-            for (own, one), place in zip(column.items(), found, strict=True):
-                places[own] = place - one.lower
+            for (own, lower), place in zip(lowered.items(), found, strict=True):
+                places[own] = place - lower
     _straighten(columns, places, shifts)
     highest = min(places[own] - _over(one) for own, one in by_key.items())
     middles = {own: middle - highest for own, middle in places.items()}
