@@ -66,14 +66,15 @@ def check_signs(
     losses = list(_losses(by_first_link, ideal, signs))
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
-    directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
+    way = ideal.direction
+    directions = tuple(sign(entered) * way for entered in by_first_link)
     agrees: Condition = True
     for x, direction, own in zip(signs, directions, ideal.variant.efficiencies, strict=True):
         if not (x == 0 or own.lossless):
             agrees = agrees & (x * direction >= 0)
     for one, loss in zip(ideal.case.mechanisms, losses, strict=True):
         if one.kind == "converter":
-            agrees = agrees & (loss * ideal.direction >= 0)
+            agrees = agrees & (loss * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     if passes is False:  # of one variant; those of a plan all pass power, or none of them does
         passes = not _passes_power(ideal)
@@ -107,8 +108,9 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Power lost in each mechanism, from the power by its first link: equation (2)."""
     variant = ideal.variant
+    mechanisms = variant.case.mechanisms
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
-        if ideal.case.mechanisms[place].kind == "converter":
+        if mechanisms[place].kind == "converter":
             yield power(entering, converter_slip(variant, place))
         else:
             yield power(entering, 1 - passed(variant.efficiencies[place], x))

@@ -60,7 +60,7 @@ class GearState(NamedTuple):
     @property
     def case(self) -> Transmission:
         """The transmission."""
-        return self.ideal.case
+        return self.ideal.variant.case
 
     @property
     def gear(self) -> Gear:
@@ -100,7 +100,8 @@ class GearState(NamedTuple):
     @property
     def ratio(self) -> float:
         """``w_input/w_output`` [-]; NaN where the output stands."""
-        ratio: Any = math.nan if self.output_speed == 0 else 1 / self.output_speed
+        speed = self.output_speed
+        ratio: Any = math.nan if speed == 0 else 1 / speed
         return ratio  # type: ignore[no-any-return] # of variants it is traced, which users see not
 
     @property
@@ -219,8 +220,9 @@ class GearState(NamedTuple):
             for members in self.member_torques(lossy=lossy)
         ]
         given = (self.case, self.gear, self.speeds, torques)
+        direction = self.ideal.direction
         return [
-            one._replace(power=self.ideal.direction * plain(one.power))
+            one._replace(power=direction * plain(one.power))
             for one in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),
@@ -238,6 +240,7 @@ class GearState(NamedTuple):
             factors = lossy_ratios([1.0] * len(ratios), self.ideal.variant.efficiencies, self.signs)
             ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
         torques = self.lossy_torques if lossy else self.torques
+        factors_of = torques.factors
         shares_of = list(map(column_of, self.case.mechanisms, ratios))
         elements = len(self.case.shift_elements)
         found: list[dict[str, Number | Residual]] = []
@@ -249,7 +252,7 @@ class GearState(NamedTuple):
                     (elements + index, value(shares_of[index][part]))
                     for index, part in member.places
                 ]
-                torque = residual([share * torques.factors[index] for index, share in shares])
+                torque = residual([share * factors_of[index] for index, share in shares])
                 found[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
                     unknown.append((place, member.name, dict(shares)))
