@@ -24,8 +24,9 @@ def links_of(state: GearState) -> dict[int, Node]:
 
 def pieces_of(state: GearState) -> dict[Node, int]:
     """Return the body number of each link, and of each device that rotates as a block."""
-    pieces = {node: state.bodies[link] for link, node in links_of(state).items()}
-    return pieces | {node: state.bodies[links[0]] for node, links in _in_pieces(state)}
+    bodies = state.bodies
+    pieces = {node: bodies[link] for link, node in links_of(state).items()}
+    return pieces | {node: bodies[links[0]] for node, links in _in_pieces(state)}
 
 
 def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:

@@ -177,7 +177,7 @@ class _Elimination:
         self.left: list[Row] = []
         active: list[Row] = []
         for row in rows:
-            entries = {column: e for column, e in row.items() if is_traced(e[0]) or e[0] != 0}
+            entries = {column: e for column, e in row.items() if arithmetic.remains(e[0])}
             self._sort_in(entries, active)
         while active:
             row, column = _choose(active, arithmetic)
@@ -196,9 +196,10 @@ class _Elimination:
 
     def _subtract(self, row: Row, factor: Entry, other: Row) -> None:
         """Subtract ``factor * other`` from `row` in place, and drop entries that become zero."""
+        less, remains = self.arithmetic.less, self.arithmetic.remains
         for column, term in other.items():
-            entry = self.arithmetic.less(row.pop(column, NOTHING), factor, term)
-            if is_traced(entry[0]) or entry[0] != 0:
+            entry = less(row.pop(column, NOTHING), factor, term)
+            if remains(entry[0]):
                 row[column] = entry
 
     def consistent(self) -> bool:
@@ -297,6 +298,8 @@ class Arithmetic(NamedTuple):
     """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
     enough: Callable[[Number, Number], bool]
     """Return whether a number is a sufficiently large pivot in a row with a second number."""
+    remains: Callable[[Number], bool]
+    """Return whether a number is nonzero in some variant."""
 
 
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
@@ -354,8 +357,12 @@ def large_enough(pivot: Number, other: Number) -> bool:
     return bool(absolute(pivot) >= PIVOT * absolute(other))
 
 
-FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough)  # type: ignore[arg-type]
+FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough, bool)  # type: ignore[arg-type]
 """Arithmetic of equations without a traced number, as `arithmetic_of` ensures."""
+
+
+def _remains(number: Number) -> bool:
+    return is_traced(number) or number != 0
 
 
 def _traced_entry(number: Number) -> Entry:
@@ -390,7 +397,7 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return difference(larger, smaller, least), size
 
 
-TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
+TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough, _remains)
 """Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
 
 
@@ -495,7 +502,7 @@ def _signed_enough(pivot: Number, other: Number) -> bool:
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
 
-SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough, _remains)
 """Arithmetic of numbers of any sign; sizes are instances of `LaterSize`."""
 
 
@@ -521,5 +528,6 @@ EXACT = Arithmetic(
     quotient=_exact_quotient,
     less=_exact_less,
     enough=lambda pivot, other: True,  # noqa: ARG005
+    remains=bool,
 )
 """Arithmetic of fractions, without rounding; slow, so for few and small systems."""

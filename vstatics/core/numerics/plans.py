@@ -163,9 +163,7 @@ class Plans:
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
         self.alone += chosen.size
         for variant in chosen.tolist():
-            results = self.function(inputs.values[:, variant].tolist())
-            for row, value in enumerate(results):
-                rows.vary(row)[variant] = value
+            rows.put_variant(variant, self.function(inputs.values[:, variant].tolist()))
 
 
 SPREAD = 64.0

@@ -66,7 +66,8 @@ def check_signs(
     losses = list(_losses(by_first_link, ideal, signs))
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
-    directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
+    way = ideal.direction
+    directions = tuple(sign(entered) * way for entered in by_first_link)
     agrees: Condition = True
     for x, direction, efficiencies in zip(
         signs, directions, ideal.variant.efficiencies, strict=True
@@ -75,7 +76,7 @@ def check_signs(
             agrees = agrees & (x * direction >= 0)
     for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
         if mechanism.kind == "converter":
-            agrees = agrees & (loss * ideal.direction >= 0)
+            agrees = agrees & (loss * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     # This is one variant; the variants of a plan agree on whether power passes.
     if passes is False:
@@ -110,8 +111,9 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Yield the power lost in each mechanism, by equation (2), from the power by its first link."""
     variant = ideal.variant
+    mechanisms = variant.case.mechanisms
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
-        if ideal.case.mechanisms[place].kind == "converter":
+        if mechanisms[place].kind == "converter":
             yield power(entering, converter_slip(variant, place))
         else:
             yield power(entering, 1 - passed(variant.efficiencies[place], x))

@@ -44,18 +44,23 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
     stacks = _stacked(graph, scale, cells, columns, back)
     shifts = neighbours(graph, cells, stacks.starts, stacks.ends)
     places = {key: 60.0 * row for column in columns for row, key in enumerate(column)}
+    heights = [
+        (
+            {key: cell.lower for key, cell in column.items()},
+            [cell.above + cell.thick + cell.below + SPACE for cell in column.values()],
+        )
+        for column in columns
+    ]
     for sweep in range(RUN_SWEEPS):
         sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
-        for column in columns if sweep % 2 == 0 else reversed(columns):
+        for lowered, sizes in heights if sweep % 2 == 0 else reversed(heights):
             wanted = [
-                mean([pair for side in sides for pair in side.get(key, ())], places, key)
-                + cell.lower
-                for key, cell in column.items()
+                mean([pair for side in sides for pair in side.get(key, ())], places, key) + lower
+                for key, lower in lowered.items()
             ]
-            sizes = [cell.above + cell.thick + cell.below + SPACE for cell in column.values()]
             found = spread(_rising(wanted), sizes)
-            for (key, cell), place in zip(column.items(), found, strict=True):
-                places[key] = place - cell.lower
+            for (key, lower), place in zip(lowered.items(), found, strict=True):
+                places[key] = place - lower
     _straighten(columns, places, shifts)
     highest = min(places[key] - _over(cell) for key, cell in by_key.items())
     middles = {key: middle - highest for key, middle in places.items()}
