@@ -29,9 +29,10 @@ COMMANDS = {
 """The annex of each command that is not of the core."""
 NAMES = {
     **dict.fromkeys(("Picture", "plot"), "pictures"),
-    **dict.fromkeys(("Chunk", "Sweep", "VariedScenario", "load_varied", "sweep"), "sweep"),
+    **dict.fromkeys(("Chunk", "Sweep", "sweep"), "sweep"),
     "ClutchDump": "torsion",
-    **dict.fromkeys(("Motion", "Scenario", "load_scenario", "simulate"), "simulation"),
+    **dict.fromkeys(("Motion", "Scenario", "VariedScenario", "load_scenario"), "simulation"),
+    **dict.fromkeys(("load_varied", "simulate"), "simulation"),
     **dict.fromkeys(("DeviceDamage", "DriveCycle", "Fatigue", "RayleighLife"), "vehicle"),
     **dict.fromkeys(("ResizedShaft", "Trace", "Vehicle", "cycle", "damages"), "vehicle"),
     **dict.fromkeys(("rayleigh_life", "resized", "resized_by_ratio"), "vehicle"),

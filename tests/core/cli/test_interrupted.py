@@ -94,9 +94,11 @@ def shadowed(module: str) -> str:
     return f"shadow{os.pathsep}{environment()['PYTHONPATH']}"
 
 
-@pytest.mark.parametrize(("module", "said"), [("numpy", b""), ("yaml", b"stopped\n")])
+@pytest.mark.parametrize(
+    ("module", "said"), [("inspect", b""), ("numpy", b"stopped\n"), ("yaml", b"stopped\n")]
+)
 def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> None:
-    """NumPy is imported by the package, YAML when it is needed."""
+    """The package imports `inspect` at once, and NumPy and YAML when they are needed."""
     with running("run", "box.yaml", PYTHONPATH=shadowed(module)) as process:
         wait_for(Path("begun").exists)
         process.send_signal(signal.SIGINT)

@@ -1,4 +1,4 @@
-"""What stands over a picture: title, notes, and the key of the signs that occur in it."""
+"""Heading of a picture: title, notes, and the key of the symbols in use."""
 
 from __future__ import annotations
 
@@ -98,8 +98,8 @@ def sheet_head(
     """Return the heading of a picture in a width [pt], without a title on a page.
 
     >>> look = {"color": "#000000"}
-    >>> found = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())
-    >>> [[sign.text for sign in row] for row in found.rows]
+    >>> head = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())
+    >>> [[sign.text for sign in row] for row in head.rows]
     [['gear']]
     """
     rows: list[list[KeySign]] = []

@@ -85,7 +85,7 @@ class Style(NamedTuple):
     dark : bool
         True for light on dark, for a screen.
     titled : bool
-        True for a title; a page has a title of its own.
+        True for a title; a page has a separate title.
     wheels : bool
         True for stick diagrams with names and tooth numbers of gears.
     merged : bool

@@ -1,7 +1,8 @@
-"""Lever diagrams: sets as levers, joined at common links, gear by gear.
+"""Lever diagrams: gear sets as levers, connected at common links, in each gear.
 
-`points` has the levers of a case, `gear` what they show of a gear, `order` in which order they
-stand. `routes` says how joins run between them, `places` where all of it stands in rows of a
-width, `joined` how joins go on there. `cell` draws a lever, a `view` in a gear, by its `marks`
-under the `head` of its gear, `key` explains them; `picture` is the whole.
+`points` computes the levers of a case, `gear` the state in a gear, and `order` the order of the
+levers. `routes` leads connections between levers, `places` positions everything in rows of a given
+width, and `joined` continues connections in the next row. `cell` draws a lever and `view` draws a
+lever in a gear, with `marks` and the `head` of the gear. `key` explains symbols, `picture` makes
+the figures.
 """

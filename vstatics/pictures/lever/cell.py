@@ -85,13 +85,11 @@ def _shape(view: LeverView) -> str:
 
 
 def _look(link: int, style: Style, *, is_way: bool) -> dict[str, Any]:
-    """Return colour and dash of a link, pale without torque."""
     colour, dash = (style.colour(link - 1), style.dash(link - 1)) if link else (style.ink, "solid")
     return {"colour": colour if is_way else style.faint, "dash": dash}
 
 
 def _draw_line(view: LeverView) -> None:
-    """Draw the line of a lever, and lines for rest and for the input speed."""
     cell, sheet, style = view.cell, view.sheet, view.style
     heights = [row.at + view.bottom for row in cell.rows.values()]
     low, high = min(heights), max(heights)
@@ -201,7 +199,6 @@ def draw_route(
 
 
 def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
-    """Draw a clutch, freewheel or spring with the name."""
     style, tie, upright = sheet.pen.style, route.tie, route.is_upright
     assert route.sign is not None  # noqa: S101 - of who calls
     x, y = route.sign[1][0], route.sign[1][1] + bottom

@@ -91,17 +91,20 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     """
     whole = results.gear_at(number - 1)
     state, members = shown_of(whole), whole.member_torques(lossy=False)
-    by_member = [{name: plain(torque) for name, torque in one.items()} for one in members]
-    torques = [
-        [_torque(node.sources, by_member) for node in one.nodes if one.devices] for one in drawn
+    by_member = [
+        {name: plain(torque) for name, torque in torque_map.items()} for torque_map in members
     ]
-    case, spots, found = results.case, spots_of(drawn), roles(results, number - 1)
+    torques = [
+        [_torque(node.sources, by_member) for node in lever.nodes if lever.devices]
+        for lever in drawn
+    ]
+    case, spots, device_roles = results.case, spots_of(drawn), roles(results, number - 1)
     grounds = _grounds(case, state, drawn, spots)
     engaged = {number: case.shift_elements[number - 1] for number in state.gear.engaged}
     ties = [*joins(drawn), *ties_of(case, engaged.values(), spots)]
     first = whole.torques.on_first_link
-    carried = {one.name: plain(first[number - 1]) for number, one in engaged.items()}
-    does = [{found[device] for device in one.devices} for one in drawn]
+    carried = {element.name: plain(first[number - 1]) for number, element in engaged.items()}
+    does = [{device_roles[device] for device in lever.devices} for lever in drawn]
     gear = LeverGear(state, torques, does, grounds, ties, carried, {})
     for place, node in _acts(gear, drawn):
         gear.loads.setdefault(drawn[place].nodes[node].link, set()).add(place)

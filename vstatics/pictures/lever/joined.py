@@ -39,7 +39,10 @@ def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
     """Return lines that connect points, horizontal except for an upright part between levers."""
     boxes = [lever.ratio is not None for lever in page.levers]
     all_steps = steps([cell.rows for cell in page.cells], boxes, ties)
-    return [_route(page, own) for own in grouped((step.tie, step) for step in all_steps).values()]
+    return [
+        _route(page, tie_steps)
+        for tie_steps in grouped((step.tie, step) for step in all_steps).values()
+    ]
 
 
 def _route(page: LeverPage, tie_steps: Sequence[LeverStep]) -> LeverRoute:

@@ -140,16 +140,16 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
             yield "pale"
     for names in gear.grounds.values():
         yield from _held_by(page.case, names)
-    for one in gear.ties:
-        if one.is_spring:
+    for tie in gear.ties:
+        if tie.is_spring:
             yield "spring"
-        elif one.name:
-            clutch = "freewheel" if any_freewheel(page.case, [one.name]) else "clutch"
-            yield "slack" if gear.is_slack(one.name) else clutch
+        elif tie.name:
+            clutch = "freewheel" if any_freewheel(page.case, [tie.name]) else "clutch"
+            yield "slack" if gear.is_slack(tie.name) else clutch
 
 
 def _held_by(case: Transmission, names: str) -> Iterator[str]:
-    """The signs of a point that stands, by the names of its brakes."""
+    """Yield the symbols of a held point, by the names of the brakes."""
     if not names:
         yield "housing"
     kinds = [any_freewheel(case, [name]) for name in names.split(", ") if name]

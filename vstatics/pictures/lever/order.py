@@ -29,10 +29,10 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
     """
     spots, gear = spots_of(drawn), case.gears[0]
     links = [{place for place, _ in some} for link, some in spots.items() if link != HOUSING]
-    clutches = [one.links for one in case.shift_elements if HOUSING not in one.links]
+    clutches = [item.links for item in case.shift_elements if HOUSING not in item.links]
     tied = [*clutches, *(pair for spring in case.springs for pair in pairwise(spring.form))]
     ties = [
-        [(one, other) for one, _ in spots[first] for other, _ in spots[second]]
+        [(start, end) for start, _ in spots[first] for end, _ in spots[second]]
         for first, second in tied
         if first in spots and second in spots
     ]
@@ -40,24 +40,27 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
 
     def cost(order: Order) -> float:
         at = {place: number for number, place in enumerate(order)}
-        spans = sum(max(map(at.__getitem__, one)) - min(map(at.__getitem__, one)) for one in links)
-        near = sum(max(1, min(abs(at[a] - at[b]) for a, b in one)) for one in ties)
+        spans = sum(
+            max(map(at.__getitem__, at_link)) - min(map(at.__getitem__, at_link))
+            for at_link in links
+        )
+        near = sum(max(1, min(abs(at[a] - at[b]) for a, b in pairs)) for pairs in ties)
         return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
 
     start = tuple(range(len(drawn)))
     reach = MOVES // len(start) + 2  # among many levers only near ones are exchanged
-    pairs = [(one, other) for one, other in combinations(start, 2) if other - one <= reach]
+    pairs = [(low, high) for low, high in combinations(start, 2) if high - low <= reach]
     moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
 
 
-def _moves(one: int, other: int) -> list[Move]:
+def _moves(low: int, high: int) -> list[Move]:
     """Return the moves between two places: swap, shift left or right, reverse."""
     return [
-        lambda o: (*o[:one], o[other], *o[one + 1 : other], o[one], *o[other + 1 :]),
-        lambda o: (*o[:one], *o[one + 1 : other + 1], o[one], *o[other + 1 :]),
-        lambda o: (*o[:one], o[other], *o[one:other], *o[other + 1 :]),
-        lambda o: (*o[:one], *o[one : other + 1][::-1], *o[other + 1 :]),
+        lambda o: (*o[:low], o[high], *o[low + 1 : high], o[low], *o[high + 1 :]),
+        lambda o: (*o[:low], *o[low + 1 : high + 1], o[low], *o[high + 1 :]),
+        lambda o: (*o[:low], o[high], *o[low:high], *o[high + 1 :]),
+        lambda o: (*o[:low], *o[low : high + 1][::-1], *o[high + 1 :]),
     ]
 
 
@@ -132,8 +135,8 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
     (1, 0)
     """
     gaps: dict[int, list[tuple[float, float, bool]]] = {}
-    for one in ties:
-        (a, m), (b, n) = one.ends
+    for tie in ties:
+        (a, m), (b, n) = tie.ends
         start, end = heights[a][m], heights[b][n]
         if b - a < 2:
             gaps.setdefault(a, []).append((start, end, a == b))
@@ -144,9 +147,9 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
     return sum(_cross(*pair) for here in gaps.values() for pair in combinations(here, 2))
 
 
-def _cross(one: tuple[float, float, bool], other: tuple[float, float, bool]) -> bool:
+def _cross(first: tuple[float, float, bool], second: tuple[float, float, bool]) -> bool:
     """Return whether two lines of a gap cross, each between two heights."""
-    (start, end, is_back), (start2, end2, is_back2) = one, other
+    (start, end, is_back), (start2, end2, is_back2) = first, second
     if is_back and is_back2:
         (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
         return low < low2 < high < high2 or low2 < low < high2 < high

@@ -119,7 +119,6 @@ def page_of(case: Transmission, style: Style) -> LeverPage | None:
 
 
 def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Iterator[LeverCell]:
-    """Yield levers in as few rows as a width needs."""
     for band, some in enumerate(broken([(cell.right, cell.gap) for cell in cells], cuts, room)):
         left = WIDE_MARGIN
         for cell in (cells[n] for n in some):
@@ -166,15 +165,15 @@ def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
 
 
 def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:
-    """Whether one of some shift elements is a freewheel."""
-    return any(one.is_freewheel and one.name in names for one in case.shift_elements)
+    """Return True if a shift element in a list of names is a freewheel."""
+    return any(item.is_freewheel and item.name in names for item in case.shift_elements)
 
 
 def _height(lever: Lever, shares: Sequence[float]) -> float:
-    """High enough for texts between the points, as far as it goes."""
+    """Return the height of a lever, enough for texts between the points up to a limit."""
     if len(lever.nodes) < 2:
         return LEAST
-    least = min(abs(one - other) for one, other in pairwise(sorted(shares)))
+    least = min(abs(end - start) for start, end in pairwise(sorted(shares)))
     most = max(MOST, MOST_FOR_POINT * len(shares))
     return max(LEAST, min(most, 2.4 * UNDER / max(least, LEAST_POINT_DISTANCE)))
 
@@ -195,7 +194,7 @@ def _rows(
 
 
 def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> str:
-    """The link of a node, with what it is in the element if its name does not tell."""
+    """Return the link of a node, with the member unless the link name contains the member."""
     node = lever.nodes[number]
     name = link_name(case, node.link, style)
     is_told = node.member.replace("_", " ").lower() in name.lower()
@@ -205,5 +204,5 @@ def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> st
 
 
 def link_name(case: Transmission, link: int, style: Style) -> str:
-    """The name of a link, or of the housing."""
+    """Return the name of a link or of the housing."""
     return case.link_name(link) if link else style.text("housing")

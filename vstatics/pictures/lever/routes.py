@@ -208,14 +208,13 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
 
 
 def _hides(signed: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
-    """Return whether a line beside a horizontal symbol runs through the symbol."""
+    """Return whether a line next to a horizontal symbol runs through the symbol."""
     height = signed.end if signed.is_late else signed.start
     levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
     return signed.is_signed and not signed.is_upright and any(levels)
 
 
 def _crossings(ordered: Sequence[LeverStep]) -> int:
-    """Return the number of crossings of the lines of a gap in an order from the left."""
     count = 0
     for place, left_step in enumerate(ordered):
         for right_step in ordered[place + 1 :]:

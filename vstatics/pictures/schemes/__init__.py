@@ -1,7 +1,7 @@
-"""Schemes of a case: the stick diagram of elements, the structure of any case as boxes.
+"""Diagrams of the structure of a case: stick diagram of gear sets, or boxes for any case.
 
-`scheme` is what is shown, with its `titles`; `glyphs`, `signs`, `sets` are the drawings of parts,
-`planetary` tells which devices are sets.
-`stick` is the stick diagram: `coaxial` of one axis, `axes` of several, `bare` of sets without
+`scheme` contains the diagram, with its `titles`; `glyphs`, `signs` and `sets` are the drawings of
+parts, `planetary` identifies planetary gear sets.
+`stick` is the stick diagram: `coaxial` for one axis, `axes` for several, `bare` for sets without
 teeth. `structure` shows each component as one of the `boxes`, arranged and drawn by `coaxial`.
 """

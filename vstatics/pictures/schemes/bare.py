@@ -1,4 +1,4 @@
-"""The stick diagram of planetary sets whose teeth are not known, as of boxes that were found."""
+"""Stick diagrams of planetary gear sets without tooth numbers, as of found gearboxes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.pictures.schemes.titles import Titles
 
 
 class BareStick(NamedTuple):
-    """A stick diagram whose parts have their places, but which is not drawn yet."""
+    """Stick diagram with placed parts, not yet drawn."""
 
     layout: CoaxialLayout
     style: Style
@@ -33,22 +33,22 @@ class BareStick(NamedTuple):
         return high[0] - low[0], high[1] - low[1]
 
     def drawn(self, title: str = "") -> Pen:
-        """The diagram by itself."""
+        """Return a figure with the diagram alone."""
         return painted(CoaxialSheet(self.layout), self.style, SchemeState(), Titles(), title)
 
     def draw(self, within: Pen) -> None:
-        """The diagram at a place of another figure."""
+        """Draw the diagram at a place of a larger figure."""
         painted_within(within, self.layout)
 
 
 def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> BareStick:
-    """The stick diagram of a case whose mechanisms are planetary sets: sun, ring, carrier.
+    """Return the stick diagram of a case with mechanisms as planetary gear sets.
 
     Parameters
     ----------
     is_small : bool
-        It stands beside others: shift elements are called A, B, C in the order of the case, and
-        links have no names but those of input and output.
+        True for a small diagram among others: shift elements are called A, B, C in the order of the
+        case, and only input and output links are named.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
             for device in devices
         ]
     scheme = Scheme(drawn.links, devices, drawn.ports)
-    own = coaxial_scheme(scheme, sections_of(scheme, case, style))
-    if own is None:
+    coaxial = coaxial_scheme(scheme, sections_of(scheme, case, style))
+    if coaxial is None:
         raise TypeError(case)
-    return BareStick(laid_out(own, is_small=is_small, effort=QUICK), style)
+    return BareStick(laid_out(coaxial, is_small=is_small, effort=QUICK), style)

@@ -1,7 +1,7 @@
 """Components as boxes, each with its name, its kind or ratio, and its members.
 
-A box with two links is on the line between them. Any other box is in the row of planets: a link
-leaves at its sides, as a carrier does, the others leave below and above.
+A box with two links is on the line between them. Any other box is in the row of planets: one link
+leaves at its sides, like a carrier, the others leave below and above.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ GROUND = 14.0
 
 
 class BoxText(NamedTuple):
-    """The texts of a box."""
+    """Texts of a box."""
 
     lines: str
     """Name, and kind or ratio."""
@@ -67,7 +67,8 @@ class BoxText(NamedTuple):
 
     def at(self, link: int, device: Device) -> str:
         """Return the names of the members that belong to a link."""
-        return ", ".join(self.members[one] for one, own in device.members.items() if own == link)
+        names = (name for name, member in device.members.items() if member == link)
+        return ", ".join(self.members[name] for name in names)
 
     def on_line(self, device: Device, *, is_level: bool) -> tuple[float, float]:
         """Return width and height of a box on a line between its two links [pt of letters]."""
@@ -79,9 +80,9 @@ class BoxText(NamedTuple):
 
 @dataclass(frozen=True)
 class BoxSection(HalfSection):
-    """A box in the row of planets.
+    """Box in the row of planets.
 
-    Its first members are below, those after them above; a link leaves at the sides.
+    The first members are below, further members above; a link leaves at the sides.
     """
 
     text: BoxText = field(kw_only=True)
@@ -109,13 +110,13 @@ class BoxSection(HalfSection):
 
     @property
     def tall(self) -> float:
-        """Height above the middle of the row that it needs [pt]."""
+        """Height needed above the middle of the row [pt]."""
         has_ground = any(wheel.link == HOUSING for wheel in self.group.wheels)
         return self.half + GROUND * has_ground
 
     @property
     def width(self) -> float:
-        """Distance between the ends of its lines at the sides [pt]."""
+        """Distance between the ends of the lines at the sides [pt]."""
         return self._inner + 2 * ARM
 
     @property
@@ -139,7 +140,7 @@ class BoxSection(HalfSection):
 
 
 def boxes_of(scheme: Scheme, style: Style) -> tuple[dict[int, HalfSection], dict[int, BoxText]]:
-    """Return the boxes in the row of planets and those on lines, by their places in a scheme.
+    """Return the boxes in the row of planets, and boxes on lines, by place in a scheme.
 
     Examples
     --------
@@ -166,8 +167,8 @@ def _text(device: Device, style: Style) -> BoxText:
     is_bare = device.kind == "mechanism"
     note = ratio_text(device.ratio) if is_bare else word(device.kind, style)
     members = {
-        one: typeset(device.labels[one]) if one in device.labels else word(one, style)
-        for one in device.members
+        member: typeset(device.labels[member]) if member in device.labels else word(member, style)
+        for member in device.members
     }
     return BoxText(f"{lines_of(device.name, BOX_NAME_LETTERS)}\n{note}", members)
 

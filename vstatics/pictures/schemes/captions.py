@@ -1,4 +1,4 @@
-"""What a picture of a scheme says: its state in a gear, its title, what its parts tell."""
+"""Captions of a picture of a scheme: the state in a gear, the title, and texts of parts."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from vstatics.pictures.schemes.titles import Titles, titles_of
 
 
 class SchemeTold(NamedTuple):
-    """What a picture of a scheme says besides the scheme."""
+    """Captions of a picture of a scheme."""
 
     state: SchemeState
     titles: Titles
     name: str
-    """Of the picture."""
+    """Title of the picture."""
     note: str = ""
 
 
@@ -33,19 +33,20 @@ def told_of(  # noqa: PLR0913 - what is drawn, and how
     subject: str,
     note: str = "",
 ) -> SchemeTold:
-    """What is said of no gear, or of one by its number from 1.
+    """Return the captions of a picture with at most a single gear, by number from 1.
 
     Raises
     ------
     CaseError
-        If there are several gears.
+        If several gears are given.
     """
     if len(gears) > 1:
         raise CaseError("E410", "the picture of a scheme shows one gear at a time")
-    state, texts, own, gear = SchemeState(), [subject], None, None
+    state, texts, shown, gear = SchemeState(), [subject], None, None
     for gear in gears:
-        own = state_of(results, gear)
-        state = scheme_state(scheme, own)
-        texts += [gear_title(own.gear.name, style), *(fault(one, style) for one in own.faults)]
-    titles = titles_of(results, scheme, style, gear, own)
+        shown = state_of(results, gear)
+        state = scheme_state(scheme, shown)
+        texts += [gear_title(shown.gear.name, style)]
+        texts += [fault(message, style) for message in shown.faults]
+    titles = titles_of(results, scheme, style, gear, shown)
     return SchemeTold(state, titles, title(results.case, ", ".join(texts)), note)

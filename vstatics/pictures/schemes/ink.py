@@ -1,4 +1,4 @@
-"""What schemes are drawn with: a pen, a scheme in a state, the colours of its parts, arrows."""
+"""Drawing tools of schemes: a pen, a scheme in a state, the colours of parts, arrows."""
 
 from __future__ import annotations
 
@@ -13,72 +13,73 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.titles import Titles
 
 AXIS_DASHES = (0, (12, 3, 2, 3))
-"""Of a line about which things turn."""
+"""Dashes of an axis of rotation."""
 FURTHER = (0, (1.5, 1.5))
-"""Dashes of a wire that goes on in another row."""
+"""Dashes of a line that continues in a further row."""
 ARROW = 26.0
 """Length of an arrow at the end of a link. [pt]"""
 HEAD, HALF_HEAD = 9.0, 3.5
-"""Length and half the width of the head of an arrow. [pt]"""
+"""Length and half width of an arrow head. [pt]"""
 ENTERS = 4.0
-"""From the end of a link to the head of an arrow that points to it. [pt]"""
+"""Distance from the end of a link to the head of an arrow toward the link. [pt]"""
 
 
 @dataclass(frozen=True)
 class SchemeInk:
-    """A scheme on paper, in a state."""
+    """Scheme on paper, in a state."""
 
     pen: Pen
     scheme: Scheme
     state: SchemeState
     titles: Titles
     axis: int = field(default=1, kw_only=True)
-    """About which its links turn, from 1."""
+    """Number of the axis of rotation of the links, from 1."""
 
     def color(self, index: int) -> str:
-        """Of a device."""
+        """Return the colour of a component."""
         style = self.pen.style
         if index in self.state.engaged:
             return style.engaged
         return style.faint if index in self.state.idle else style.ink
 
     def text_color(self, index: int) -> str:
-        """Of the name of a device."""
+        """Return the colour of the name of a component."""
         return self.pen.style.soft if index in self.state.idle else self.color(index)
 
     def rod_color(self, index: int) -> str:
-        """Of what leads to a shift element, a spring or a support."""
+        """Return the colour of the line to a shift element, a spring or a support."""
         loaded = self.state.loaded
         return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
 
     def name_color(self, link: int) -> str:
-        """Of the name of a link."""
+        """Return the colour of the name of a link."""
         return self.pen.style.soft if link in self.state.idle_links else self.pen.style.ink
 
     def end_color(self, ports: Sequence[SchemePort]) -> str:
-        """Of the line that leaves the picture; without a port no torque passes it in a gear."""
+        """Return the colour of the line to a port, pale without torque in a gear."""
         state, style = self.state, self.pen.style
         is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
         return style.ink if is_used else style.faint
 
     def said(self, index: int) -> str:
-        """What a device says when a pointer rests on it."""
+        """Return the text for a component under the pointer."""
         return self.titles.devices.get(index, "")
 
     def of_link(self, name: str, axis: int = 0) -> Pen:
-        """What draws in the group of a link, or of the housing; of its own axis, or another."""
+        """Return a pen in the group of a link or the housing, on the current or a given axis."""
         return self.pen.within("link", name=name, axis=str(axis or self.axis))
 
     def of_device(self, index: int) -> Self:
-        """The same, what it draws in the group of a device."""
+        """Return a copy that draws in the group of a component."""
         device = self.scheme.devices[index]
         kind = "element" if device.is_shift_element else "mechanism"
         return replace(self, pen=self.pen.within(kind, name=device.name))
 
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
-        """Whether power leaves by ports or enters, as far as is known.
+        """Return whether power leaves or enters by ports, as far as known.
 
-        If it is not, input and output are as they are meant; others may take and give.
+        Without a solution, input and output have their usual direction, and other ports can do
+        both.
         """
         known = {self.state.leaving[port] for port in ports if port in self.state.leaving}
         meant = {port.role == "output" for port in ports if port.role != "given"}
@@ -86,13 +87,16 @@ class SchemeInk:
 
 
 def centred(pen: Pen, at: Point, text: str, **look: Any) -> None:
-    """A text by its middle."""
+    """Write a text centred at a point."""
     usual: Look = {"ha": "center", "va": "center", "linespacing": 1.0, "zorder": 8}
     pen.text(*at, text, **usual | look)
 
 
 def draw_arrow(pen: Pen, at: Point, way: Point, ways: Collection[bool], color: str) -> Point:
-    """A line from the end of a link, with heads where power leaves or enters; its other end."""
+    """Draw a line from the end of a link, with heads where power leaves or enters.
+
+    Returns the outer end of the line.
+    """
     (x, y), (dx, dy) = at, way
     end = x + dx * ARROW, y + dy * ARROW
     pen.line(at, end, color=color, zorder=3)

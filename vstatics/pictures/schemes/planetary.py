@@ -1,4 +1,4 @@
-"""Which devices of a scheme are planetary sets, or may be some, and how each is drawn."""
+"""Planetary gear sets of a scheme, including mechanisms that can be such sets."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from vstatics.pictures.schemes.titles import teeth_of
 
 
 def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
-    """The planetary sets of a scheme by their places, also mechanisms that may be some."""
-    found = {}
+    """Return the half-sections of planetary sets by place, including suitable mechanisms."""
+    sections = {}
     for index, device in enumerate(scheme.devices):
         element = device.element
         names: dict[str, str] = {}
@@ -27,25 +27,25 @@ def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, H
             group = group_of(element)
             if style.wheels:
                 teeth = teeth_of(element).items()
-                names = {one: wheel(one, count, style) for one, count in teeth}
+                names = {member: wheel(member, count, style) for member, count in teeth}
         elif element is None and ("carrier" in device.members or can_be_set(device)):
             group = bare_group(case.mechanisms[device.numbers[0]])
         else:
             continue
-        found[index] = replace(section_of(group), names=names)
-    return found
+        sections[index] = replace(section_of(group), names=names)
+    return sections
 
 
 def can_be_set(device: Device) -> bool:
-    """Whether it may be a planetary set: a mechanism with a carrier that is not the housing."""
+    """Return whether a component can be a planetary set with a rotating carrier."""
     return device.kind == "mechanism" and "third" in device.members
 
 
 def as_sets(devices: Sequence[Device], mechanisms: Sequence[Mechanism]) -> list[Device]:
-    """Devices with their mechanisms as sets of sun, ring and carrier.
+    """Return the components with mechanisms as sets of sun, ring and carrier.
 
-    Below 0 a ratio is that of a simple set, above 0 one of meshed planets; where its size is
-    below 1 the first link has the ring.
+    A negative ratio gives a simple set, a positive ratio a set with meshed planets. If its absolute
+    value is below 1, the first link is the ring.
 
     >>> devices = [Device("D1", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,))]
     >>> as_sets(devices, [Mechanism(1, 2, 3, -2.5)])[0].members
@@ -61,7 +61,7 @@ def as_sets(devices: Sequence[Device], mechanisms: Sequence[Mechanism]) -> list[
 
 
 def bare_group(mechanism: Mechanism) -> PlanetGroup:
-    """Wheels and planets of a set, with teeth that stand for any.
+    """Return the gears and planets of a set, with placeholder tooth numbers.
 
     >>> [wheel.link for wheel in bare_group(Mechanism(1, 2, 3, -0.4)).wheels]
     [2, 1]

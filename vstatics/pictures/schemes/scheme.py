@@ -1,4 +1,4 @@
-"""What a scheme shows of a case: its own links, devices and ports, and their state in a gear."""
+"""Links, components and ports of a case for a diagram, and the state in a gear."""
 
 from __future__ import annotations
 
@@ -19,118 +19,121 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Number of components that are drawn: their arrangement is found in about ten seconds."""
+"""Largest number of components, whose arrangement is found in about ten seconds."""
 
 
 class Device(NamedTuple):
-    """A mechanism, an element with teeth, a spring, a shift element, and what it joins."""
+    """Component of a scheme, with links: mechanism, gear set, spring or shift element."""
 
     name: str
     kind: str
-    """``mechanism``, ``spring``, a kind of element, or a kind of shift element."""
+    """Kind: ``mechanism``, ``spring``, or a kind of gear set or shift element."""
     members: dict[str, int]
-    """Their links; 0 is the housing."""
+    """Link of each member; 0 is the housing."""
     numbers: tuple[int, ...]
-    """Its mechanisms, or the shift element or spring itself, as indices."""
+    """Indices of the mechanisms, or of the shift element or spring."""
     element: Element | None = None
-    """With its teeth, where it was drawn."""
+    """Gear set with teeth, if given."""
     ratio: float = math.nan
-    """Of a mechanism. [-]"""
+    """Basic ratio of a mechanism. [-]"""
     labels: Mapping[str, str] = MappingProxyType({})
-    """What is written of members, where it is not what they are called."""
+    """Texts of members that differ from the names."""
     has_gap: bool = False
-    """Whether it is elastic behind a gap: a spring with play, a dog clutch that twists."""
+    """True with elasticity after a gap: a spring with play, an elastic dog clutch."""
 
     @property
     def is_shift_element(self) -> bool:
-        """Whether it is engaged and released."""
+        """True for a shift element."""
         return self.kind in ELEMENT_KINDS
 
     @property
     def is_coupling(self) -> bool:
-        """Whether it stands on the line between two links, or a link and the housing."""
+        """True on a line between two links, or between a link and the housing."""
         is_shaft = self.kind == "spring" and "second" in self.members
         return is_shaft or self.is_shift_element or self.kind == "held"
 
     @property
     def sign(self) -> str:
-        """Its kind, or ``play``, by which it is drawn."""
+        """Kind that determines the symbol, or ``play``."""
         return "play" if self.has_gap else self.kind
 
     @property
     def links(self) -> set[int]:
-        """The links that it joins, without the housing."""
+        """Connected links without the housing."""
         return set(self.members.values()) - {HOUSING}
 
     @property
     def is_on_housing(self) -> bool:
-        """Whether it joins one link to the housing: a brake, a support, a spring."""
+        """True between a single link and the housing: a brake, a support, a spring."""
         return self.is_coupling and len(self.links) == 1
 
 
 class SchemePort(NamedTuple):
-    """A link by which power enters or leaves."""
+    """Link by which power enters or leaves."""
 
     link: int
     role: str
-    """``input``, ``output``, or ``given`` where a gear gives its speed or torque; ``before`` or
-    ``behind`` where the link goes on in an earlier or a later row of the picture."""
+    """Role of the port in a gear or in the picture.
+
+    ``input``, ``output``, or ``given`` for a link with given speed or torque; ``before`` or
+    ``behind`` for a link that continues in an earlier or later row of the picture.
+    """
 
     @property
     def is_left(self) -> bool:
-        """Whether it is at the left end of the picture."""
+        """True at the left end of the picture."""
         return self.role in ("input", "before")
 
     @property
     def is_further(self) -> bool:
-        """Whether the link goes on in another row."""
+        """True if the link continues in a further row."""
         return self.role in ("before", "behind")
 
 
 @dataclass(frozen=True)
 class SchemeState:
-    """What is marked in a picture of a gear, and what is pale; of no gear, nothing is."""
+    """Marked and pale parts in a picture of a gear; empty without a gear."""
 
     engaged: AbstractSet[int] = frozenset()
-    """Devices by their places in `Scheme.devices`."""
+    """Engaged components, by place in `Scheme.devices`."""
     idle: AbstractSet[int] = frozenset()
-    """Devices that are open or carry no torque."""
+    """Components that are released or carry no torque."""
     pieces: AbstractSet[int] = frozenset()
-    """Devices that carry torque, but turn as one piece."""
+    """Components that carry torque but rotate as a block."""
     loaded: Sequence[AbstractSet[int]] | None = None
-    """Of each device the links that it has torque from; None of no gear."""
+    """Links with torque from each component; not given without a gear."""
     idle_links: AbstractSet[int] = frozenset()
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
-    """Whether power leaves by a port, or enters, where that is known."""
+    """True if power leaves by a port, False for power that enters, as far as known."""
 
 
 @dataclass(frozen=True)
 class Scheme:
-    """A case as it is drawn, planets apart."""
+    """Case as drawn, without planets."""
 
     links: Sequence[str]
     devices: Sequence[Device]
     ports: Sequence[SchemePort]
     is_part: bool = False
-    """Whether it has some devices of another one, and only their links."""
+    """True for a selection of components, with only the links of the selection."""
 
     @property
     def wires(self) -> list[int]:
-        """The links that are drawn, by their numbers."""
+        """Numbers of the drawn links."""
         used = {link for device in self.devices for link in device.links}
         every = range(1, len(self.links) + 1)
         return [link for link in every if link in used or not self.is_part]
 
     def name(self, link: int) -> str:
-        """The name of a link."""
+        """Return the name of a link."""
         return self.links[link - 1]
 
     @property
     def ends(self) -> tuple[list[int], list[int]]:
-        """Links that come from the left end of a picture, and those that go to the right one.
+        """Links from the left end of a picture, and links to the right end.
 
-        A link that fewer than two devices join goes to an end too, where its name can stand.
+        A link with fewer than two components also goes to an end, where its name has room.
         """
         left = [port.link for port in self.ports if port.is_left]
         right = [port.link for port in self.ports if not port.is_left]
@@ -142,12 +145,12 @@ class Scheme:
 
 
 def scheme_of(case: Transmission) -> Scheme:
-    """The links, devices and ports of a case.
+    """Return the links, components and ports of a case.
 
     Raises
     ------
     CaseError
-        If there are so many devices that the search for an arrangement would not end soon.
+        If there are too many components for the search for an arrangement.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
@@ -170,12 +173,12 @@ def scheme_of(case: Transmission) -> Scheme:
         )
     )
     ends = {port.link for port in ports if port.role != "given"}
-    kept = [port for port in ports if port.role != "given" or port.link not in ends]
-    return Scheme(case.link_names[: case.own_links], devices, kept)
+    shown = [port for port in ports if port.role != "given" or port.link not in ends]
+    return Scheme(case.link_names[: case.own_links], devices, shown)
 
 
 def ratio_text(ratio: float) -> str:
-    """An inner ratio as it is written in pictures.
+    """Return a basic ratio as written in pictures.
 
     >>> ratio_text(-2.4610)
     'u = −2.461'
@@ -200,7 +203,7 @@ def _mechanisms(case: Transmission) -> list[Device]:
 
 
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
-    """A mechanism without teeth: its kind and its members, by their places."""
+    """Return the kind and the members of a mechanism without teeth."""
     if mechanism.second == mechanism.third == HOUSING:
         return "held", {"link": mechanism.first}
     links = mechanism.links if mechanism.third else mechanism.links[:2]
@@ -211,18 +214,18 @@ def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
 def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
     return [
         Device(
-            one.name,
-            one.kind or ("clutch" if one.first and one.second else "brake"),
-            {"first": one.first, "second": one.second},
+            element.name,
+            element.kind or ("clutch" if element.first and element.second else "brake"),
+            {"first": element.first, "second": element.second},
             (number,),
-            has_gap=one.kind == "dog_clutch" and one.stiffness is not None,
+            has_gap=element.kind == "dog_clutch" and element.stiffness is not None,
         )
-        for number, one in enumerate(elements)
+        for number, element in enumerate(elements)
     ]
 
 
 def _spring(number: int, spring: Spring, case: Transmission) -> Device:
-    """A shaft between its ends; any other as a box, on which its coefficients stand."""
+    """Return a shaft between two ends, or any other spring as a box with coefficients."""
     shaft = ends(spring.twist)
     if shaft is not None:
         members = dict(zip(("first", "second"), shaft, strict=True))
@@ -244,7 +247,7 @@ def _ports(first: int, outputs: Sequence[int], gear: Gear) -> list[SchemePort]:
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
-    """What is engaged in a gear, what carries no torque, what turns as one piece."""
+    """Return the engaged, idle and locked-up components in a gear, and the loaded links."""
     engaged: set[int] = set()
     idle: set[int] = set()
     pieces: set[int] = set()

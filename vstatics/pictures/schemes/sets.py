@@ -1,7 +1,7 @@
-"""Planetary sets of any kind as they are drawn: planets above suns, rings above planets.
+"""Planetary gear sets of any kind as drawn: planets above suns, rings above planets.
 
-Wheels in one plane stand in a column, one above the other. Planets that mesh with each
-other lie on levels: those at the sun below, those at the ring above.
+Gears in one plane form a column. Meshing planets are on different levels: planets in mesh with the
+sun are below, planets in mesh with the ring above.
 """
 
 from __future__ import annotations
@@ -29,28 +29,29 @@ from vstatics.pictures.schemes.glyphs import (
 )
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
-"""Of the larger and of the smaller rim of a planet. [pt]"""
+"""Radii of the larger and the smaller gear of a planet. [pt]"""
 LEVEL = 2 * RADIUS + MESH
-COLUMN = 34.0
-"""From plane to plane. [pt]"""
+"""Distance between levels of planets. [pt]"""
+PLANE_DISTANCE = 34.0
+"""Distance between planes of gears. [pt]"""
 CARRIER_ARM = 16.0
-"""From the outermost plane to the arm of the carrier, less the half of a wheel. [pt]"""
+"""Distance from the outermost gear to the arm of the carrier. [pt]"""
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 LEFT, RIGHT = 0, 1
 MOST_COLUMNS = 6
-"""Up to which all orders of the columns are tried."""
+"""Number of columns up to which all orders are tried."""
 
 
 @dataclass
 class WheelColumn:
-    """A plane of wheels: the rims of planets by their levels, a sun below, a ring above."""
+    """Plane of gears: planet gears by level, a sun below, a ring above."""
 
     rims: dict[int, str]
     sun: CentralWheel | None = None
     ring: CentralWheel | None = None
 
     def bars(self, level: int) -> bool:
-        """Whether something of this plane is in the way of an axle on a level."""
+        """Return whether the plane blocks an axle on a level."""
         if level < min(self.rims):
             return self.sun is not None
         return level <= max(self.rims) or self.ring is not None
@@ -58,79 +59,84 @@ class WheelColumn:
 
 @dataclass(frozen=True)
 class HalfSection:
-    """A group of planets in the half above its axis."""
+    """Group of planets in the half above the axis."""
 
     group: PlanetGroup
     levels: Mapping[str, int]
-    """Of each planet."""
+    """Level of each planet."""
     columns: Sequence[WheelColumn] = field(default_factory=list)
     names: Mapping[str, str] = field(default_factory=dict)
-    """What is written beside wheels and rims."""
+    """Texts next to gears."""
     letters: float = 1.0
-    """Size of letters over lengths."""
+    """Ratio of the size of letters to lengths."""
 
     def x(self, column: int) -> float:
-        """Of the plane of a column."""
-        return CARRIER_ARM + FACE + sum(max(COLUMN, self.beside(n)) for n in range(column))
+        """Return the position of the plane of a column [pt]."""
+        return (
+            CARRIER_ARM + FACE + sum(max(PLANE_DISTANCE, self.name_width(n)) for n in range(column))
+        )
 
     @property
     def width(self) -> float:
-        """Between the ends of the arms."""
+        """Distance between the ends of the arms [pt]."""
         last = len(self.columns) - 1
-        return self.x(last) + max(CARRIER_ARM + FACE, self.beside(last))
+        return self.x(last) + max(CARRIER_ARM + FACE, self.name_width(last))
 
-    def beside(self, column: int) -> float:
-        """What the names of a column need, from its plane."""
-        own = self.columns[column]
-        wheels = [wheel.member for wheel in (own.sun, own.ring) if wheel is not None]
-        texts = [self.names[one] for one in (*own.rims.values(), *wheels) if one in self.names]
+    def name_width(self, column: int) -> float:
+        """Return the width of the names of a column, from the plane [pt]."""
+        plane = self.columns[column]
+        wheels = [wheel.member for wheel in (plane.sun, plane.ring) if wheel is not None]
+        texts = [
+            self.names[member] for member in (*plane.rims.values(), *wheels) if member in self.names
+        ]
         return max((self.letters * width(text, SMALL) + FACE + 6 for text in texts), default=0.0)
 
     @property
     def tall(self) -> float:
-        """Height above the middle of the row that it needs [pt]."""
+        """Height needed above the middle of the row [pt]."""
         return max(abs(y) for stroke in planet_strokes(self) for _, y in stroke.points) + 8
 
     @property
     def faces(self) -> Span:
-        """Ends of its wheels with their names, without its arms [pt]."""
+        """Ends of the gears with names, without arms [pt]."""
         last = len(self.columns) - 1
-        return self.x(0) - FACE, self.x(last) + max(FACE, self.beside(last) - 3)
+        return self.x(0) - FACE, self.x(last) + max(FACE, self.name_width(last) - 3)
 
     @property
     def pin_end(self) -> float:
-        """End of the pin of a carrier that nothing joins [pt]."""
+        """End of the pin of an unconnected carrier [pt]."""
         return self.x(len(self.columns) - 1) + FACE
 
     def y(self, level: int) -> float:
-        """Of an axle."""
+        """Return the height of an axle on a level [pt]."""
         top = max(self.levels.values())
         return LEVEL * (level - top / 2)
 
     def planes(self, planet: str) -> list[int]:
-        """The columns in which a planet has a rim."""
-        own = self.group.planets[planet]
-        return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(own)]
+        """Return the columns with a gear of a planet."""
+        rims = self.group.planets[planet]
+        return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(rims)]
 
     def reach(self, rim: str) -> Span:
-        """From its first plane to its last."""
-        own = [n for n, column in enumerate(self.columns) if rim in column.rims.values()]
-        return self.x(own[0]), self.x(own[-1])
+        """Return the positions of the first and the last plane of a planet gear [pt]."""
+        planes = [n for n, column in enumerate(self.columns) if rim in column.rims.values()]
+        return self.x(planes[0]), self.x(planes[-1])
 
     def radius(self, rim: str) -> float:
-        """Of a rim: the smaller ones of a planet look smaller, where nothing else meshes.
+        """Return the drawn radius of a planet gear [pt].
 
-        A name needs the height of a large one above its pin.
+        The smaller gears of a planet look smaller unless further planets mesh with them. A name
+        needs the height of a large gear above its pin.
         """
         if rim in self.names:
             return RADIUS
-        own = self.group.planets[self.group.planet_of[rim]]
-        meshed = {one for pair in self.group.meshes for one in pair}
-        largest = max(self.group.teeth(other) for other in own)
+        rims = self.group.planets[self.group.planet_of[rim]]
+        meshed = {rim_name for pair in self.group.meshes for rim_name in pair}
+        largest = max(self.group.teeth(other) for other in rims)
         return SMALL_RADIUS if rim not in meshed and self.group.teeth(rim) < largest else RADIUS
 
     def barred(self, planet: str, side: int) -> int:
-        """How many planes are in the way of an axle that leaves toward a side."""
+        """Return the number of planes that block an axle toward a side."""
         planes, level = self.planes(planet), self.levels[planet]
         first = planes[0] if side == RIGHT else 0
         last = len(self.columns) if side == RIGHT else planes[-1]
@@ -139,7 +145,7 @@ class HalfSection:
 
 
 def section_of(group: PlanetGroup) -> HalfSection:
-    """The planes of a group in the order in which its axles are least in the way."""
+    """Return the section of a group with the order of planes that blocks axles least."""
     levels = _levels(group)
     columns = _columns(group, levels)
     orders = permutations(columns) if len(columns) <= MOST_COLUMNS else [columns]
@@ -155,7 +161,7 @@ def _disorder(section: HalfSection) -> float:
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
-    """How far a planet is from those that mesh with a sun and with no ring."""
+    """Return the number of meshes between each planet and the planet at the sun."""
     wheels = {planet: {True: 0, False: 0} for planet in group.planets}
     for wheel in group.wheels:
         wheels[group.planet_of[wheel.rim]][wheel.internal] += 1
@@ -207,17 +213,17 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]
 def axles(
     section: HalfSection, *, is_left: bool, is_right: bool
 ) -> tuple[list[Segment], list[Segment]]:
-    """Axles of planets, and the upright arms that join them, at the sides where they are met.
+    """Return the axles of planets, and the vertical arms that join axles at requested sides.
 
-    An axle that is barred there leaves to the other side.
+    An axle that is blocked on a side leaves to the other side.
     """
     wanted = [side for side, there in ((LEFT, is_left), (RIGHT, is_right)) if there]
     if not wanted and len(section.levels) > 1:
-        wanted = [RIGHT]  # a carrier that nothing else joins
+        wanted = [RIGHT]  # an unconnected carrier
     chosen = {planet: _arm_ends(section, planet, wanted) for planet in section.levels}
     used = {side for sides in chosen.values() for side in sides}
-    if wanted and not any(sides >= used for sides in chosen.values()):  # nothing joins both arms
-        planet = min(chosen, key=lambda one: sum(section.barred(one, side) for side in used))
+    if wanted and not any(sides >= used for sides in chosen.values()):  # no axle joins both arms
+        planet = min(chosen, key=lambda name: sum(section.barred(name, side) for side in used))
         chosen[planet] = used
     pins: list[Segment] = []
     heights: dict[int, list[float]] = {LEFT: [], RIGHT: []}
@@ -229,12 +235,12 @@ def axles(
         for side in sides:
             heights[side].append(y)
     ends = {LEFT: 0.0, RIGHT: section.width}
-    arms = [((ends[s], min(own)), (ends[s], max(own))) for s, own in heights.items() if own]
+    arms = [((ends[s], min(ys)), (ends[s], max(ys))) for s, ys in heights.items() if ys]
     return pins, arms
 
 
 def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[int]:
-    """The sides of those wanted to which an axle leaves; another one if it is barred there."""
+    """Return the requested sides to which an axle leaves, or the least blocked side."""
     sides = {side for side in wanted if not section.barred(planet, side)}
     if wanted and not sides:
         sides = {min((LEFT, RIGHT), key=lambda side: section.barred(planet, side))}
@@ -242,12 +248,12 @@ def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[i
 
 
 def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
-    """All ways to draw a group: as it is and turned about, its carrier to either side.
+    """Return all ways to draw a group: as given or mirrored, with the carrier on either side.
 
     Parameters
     ----------
     names : mapping of str to str, optional
-        What is written beside wheels and rims.
+        Texts next to gears.
     """
     section = replace(section_of(group), names=names)
     turned = replace(section, columns=list(section.columns)[::-1])
@@ -275,7 +281,7 @@ def _glyphs(section: HalfSection) -> Iterator[Glyph]:
 
 
 def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """To which side each planet's axle leaves: all to one if nothing is in the way."""
+    """Return the sides to which the axle of each planet leaves, equal if nothing is blocked."""
     planets = list(section.group.planets)
     clear = [
         (side,) * len(planets)
@@ -289,12 +295,12 @@ def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
 def _arms(
     section: HalfSection, arms: Mapping[str, int]
 ) -> tuple[list[Stroke], list[tuple[float, float, float]]]:
-    """Axles and the bars that join them; x, lower and upper end of each bar."""
+    """Return axles and connecting bars, with position, lower and upper end of each bar."""
     strokes: list[Stroke] = []
     ends: list[tuple[float, float, float]] = []
     for side, x in ((LEFT, 0.0), (RIGHT, section.width)):
         heights = []
-        for planet in (planet for planet, own in arms.items() if own == side):
+        for planet in (planet for planet, chosen in arms.items() if chosen == side):
             planes, y = section.planes(planet), section.y(section.levels[planet])
             far = section.x(planes[-1]) + 5 if side == LEFT else section.x(planes[0]) - 5
             strokes.append(Stroke(((x, y), (far, y))))
@@ -307,7 +313,7 @@ def _arms(
 
 
 def planet_strokes(section: HalfSection) -> list[Stroke]:
-    """Rims and their webs; rims of one planet are joined by a sleeve."""
+    """Return planet gears with webs, and a sleeve between the gears of a planet."""
     strokes: list[Stroke] = []
     for planet, rims in section.group.planets.items():
         y = section.y(section.levels[planet])
@@ -326,7 +332,7 @@ def planet_strokes(section: HalfSection) -> list[Stroke]:
 
 
 def wheel_taps(section: HalfSection) -> Iterator[Tap]:
-    """Where suns and rings meet the planets."""
+    """Yield the points where suns and rings mesh with the planets."""
     for number, column in enumerate(section.columns):
         low, high = min(column.rims), max(column.rims)
         for wheel, level, way in ((column.sun, low, BELOW), (column.ring, high, ABOVE)):
@@ -336,7 +342,7 @@ def wheel_taps(section: HalfSection) -> Iterator[Tap]:
 
 
 def wheel_texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
-    """Names of wheels beside their meshes, of rims beside their planes."""
+    """Yield names of central gears next to the meshes, and of planet gears next to the planes."""
     for tap in wheels:
         if tap.label in section.names:
             at = tap.x + 3, tap.side * (tap.depth + 2.0)

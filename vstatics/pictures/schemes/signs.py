@@ -1,4 +1,4 @@
-"""The usual signs: packs of plates, dogs, freewheels, springs, the housing; and their key."""
+"""Symbols of shift elements, springs and the housing, and the key of a diagram."""
 
 from __future__ import annotations
 
@@ -15,47 +15,47 @@ from vstatics.pictures.schemes.glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
 
 HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0, "play": 9.0}
-"""Half the length along the line, where it is not that of plates. [pt]"""
+"""Half the length of symbols along the line, if different from plates. [pt]"""
 PACK = 6.5
 """Half the length of a pack of plates. [pt]"""
 HALF_BOX_SIGN = 8.0
-"""Half the length of the box of what has no sign. [pt]"""
+"""Half the length of a box without a symbol. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
-"""Where plates of the one side stand across the line, and those between them. [pt]"""
+"""Positions of the plates of both sides across the line. [pt]"""
 GAP_IN_LINE = 5.0
-"""From a spring with play to the end of its sign. [pt]"""
+"""Distance from a spring with play to the end of the symbol. [pt]"""
 PLATE_CLEARANCE = 2.5
-"""From a plate to the drum of the others. [pt]"""
+"""Distance from a plate to the opposite drum. [pt]"""
 Place = Callable[[float, float], Point]
-"""From places along and across a line to those of the picture."""
+"""Function from positions along and across a line to positions in the picture."""
 
 
 class Coupled(NamedTuple):
-    """A shift element, a spring, a support or a box on a level or upright line."""
+    """Shift element, spring, support or box on a horizontal or vertical line."""
 
     kind: str
     start: Point
-    """At its first link."""
+    """End at the first link."""
     end: Point
     color: str
     is_closed: bool = False
     rod: str = ""
-    """The colour of what leads to its sign, if it is another."""
+    """Colour of the line to the symbol, if different."""
     housing: int = 0
-    """Toward which side the housing is at its end; 0 where there is none."""
+    """Side of the housing at the end; 0 without a housing."""
     title: str = ""
     is_backward: bool = False
-    """A freewheel whose first link is the housing."""
+    """True for a freewheel with the housing as the first link."""
 
 
 def half_of(kind: str) -> float:
-    """Half the length of the sign of a kind along its line [pt]."""
-    own = PACK if kind in (*ELEMENT_KINDS, "held") else HALF_BOX_SIGN
-    return HALF_SIGN.get(kind, own)
+    """Return half the length of the symbol of a kind along the line [pt]."""
+    usual = PACK if kind in (*ELEMENT_KINDS, "held") else HALF_BOX_SIGN
+    return HALF_SIGN.get(kind, usual)
 
 
-def draw_coupled(pen: Pen, one: Coupled) -> None:
-    """A sign on its line; plates at the housing stand at its wall.
+def draw_coupled(pen: Pen, coupled: Coupled) -> None:
+    """Draw a symbol on a line; plates at the housing are drawn at the wall.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style
@@ -64,23 +64,23 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
     >>> len(pen.figure.artists)
     1
     """
-    (x, y), (x2, y2) = one.start, one.end
+    (x, y), (x2, y2) = coupled.start, coupled.end
     length = abs(x2 - x) + abs(y2 - y)
     dx, dy = (x2 - x) / length, (y2 - y) / length
-    half = half_of(one.kind)
-    is_at_wall = one.housing and one.kind not in ("freewheel", "spring", "play")
+    half = half_of(coupled.kind)
+    is_at_wall = coupled.housing and coupled.kind not in ("freewheel", "spring", "play")
     center = length - half if is_at_wall else length / 2
 
     def at(forward: float, across: float) -> Point:
         along = center + forward
         return x + along * dx - across * dy, y + along * dy + across * dx
 
-    rods = [(one.start, at(-half, 0)), (at(half, 0), one.end)]
+    rods = [(coupled.start, at(-half, 0)), (at(half, 0), coupled.end)]
     lines: list[Sequence[Point]] = [line for line in rods if line[0] != line[1]]
-    if one.housing:
-        lines += ground(one.end, one.housing)
-    if one.rod and one.rod != one.color:
-        pen.lines(lines, color=one.rod, title=one.title, zorder=4.5)
+    if coupled.housing:
+        lines += ground(coupled.end, coupled.housing)
+    if coupled.rod and coupled.rod != coupled.color:
+        pen.lines(lines, color=coupled.rod, title=coupled.title, zorder=4.5)
         lines = []
     draw = {
         "spring": _spring,
@@ -89,27 +89,26 @@ def draw_coupled(pen: Pen, one: Coupled) -> None:
         "dog_clutch": _dogs,
         "held": _support,
     }
-    usual = _plates if one.kind in ELEMENT_KINDS else _box
-    lines += draw.get(one.kind, usual)(pen, at, half, one)
-    pen.lines(lines, color=one.color, title=one.title, zorder=4.5)
+    usual = _plates if coupled.kind in ELEMENT_KINDS else _box
+    lines += draw.get(coupled.kind, usual)(pen, at, half, coupled)
+    pen.lines(lines, color=coupled.color, title=coupled.title, zorder=4.5)
 
 
-def _sign(pen: Pen, corners: Sequence[Point], one: Coupled, fill: str) -> None:
-    look: Look = {"facecolor": fill, "edgecolor": one.color, "title": one.title}
+def _sign(pen: Pen, corners: Sequence[Point], coupled: Coupled, fill: str) -> None:
+    look: Look = {"facecolor": fill, "edgecolor": coupled.color, "title": coupled.title}
     pen.area(*corners, width=LINE_WIDTH, joinstyle="round", zorder=4, **look)
 
 
-def _closed(pen: Pen, at: Place, half: float, edge: float, one: Coupled) -> None:
-    """What is pressed together is one block."""
+def _closed(pen: Pen, at: Place, half: float, edge: float, coupled: Coupled) -> None:
     corners = [at(-half, edge), at(half, edge), at(half, -edge), at(-half, -edge)]
-    _sign(pen, corners, one, one.color)
+    _sign(pen, corners, coupled, coupled.color)
 
 
-def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
-    """Plates of the one side between those of the other; pressed together they are one block."""
+def _plates(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+    """Return interleaved plates; engaged plates are drawn as a block."""
     edge = PLATES[-1] + 1.5
-    if one.is_closed:
-        _closed(pen, at, half, edge, one)
+    if coupled.is_closed:
+        _closed(pen, at, half, edge, coupled)
         inner = [(at(PLATE_CLEARANCE - half, across), at(half, across)) for across in PLATES]
         pen.lines(inner, color=pen.style.paper, width=0.7, zorder=5)
         return []
@@ -121,15 +120,15 @@ def _plates(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Poi
     ]
 
 
-def _spring(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:
+def _spring(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Sequence[Point]]:
     return [[at(*turn) for turn in zigzag(0.0, 0.0, half, 6.0)]]
 
 
-def _play(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
-    """A spring with a gap behind it, which a dog clutch closes."""
+def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+    """Return a spring with a gap behind it, which an engaged dog clutch fills."""
     near, far = half - GAP_IN_LINE, half - 1.0
-    if one.is_closed:
-        _sign(pen, [at(near, 6), at(far, 6), at(far, -6), at(near, -6)], one, one.color)
+    if coupled.is_closed:
+        _sign(pen, [at(near, 6), at(far, 6), at(far, -6), at(near, -6)], coupled, coupled.color)
     coil = (near - half) / 2
     return [
         [at(*turn) for turn in zigzag(coil, 0.0, near - coil, 6.0)],
@@ -138,18 +137,17 @@ def _play(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point
     ]
 
 
-def _freewheel(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
-    """Its point is where its first link cannot go on."""
-    fill = one.color if one.is_closed else pen.style.paper
-    tip = -half if one.is_backward else half
-    _sign(pen, [at(-tip, 6), at(-tip, -6), at(tip, 0)], one, fill)
+def _freewheel(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+    """Return a triangle that points in the blocked direction of the first link."""
+    fill = coupled.color if coupled.is_closed else pen.style.paper
+    tip = -half if coupled.is_backward else half
+    _sign(pen, [at(-tip, 6), at(-tip, -6), at(tip, 0)], coupled, fill)
     return [(at(tip, 7), at(tip, -7))]
 
 
-def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
-    """Teeth of the one between teeth of the other."""
-    if one.is_closed:
-        _closed(pen, at, half, 9, one)
+def _dogs(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+    if coupled.is_closed:
+        _closed(pen, at, half, 9, coupled)
         joint = [at(half / 2 * (1, -1)[step % 2], 3.5 * step - 8.75) for step in range(6)]
         pen.line(*joint, color=pen.style.paper, width=0.9, zorder=5)
         return []
@@ -159,20 +157,20 @@ def _dogs(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point
     return lines
 
 
-def _box(pen: Pen, at: Place, half: float, one: Coupled) -> list[Sequence[Point]]:
-    """A reduction, a converter: what stands in it is not known."""
+def _box(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
+    """Draw a box for a component without a symbol, such as a reduction or a converter."""
     across = HALF_BOX_SIGN
     corners = [at(-half, across), at(half, across), at(half, -across), at(-half, -across)]
-    _sign(pen, corners, one, pen.style.paper)
+    _sign(pen, corners, coupled, pen.style.paper)
     return []
 
 
-def _support(_pen: Pen, at: Place, half: float, _one: Coupled) -> list[Sequence[Point]]:
+def _support(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Sequence[Point]]:
     return [(at(-half, 0), at(half, 0))]
 
 
 def meanings(state: SchemeState, style: Style) -> list[Meaning]:
-    """Signs of the picture of a gear, and what they say.
+    """Return the symbols in the picture of a gear, and the meaning of each.
 
     >>> [said for occurs, said, *_ in meanings(SchemeState(engaged=frozenset({1})), Style())
     ...  if occurs]

@@ -1,7 +1,7 @@
-"""The stick diagram: the half of the transmission above its axis, wheels as lines of teeth.
+"""Stick diagram: the half of the transmission above its axis, with gears as lines of teeth.
 
-What turns about one axis is a half-section; several axes are rows. Where only mechanisms are given
-these are taken for planetary sets.
+Components on one axis form a half-section; several axes are rows. If only mechanisms are given,
+they are drawn as planetary sets.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
-    """The stick diagram of a case that is made of elements, or of what may be planetary sets.
+    """Yield the stick diagrams of a case with gear sets, or mechanisms that can be planetary sets.
 
-    In the picture of a gear what is engaged is marked, and what turns as one piece; what
-    carries no torque is pale. Everything is in the same places in each.
+    In the picture of a gear, engaged elements and locked-up gear sets are marked, and parts without
+    torque are pale. All pictures have the same layout.
 
     Raises
     ------
     CaseError
-        If the case has mechanisms only, and none that may be a set.
+        If the case only has mechanisms that cannot be planetary sets.
     """
     case = results.case
     axes, sheet = parallel_axes(scheme := scheme_of(case), case), None
@@ -46,17 +46,17 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     note = style.text(
         "mechanisms as planetary sets: simple ones where u < 0, with meshed planets where u > 0",
     )
-    is_bare = any(drawn.devices[place].element is None for place in sheet.layout.own.sections)
+    is_bare = any(drawn.devices[place].element is None for place in sheet.layout.coaxial.sections)
     yield from figures(results, drawn, sheet, style, shown, subject, note * is_bare)
 
 
 def stick_scheme(case: Transmission) -> Scheme:
-    """The scheme as its stick diagram has it: mechanisms that may be sets are some.
+    """Return the scheme of a stick diagram, with mechanisms as planetary sets if possible.
 
     Raises
     ------
     CaseError
-        If the case has mechanisms only, and none that may be a set.
+        If the case only has mechanisms that cannot be planetary sets.
     """
     drawing, scheme = drawing_of(case), scheme_of(case)
     if drawing is not None and drawing.elements:

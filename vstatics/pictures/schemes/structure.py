@@ -1,4 +1,4 @@
-"""The structure of a transmission: components as boxes, with shift elements between their links.
+"""Structure of a transmission: components as boxes, with shift elements between the links.
 
 This is the form of figure 5b of the source. It serves every case, also without a stick diagram.
 """
@@ -17,10 +17,10 @@ from vstatics.pictures.schemes.scheme import scheme_of
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
-    """Return the figures of no gear or of one; everything is at the same places in each.
+    """Yield the figures of the structure, without a gear or with a single gear, in a fixed layout.
 
-    In the picture of a gear engaged shift elements are marked, and components that turn as one
-    piece; parts without torque are pale.
+    In the picture of a gear, engaged shift elements and locked-up components are marked, and parts
+    without torque are pale.
 
     Source: figure 5b.
 

@@ -1,4 +1,4 @@
-"""What devices and links of a scheme say when a pointer rests on them."""
+"""Texts of components and links of a scheme under the pointer."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 
 
 class Titles(NamedTuple):
-    """Texts of devices by index, of links by number; none for what is not there."""
+    """Texts of components by index, and of links by number; missing texts are empty."""
 
     devices: Mapping[int, str] = {}
     links: Mapping[int, str] = {}
@@ -25,7 +25,7 @@ class Titles(NamedTuple):
 def titles_of(
     results: Results, scheme: Scheme, style: Style, gear: int | None, state: PictureState | None
 ) -> Titles:
-    """Kind, teeth and ratio of devices; in a gear also speeds and torques, over the input's.
+    """Return kind, teeth and ratio of components, and in a gear the relative speeds and torques.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.schemes.scheme import scheme_of
@@ -41,10 +41,10 @@ def titles_of(
             f"{word(member, style)} = {scheme.name(link) if link else style.text('housing')}"
             for member, link in device.members.items()
         )
-        own = {one: value for one, value in next(torques, {}).items() if value}
-        carried = f"{style.text('torque')} " if own else ""
+        nonzero = {member: value for member, value in next(torques, {}).items() if value}
+        carried = f"{style.text('torque')} " if nonzero else ""
         carried += ", ".join(
-            f"{word(one, style)} {number(value)}".strip() for one, value in own.items()
+            f"{word(member, style)} {number(value)}".strip() for member, value in nonzero.items()
         )
         devices.append(f"{device.name}: {'; '.join(filter(None, (facts, joins, carried)))}")
     links = dict(enumerate(scheme.links, 1))
@@ -55,11 +55,10 @@ def titles_of(
 
 
 def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
-    """Kind, teeth, ratio."""
     yield word(device.kind, style)
     if device.element is not None:
         yield from (
-            f"{word(one, style)} {teeth:g}" for one, teeth in teeth_of(device.element).items()
+            f"{word(gear, style)} {teeth:g}" for gear, teeth in teeth_of(device.element).items()
         )
     is_mechanism = not device.is_coupling and device.kind != "spring"
     if is_mechanism and len(device.numbers) == 1:
@@ -68,17 +67,17 @@ def _facts(case: Transmission, device: Device, style: Style) -> Iterator[str]:
 
 
 def teeth_of(element: Element) -> dict[str, float]:
-    """Teeth of wheels and of rims of planets, by their names.
+    """Return the tooth numbers of central gears and planet gears by name.
 
     >>> teeth_of(Element("P", "planetary", {"sun": 1}, {"sun": 30, "ring": 75}))
     {'sun': 30, 'ring': 75}
     """
-    rims = {rim: float(count) for own in element.rims.values() for rim, count in own.items()}
-    return {**element.teeth, **{one.member: one.teeth for one in element.wheels}, **rims}
+    rims = {rim: float(count) for gears in element.rims.values() for rim, count in gears.items()}
+    return {**element.teeth, **{wheel.member: wheel.teeth for wheel in element.wheels}, **rims}
 
 
 def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
-    """Of each device in the order of a scheme, by members: mechanisms, shift elements, springs."""
+    """Yield the torques of each component by member, in the order of a scheme."""
     state = results.gear_at(gear - 1)
     for members in state.member_torques(lossy=False):
         yield {name: plain(torque) for name, torque in members.items()}

@@ -58,7 +58,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     held = number.get(HOUSING)
     joined = [element.links for element in gearbox.shift_elements if element.kind != "freewheel"]
     places = [[number.get(body[link], HELD) for link in links] for links in joined]
-    ends = (_ends(link, other, held) for link, other in places)
+    ends = (_ends(start, end, held) for start, end in places)
     elements = tuple(sorted({pair for pair in ends if pair[0] != pair[1]}))
     return BoxSearch(
         sets=len(sets),

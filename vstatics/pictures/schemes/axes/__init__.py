@@ -1,9 +1,9 @@
-"""Stick diagrams of boxes with several parallel axes: each axis a row, each pair one column.
+"""Stick diagrams of boxes with several parallel axes: axes as rows, gear pairs as columns.
 
-`recognition` tells which links turn about which axis, `row_sections` which planetary sets of a row
-are a half-section by themselves, `stations` what stands on the axes, `rows` how these lie; a
-`board` is what is to be arranged. `contacts` are where links meet stations, `places` where all of
-it stands in an order, `wires` the lines of links, their crossings; `search` finds the order, from
-`starts`. `letters` has the names, `fitting` what fits into a width, `drawn` puts it on paper;
-`picture` is the diagram.
+`recognition` assigns the links to axes, `row_sections` draws gear sets of a row as a half-section,
+`stations` lists what is on the axes, `rows` places the axes, and `board` combines the input of the
+search. `contacts` are the points where links meet stations, `places` the positions of everything
+in an order, `wires` the lines of links with crossings. `search` optimizes the order from `starts`.
+`letters` places the names, `fitting` fits the diagram into a width, `drawn` draws, and `picture`
+makes the figures.
 """

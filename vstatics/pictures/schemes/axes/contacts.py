@@ -1,4 +1,4 @@
-"""Where links meet what stands on their axes."""
+"""Contacts: points where links meet stations on the axes."""
 
 from __future__ import annotations
 
@@ -11,39 +11,40 @@ from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Sta
 from vstatics.pictures.schemes.glyphs import ABOVE, Glyph, Tap
 
 STUB = 12.0
-"""From the last station of a row to the port of a link. [pt]"""
+"""Distance from the last station of a row to the port of a link. [pt]"""
 ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
-"""Of a road wheel; from its middle to that of a wheel of another axis beside it. [pt]"""
+"""Radius of a road wheel, and distance from the middle to a neighbouring gear. [pt]"""
 EDGE = 3.0
-"""From a set to a line that passes beside it. [pt]"""
+"""Distance from a gear set to a passing line. [pt]"""
 
 
 class AxisContact(NamedTuple):
-    """Where a link meets what stands on its axis."""
+    """Point where a link meets a station."""
 
     link: int
     x: float
     device: int
-    """By its place in `Scheme.devices`; -1 of a port."""
+    """Place of the component in `Scheme.devices`, -1 for a port."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``bar`` where it is on the link itself, ``port``, ``road`` at a
-    road wheel."""
+    """``wheel``, ``sign``, ``set``, ``bar`` directly on the link, ``port``, or ``road`` at a road
+    wheel."""
     end: float = 0.0
-    """Radius of a wheel; how far from the middle of a set. [pt]"""
+    """Radius of a gear, or distance from the middle of a gear set. [pt]"""
     way_round: float = 0.0
-    """From the place on a set past its edge, where the link runs on its other side. [pt]"""
+    """Distance from a contact past the edge of a gear set to the point on the set, for a link on
+    the far side. [pt]"""
 
 
 def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Iterator[AxisContact]:
-    """Of all stations; of what has two sides, after all others."""
+    """Yield the contacts of all stations, and finally of stations between two links."""
     first: list[AxisContact] = []
-    for index, one in enumerate(board.stations):
-        first += _fixed(board, chosen, index, one, xs[index])
+    for index, station in enumerate(board.stations):
+        first += _fixed(board, chosen, index, station, xs[index])
     yield from first
     middle: dict[int, list[float]] = {}
     for contact in first:
         middle.setdefault(contact.link, []).append(contact.x)
-    sided = [n for n, one in enumerate(board.stations) if one.has_two_sides]
+    sided = [n for n, station in enumerate(board.stations) if station.has_two_sides]
     for index in sided:
         for link in board.stations[index].links:
             middle.setdefault(link, []).append(xs[index])
@@ -51,102 +52,105 @@ def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Ite
         side = 1e4 if port.link in chosen.rightward else -1e4
         middle.setdefault(port.link, []).append(side)
     for index in sided:
-        one = board.stations[index]
-        left, right = _sides(one.links, xs[index], middle)
-        for device in one.devices:
-            yield AxisContact(left, xs[index] - one.half, device, "sign")
-            yield AxisContact(right, xs[index] + one.half, device, "sign")
+        station = board.stations[index]
+        left, right = _sides(station.links, xs[index], middle)
+        for device in station.devices:
+            yield AxisContact(left, xs[index] - station.half, device, "sign")
+            yield AxisContact(right, xs[index] + station.half, device, "sign")
 
 
 def _sides(
     links: Sequence[int], x: float, middle: Mapping[int, Sequence[float]]
 ) -> tuple[int, int]:
-    """Which link comes from the left: one that is there alone, or that is more there."""
+    """Return the left and the right link of a station, by the positions of other contacts."""
     first, second = links
     turn = []
     for link in (first, second):
-        others = [one for one in middle[link] if one != x]
-        lefts = sum(one < x for one in others)
-        ways = 0.0 if not others else (len(others) - 2 * lefts) / len(others)
-        turn.append(ways + 1e-6 * sum(min(max(one, -500.0), 500.0) - x for one in others) / 1e3)
-    if abs(turn[1]) > abs(turn[0]):  # the second has its place, the first takes the other one
+        positions = [position for position in middle[link] if position != x]
+        lefts = sum(position < x for position in positions)
+        ways = 0.0 if not positions else (len(positions) - 2 * lefts) / len(positions)
+        turn.append(
+            ways + 1e-6 * sum(min(max(position, -500.0), 500.0) - x for position in positions) / 1e3
+        )
+    if abs(turn[1]) > abs(turn[0]):  # the second link decides, the first takes the remaining side
         return (first, second) if turn[1] > 0 else (second, first)
     return (second, first) if turn[0] > 0 else (first, second)
 
 
 def _fixed(
-    board: AxesBoard, chosen: StationOrder, index: int, one: Station, x: float
+    board: AxesBoard, chosen: StationOrder, index: int, station: Station, x: float
 ) -> Iterator[AxisContact]:
-    """Contacts whose places do not depend on where the links come from."""
-    device = one.devices[0]
-    if one.joint is not None:
-        yield from _of_pair(one, board.radii[index], x, board.bell(index, chosen.ways[index]))
-    elif one.kind == "brake":
-        yield AxisContact(one.links[0], x, device, "sign")
-    elif one.kind == "box" and not one.has_two_sides:
-        for place, link in enumerate(one.links):
-            at = x + one.half * (2 * place + 1 - len(one.links)) / len(one.links)
+    """Yield contacts at positions that do not depend on the sides of the links."""
+    device = station.devices[0]
+    if station.joint is not None:
+        yield from _of_pair(station, board.radii[index], x, board.bell(index, chosen.ways[index]))
+    elif station.kind == "brake":
+        yield AxisContact(station.links[0], x, device, "sign")
+    elif station.kind == "box" and not station.has_two_sides:
+        for place, link in enumerate(station.links):
+            at = x + station.half * (2 * place + 1 - len(station.links)) / len(station.links)
             yield AxisContact(link, at, device, "sign")
-    elif one.kind == "drum":
-        yield from _of_drum(one, chosen.ways[index], x)
-    elif one.kind in ("differential", "section"):
-        yield from _of_ends(one, chosen.ways[index], x)
-    elif one.kind == "set":
-        glyph = one.glyphs[chosen.ways[index]]
+    elif station.kind == "drum":
+        yield from _of_drum(station, chosen.ways[index], x)
+    elif station.kind in ("differential", "section"):
+        yield from _of_ends(station, chosen.ways[index], x)
+    elif station.kind == "set":
+        glyph = station.glyphs[chosen.ways[index]]
         yield from (_of_set(tap, x, glyph, device, chosen.drums) for tap in taps_of(glyph))
 
 
 def _of_pair(
-    one: Station, radii: tuple[float, float, float], x: float, bell: tuple[int, float]
+    station: Station, radii: tuple[float, float, float], x: float, bell: tuple[int, float]
 ) -> Iterator[AxisContact]:
-    """Of both wheels, and of the casing that bears them."""
-    device = one.devices[0]
-    for place, (link, radius) in enumerate(zip(one.links, radii[::2], strict=True)):
+    device = station.devices[0]
+    for place, (link, radius) in enumerate(zip(station.links, radii[::2], strict=True)):
         at = x + (bell[1] if place == bell[0] else 0.0)
         yield AxisContact(link, at - WHEEL, device, "bar")
         yield AxisContact(link, at, device, "wheel", radius)
         yield AxisContact(link, at + WHEEL, device, "bar")
-    if one.joint is not None and one.joint.frame:
-        yield AxisContact(one.joint.frame, x - one.half, device, "sign")
+    if station.joint is not None and station.joint.frame:
+        yield AxisContact(station.joint.frame, x - station.half, device, "sign")
 
 
-def _of_ends(one: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Of what has shafts on both sides: a differential, a half-section."""
-    if one.layout is not None:
-        devices = one.layout.own.scheme.devices
-        for link, at in zip(one.links, (x - one.half, x + one.half), strict=True):
-            own = (index for index in one.devices if link in devices[index].links)
-            yield from (AxisContact(link, at, index, "bar") for index in own)
+def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
+    """Yield the contacts of shafts on both sides of a differential or a half-section."""
+    if station.layout is not None:
+        devices = station.layout.coaxial.scheme.devices
+        for link, at in zip(station.links, (x - station.half, x + station.half), strict=True):
+            connected = (index for index in station.devices if link in devices[index].links)
+            yield from (AxisContact(link, at, index, "bar") for index in connected)
         return
-    *sides, cage = one.links
+    *sides, cage = station.links
     left, right = sides[:: -1 if way else 1]
     for link, at in ((left, -CAGE), (right, CAGE), (cage, -CAGE), (cage, CAGE)):
-        yield AxisContact(link, x + at, one.devices[0], "bar")
+        yield AxisContact(link, x + at, station.devices[0], "bar")
 
 
-def _of_drum(one: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Of the wall of a drum, and of the shafts under its packs."""
-    order = list(permutations(range(len(one.devices))))[way]
+def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
+    """Yield the contacts of the wall of a drum, and of the shafts under the packs."""
+    order = list(permutations(range(len(station.devices))))[way]
     for place, number in enumerate(order):
-        yield AxisContact(one.links[0], x - one.half, one.devices[number], "sign")
+        yield AxisContact(station.links[0], x - station.half, station.devices[number], "sign")
         at = x + PACK_PITCH * (place - (len(order) - 1) / 2)
-        yield AxisContact(one.links[1 + number], at, one.devices[number], "sign")
+        yield AxisContact(station.links[1 + number], at, station.devices[number], "sign")
 
 
 def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
-    """The ends of links that leave their rows."""
+    """Yield the ends of links that leave a row."""
     ends = {port.link: port.link in chosen.rightward for port in board.ports}
     for link, differential in board.road_wheels.items():
         cage = board.stations[differential].devices[0]
-        middles = [one.x for one in contacts if one.device == cage]
-        own = [one.x for one in contacts if one.link == link]
-        ends.setdefault(link, min(own) > min(middles) + CAGE)
+        middles = [contact.x for contact in contacts if contact.device == cage]
+        link_xs = [contact.x for contact in contacts if contact.link == link]
+        ends.setdefault(link, min(link_xs) > min(middles) + CAGE)
     ports = {port.link for port in board.ports}
     for link, is_right in ends.items():
         row, way = board.axis_of[link], 1 if is_right else -1
-        xs = [way * one.x for one in contacts if board.axis_of[one.link] == row] or [0.0]
+        xs = [way * contact.x for contact in contacts if board.axis_of[contact.link] == row] or [
+            0.0
+        ]
         end = max(xs) + STUB
         for x in (
             sorted(_in_the_way(board, contacts, row, way)) if link in board.road_wheels else ()
@@ -158,16 +162,16 @@ def port_contacts(
 def _in_the_way(
     board: AxesBoard, contacts: Sequence[AxisContact], row: int, way: int
 ) -> Iterator[float]:
-    """Where wheels of other rows reach to a road wheel of one."""
+    """Yield the positions of gears of neighbouring rows that reach a road wheel."""
     heights = board.rows.heights
-    for one in contacts:
-        distance = abs(heights[board.axis_of[one.link]] - heights[row])
-        if one.kind == "wheel" and distance and distance - one.end < ROAD_RADIUS + 3.0:
-            yield way * one.x
+    for contact in contacts:
+        distance = abs(heights[board.axis_of[contact.link]] - heights[row])
+        if contact.kind == "wheel" and distance and distance - contact.end < ROAD_RADIUS + 3.0:
+            yield way * contact.x
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:
-    """Of a member; past the edge of the set where its link runs on the other side."""
+    """Return the contact of a member, past the edge of the gear set for a link on the far side."""
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
     end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):

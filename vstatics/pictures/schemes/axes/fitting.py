@@ -1,4 +1,4 @@
-"""Places of several axes in a width: lines close up, letters stay."""
+"""Layout of several axes within a width, with fixed letters and reduced lines."""
 
 from __future__ import annotations
 
@@ -19,19 +19,22 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
-"""Between stations: the largest with which all fits into the width. [pt]"""
+"""Distances between stations, of which the largest that fits the width is used. [pt]"""
 PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
-"""Sizes of all but letters: the largest with which all fits into the width."""
+"""Scales of all parts except letters, of which the largest that fits is used."""
 HEAD_ROOM = 60.0
-"""For the head of a page; several axes stand on one. [pt]"""
+"""Height of the head of a page. [pt]"""
 LETTERS = 12
-"""Longer names are broken at blanks; where room is short, at all blanks."""
+"""Length above which names are broken at blanks. [letters]"""
 
 
 def placed(
     scheme: Scheme, axes: ParallelAxes, sections: Mapping[int, HalfSection], style: Style
 ) -> AxesPlaces:
-    """Where everything stands in the width of a page, and in its height if that is possible."""
+    """Return the positions of everything within the width of a page.
+
+    The height of a page is kept if possible.
+    """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
     chosen = _chosen(scheme, axes, inner)
     if chosen is None:  # something would lead through a half-section
@@ -40,27 +43,29 @@ def placed(
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
-        layouts = [one.laid_out(1 / part, letters, is_small=is_small) for one in inner]
-        own = stations_of(scheme, axes, style, letters, layouts)
-        rows = axis_rows(axes, own, 1 / part)
+        layouts = [section.laid_out(1 / part, letters, is_small=is_small) for section in inner]
+        stations = stations_of(scheme, axes, style, letters, layouts)
+        rows = axis_rows(axes, stations, 1 / part)
         for gap in GAPS:
-            board = AxesBoard(axes, rows, own, scheme.ports, gap)
-            found = places(board, chosen)._replace(letters=1 / part)
-            if part * max(found.xs) > style.width:
+            board = AxesBoard(axes, rows, stations, scheme.ports, gap)
+            placing = places(board, chosen)._replace(letters=1 / part)
+            if part * max(placing.xs) > style.width:
                 continue
-            low, high = AxesLetters.of(found, scheme, style.width / part).extent(found)
+            low, high = AxesLetters.of(placing, scheme, style.width / part).extent(placing)
             if part * (high[1] - low[1]) > style.height - HEAD_ROOM and part > PARTS[-1]:
                 break
             if part * (high[0] - low[0]) <= style.width:
-                return found
-    return found
+                return placing
+    return placing
 
 
 def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
-    """The order of the stations; None if something would lead through a half-section."""
-    stations = stations_of(scheme, axes, Style(), sections=[one.laid_out() for one in inner])
-    found = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
-    for one, x in zip(stations, found.xs, strict=True):
-        if one.layout is not None and any(passing(found, one, x)):
+    """Return the order of the stations, None if a link would pass through a half-section."""
+    stations = stations_of(
+        scheme, axes, Style(), sections=[section.laid_out() for section in inner]
+    )
+    placing = arranged(AxesBoard(axes, axis_rows(axes, stations), stations, scheme.ports))
+    for station, x in zip(stations, placing.xs, strict=True):
+        if station.layout is not None and any(passing(placing, station, x)):
             return None
-    return found.chosen
+    return placing.chosen

@@ -1,4 +1,4 @@
-"""The stick diagram of a box with several axes: its figures, of no gear and of each."""
+"""Stick diagram of a box with several axes, without a gear or in gears."""
 
 from __future__ import annotations
 
@@ -32,43 +32,42 @@ def figures(
     style: Style,
     shown: Iterable[Sequence[int]],
 ) -> Iterator[list[Figure]]:
-    """Figures of no gear or of one by its number from 1, everything at the same places.
+    """Yield the figures without a gear, or of gears by number from 1, with equal positions.
 
     Raises
     ------
     CaseError
-        If one is of several gears.
+        If a figure has several gears.
     """
-    found = placed(scheme, axes, sections_of(scheme, results.case, style), style)
-    remarks = _remarks(found, style)
-    letters = AxesLetters.of(found, scheme)
-    low, high = letters.extent(found)
+    placing = placed(scheme, axes, sections_of(scheme, results.case, style), style)
+    remarks = _remarks(placing, style)
+    letters = AxesLetters.of(placing, scheme)
+    low, high = letters.extent(placing)
     for gears in shown:
         subject = style.text("stick diagram")
-        told = told_of(results, scheme, style, gears, subject=subject)
-        size = style.width, (high[1] - low[1]) / found.letters
+        caption = told_of(results, scheme, style, gears, subject=subject)
+        size = style.width, (high[1] - low[1]) / placing.letters
         head = sheet_head(
-            ", ".join([told.name, *remarks]),
+            ", ".join([caption.name, *remarks]),
             "",
-            meanings(told.state, style),
+            meanings(caption.state, style),
             size[0] - 2 * WIDE_MARGIN,
             style,
         )
         pen = head.over(size, WIDE_MARGIN * bool(head.high), style)._replace(size=size)
-        pen = pen.fitted(low, high)._replace(letters=found.letters)
-        sheet = AxesSheet(pen, scheme, told.state, told.titles, found, letters.labels)
+        pen = pen.fitted(low, high)._replace(letters=placing.letters)
+        sheet = AxesSheet(pen, scheme, caption.state, caption.titles, placing, letters.labels)
         draw_links(sheet)
-        for number, station in enumerate(found.board.stations):
+        for number, station in enumerate(placing.board.stations):
             (draw_pair if station.kind == "pair" else draw_station)(sheet, number)
         draw_ends(sheet)
         yield [sheet.pen.figure]
 
 
-def _remarks(found: AxesPlaces, style: Style) -> list[str]:
-    """What the title says besides."""
-    layouts = [one.layout for one in found.board.stations if one.layout is not None]
-    lines = link_lines(found)
-    count = len(crossings(lines)) + wheel_crossings(found, lines)
+def _remarks(placing: AxesPlaces, style: Style) -> list[str]:
+    layouts = [station.layout for station in placing.board.stations if station.layout is not None]
+    lines = link_lines(placing)
+    count = len(crossings(lines)) + wheel_crossings(placing, lines)
     count += sum(map(crossings_of, layouts))
     orders = [text for layout in layouts for text in order_told(layout, style)]
     return [*crossings_told(count, style), *dict.fromkeys(orders)]

@@ -1,4 +1,4 @@
-"""Where everything stands in an order of the stations: places, spans and levels of links."""
+"""Positions of stations, contacts and links in an order of the stations."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationO
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
 
 LEVEL = 4.5
-"""From a shaft to the hollow one around it. [pt]"""
+"""Distance from a shaft to the hollow shaft around. [pt]"""
 SIGN_HEIGHT = 13.0
-"""From the hollow shafts to the middle of a sign beside them. [pt]"""
+"""Distance from the hollow shafts to the middle of a symbol. [pt]"""
 DRUM = 7.0
-"""From drum to drum. [pt]"""
-PORT = 14.0
-"""From a port of a hollow shaft to that of the one around it. [pt]"""
+"""Distance between nested drums. [pt]"""
+PORT_PITCH = 14.0
+"""Distance between the ports of nested hollow shafts. [pt]"""
 HUB = 2.0
-"""From a wheel that turns on a shaft to the end of this. [pt]"""
-OVERLAP = 0.1
-"""Spans that have less in common are one behind the other. [pt]"""
+"""Distance from a gear that rotates on a shaft to the end of the shaft. [pt]"""
+SPAN_OVERLAP = 0.1
+"""Overlap below which two spans count as separate. [pt]"""
 
 
 class LinkSpan(NamedTuple):
-    """From where to where a link reaches, and how far from its axis [pt]."""
+    """Extent of a link along the axis, with the distance from the axis [pt]."""
 
     left: float
     right: float
@@ -35,79 +35,84 @@ class LinkSpan(NamedTuple):
 
 
 class AxesPlaces(NamedTuple):
-    """Everything at its place."""
+    """Positions of all parts of a diagram."""
 
     board: AxesBoard
     chosen: StationOrder
     xs: Sequence[float]
-    """Of the middle of each station. [pt]"""
+    """Position of the middle of each station. [pt]"""
     contacts: Sequence[AxisContact]
     spans: Mapping[int, LinkSpan]
     bases: Mapping[int, float]
-    """Of each axis: how far its hollow shafts reach. [pt]"""
+    """Height of the hollow shafts of each axis. [pt]"""
     letters: float = 1.0
-    """Size of letters over what it is where the picture is not made smaller."""
+    """Ratio of the size of letters to lengths, above 1 in a reduced picture."""
 
     def wide(self, text: str, *, size: float = SIZE, bold: bool = False) -> float:
-        """The width of a text [pt]."""
+        """Return the width of a text [pt]."""
         return self.letters * width(text, size, bold=bold)
 
     def sign_height(self, axis: int) -> float:
-        """Of the middle of signs beside shafts [pt]."""
+        """Return the height of the middle of symbols next to shafts [pt]."""
         half = self.board.set_halves[axis]
         return self.bases[axis] + (half + BESIDE_SET if half else SIGN_HEIGHT)
 
     def port_height(self, link: int) -> float:
-        """Over its axis, of the arrow of a port: those of hollow shafts stand apart [pt]."""
+        """Return the height of a port above the axis, separate for hollow shafts [pt]."""
         span = self.spans[link]
         if span.level <= 0:
             return span.height
-        return self.bases[self.axis_of(link)] + PORT * span.level - 2.0
+        return self.bases[self.axis_of(link)] + PORT_PITCH * span.level - 2.0
 
     def road_end(self, link: int) -> float:
-        """Where the road wheel of a link stands [pt]."""
+        """Return the position of the road wheel of a link [pt]."""
         kinds = ("port", "road")
-        return next(one.x for one in self.contacts if one.link == link and one.kind in kinds)
+        return next(
+            contact.x for contact in self.contacts if contact.link == link and contact.kind in kinds
+        )
 
     def axis_of(self, link: int) -> int:
-        """The axis of a link."""
+        """Return the axis of a link."""
         return self.board.axis_of[link]
 
     def y(self, axis: int, height: float) -> float:
-        """Of a height over an axis, toward its side."""
+        """Return the vertical position of a height above an axis, on the side of the links [pt]."""
         return self.board.rows.heights[axis] + self.board.rows.sides[axis] * height
 
 
 def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
-    """Where everything stands in an order."""
+    """Return the positions of everything in an order."""
     xs = _xs(board, chosen.order)
-    met = list(contacts(board, chosen, xs))
-    met += port_contacts(board, chosen, met)
+    meetings = list(contacts(board, chosen, xs))
+    meetings += port_contacts(board, chosen, meetings)
     ends: dict[int, tuple[float, float]] = {}
-    for one in met:
-        low, high = ends.get(one.link, (one.x, one.x))
-        ends[one.link] = min(low, one.x), max(high, one.x)
+    for contact in meetings:
+        low, high = ends.get(contact.link, (contact.x, contact.x))
+        ends[contact.link] = min(low, contact.x), max(high, contact.x)
     for wheel, shaft in board.idle.items():
         low, high = ends[shaft]
         ends[shaft] = min(low, ends[wheel][0] - HUB), max(high, ends[wheel][1] + HUB)
     spans, bases = {}, {}
     for axis, links in enumerate(board.axes.axes):
-        own = [link for link in links if link in ends]
-        own.sort(key=lambda link: (link in board.cages, ends[link][0] - ends[link][1], link))
-        under, over = _levels(own, ends, chosen.drums)
+        axis_links = [link for link in links if link in ends]
+        axis_links.sort(key=lambda link: (link in board.cages, ends[link][0] - ends[link][1], link))
+        under, over = _levels(axis_links, ends, chosen.drums)
         bases[axis] = LEVEL * max(under.values(), default=0)
         top = bases[axis] + board.bands[axis]
-        for link in own:
+        for link in axis_links:
             level = under.get(link, over.get(link, 0))
             height = top + DRUM * level if link in over else LEVEL * level
             spans[link] = LinkSpan(*ends[link], height, -1 - level if link in over else level)
-    return AxesPlaces(board, chosen, xs, met, spans, bases)
+    return AxesPlaces(board, chosen, xs, meetings, spans, bases)
 
 
 def _levels(
     links: Sequence[int], ends: Mapping[int, tuple[float, float]], drums: frozenset[int]
 ) -> tuple[dict[int, int], dict[int, int]]:
-    """How many shafts are within each, how many drums; long shafts are within short ones."""
+    """Return the number of shafts within each shaft, and of drums within each drum.
+
+    Long shafts are within short shafts.
+    """
     under: dict[int, int] = {}
     over: dict[int, int] = {}
     for link in links:
@@ -121,16 +126,20 @@ def _levels(
 
 def _next(link: int, levels: dict[int, int], ends: Mapping[int, tuple[float, float]]) -> int:
     left, right = ends[link]
-    met = [
+    taken_levels = [
         level
-        for other, level in levels.items()
-        if ends[other][0] < right - OVERLAP and ends[other][1] > left + OVERLAP
+        for placed_link, level in levels.items()
+        if ends[placed_link][0] < right - SPAN_OVERLAP
+        and ends[placed_link][1] > left + SPAN_OVERLAP
     ]
-    return max(met, default=-1) + 1
+    return max(taken_levels, default=-1) + 1
 
 
 def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
-    """From the left as close as may be; what stands before all pairs of its row, near these."""
+    """Return station positions, as far left as possible.
+
+    Stations in front of all pairs of a row move right, next to the first pair.
+    """
     edges: dict[int, float] = {}
     shared: set[int] = set()
     xs, halves, gap = [0.0] * len(order), board.halves, board.gap

@@ -1,4 +1,4 @@
-"""Which links turn about which axis, and what joins two axes."""
+"""Assignment of links to axes, and the joints between axes."""
 
 from __future__ import annotations
 
@@ -11,56 +11,57 @@ from vstatics.pictures.drawing.tolerances import SAME_RADIUS
 from vstatics.pictures.schemes.scheme import Device, Scheme
 
 MESHED = frozenset({"gear_pair", "internal_pair", "idler"})
-"""Pairs of axes that are parallel, by teeth."""
+"""Kinds that connect parallel axes by teeth."""
 FAR = frozenset({"chain", "belt"})
-"""The same, without teeth that mesh."""
+"""Kinds that connect parallel axes without meshing teeth."""
 CROSSED = frozenset({"bevel_pair", "worm"})
-"""Axes that cross are drawn as parallel ones, with slanted teeth."""
+"""Kinds that connect crossing axes, drawn as parallel axes with slanted teeth."""
 
 FREE_IDLER = 0.6
-"""Size of a wheel between two that is not told, over the first one."""
+"""Ratio of the size of an idler without known size to the first gear."""
 
 
 class AxisJoint(NamedTuple):
-    """What joins two axes: a pair of wheels, a chain, a bevel pinion."""
+    """Joint between two axes: a gear pair, a chain, a bevel pinion."""
 
     device: int
-    """By its place in `Scheme.devices`."""
+    """Place of the component in `Scheme.devices`."""
     kind: str
     first: int
-    """Link of its first wheel."""
+    """Link of the first gear."""
     second: int
+    """Link of the second gear."""
     sizes: tuple[float, float]
-    """Of both wheels, in any unit: teeth, diameters."""
+    """Sizes of both gears in a common unit, such as teeth or diameters."""
     idler: float = 0.0
-    """Of the wheel between them, in the same unit; 0 where there is none."""
+    """Size of the idler in the common unit, 0 without an idler."""
     frame: int = 0
-    """A link that bears its wheels, as an axle casing; 0 for the housing."""
+    """Link that supports the gears, such as an axle casing, 0 for the housing."""
 
     @property
     def links(self) -> tuple[int, int]:
-        """Of its two wheels."""
+        """Links of both gears."""
         return self.first, self.second
 
 
 class ParallelAxes(NamedTuple):
-    """The axes of a box, that of its input first, and what joins them."""
+    """Axes of a box, with the axis of the input first, and the joints between axes."""
 
     axes: Sequence[AbstractSet[int]]
-    """The links of each."""
+    """Links of each axis."""
     joints: Sequence[AxisJoint]
 
     def of(self, link: int) -> int:
-        """The axis of a link, from 0."""
+        """Return the axis of a link, from 0."""
         return next(number for number, axis in enumerate(self.axes) if link in axis)
 
 
 def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
-    """The axes of a case; None where there is but one.
+    """Return the axes of a case, or None for a single axis.
 
-    Links are of one axis if a shift element, a shaft, a coaxial set or a spring of two links
-    joins them; a pair of wheels, a chain, a bevel pinion joins two axes. A mechanism with the
-    housing as third link and a ratio below 0 is a pair.
+    A shift element, a shaft, a coaxial gear set or a spring of two links connects links of a
+    common axis. A gear pair, a chain or a bevel pinion connects two axes. A mechanism with the
+    housing as third link and a ratio below 0 is a gear pair.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> from vstatics.pictures.schemes.scheme import scheme_of
@@ -70,43 +71,45 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     [[1], [2], [3, 4]]
     """
     joints, bodies = [], {link: link for link in range(1, len(scheme.links) + 1)}
-    cages = {one.members["third"] for one in scheme.devices if is_bare_differential(one)}
+    cages = {device.members["third"] for device in scheme.devices if is_bare_differential(device)}
     for index, device in enumerate(scheme.devices):
         joint, groups = joint_of(index, device, case, cages)
         joints += [joint] if joint else []
         for first, *others in groups:
-            for other in others:
-                _join(bodies, first, other)
-    joints = [one for one in joints if bodies[one.first] != bodies[one.second]]
+            for link in others:
+                _join(bodies, first, link)
+    joints = [joint for joint in joints if bodies[joint.first] != bodies[joint.second]]
     entry = next(port.link for port in scheme.ports if port.role == "input")
-    found = list(_from(bodies[entry], joints, bodies))
-    found += [body for body in dict.fromkeys(bodies.values()) if body not in found]
+    order = list(_from(bodies[entry], joints, bodies))
+    order += [body for body in dict.fromkeys(bodies.values()) if body not in order]
     if not joints:
         return None
-    axes = [frozenset(link for link, own in bodies.items() if own == body) for body in found]
+    axes = [
+        frozenset(link for link, link_body in bodies.items() if link_body == body) for body in order
+    ]
     return ParallelAxes(axes, joints)
 
 
-def _join(bodies: dict[int, int], first: int, other: int) -> None:
-    old, new = bodies[other], bodies[first]
+def _join(bodies: dict[int, int], first: int, second: int) -> None:
+    old_body, new_body = bodies[second], bodies[first]
     for link, body in bodies.items():
-        if body == old:
-            bodies[link] = new
+        if body == old_body:
+            bodies[link] = new_body
 
 
 def _from(start: int, joints: Sequence[AxisJoint], bodies: dict[int, int]) -> Iterator[int]:
-    """Bodies by breadth from one."""
-    found = [start]
-    for body in found:
+    """Yield the bodies in breadth-first order from a start."""
+    reached = [start]
+    for body in reached:
         yield body
         for joint in joints:
             ends = [bodies[joint.first], bodies[joint.second]]
             if body in ends:
-                found += [end for end in ends if end not in found]
+                reached += [end for end in ends if end not in reached]
 
 
 def is_bare_differential(device: Device) -> bool:
-    """Whether it is a mechanism that divides a torque by halves.
+    """Return True for a mechanism that divides a torque in halves.
 
     >>> members = {"first": 1, "second": 2, "third": 3}
     >>> is_bare_differential(Device("axle", "mechanism", members, (0,), ratio=-1.0))
@@ -118,10 +121,10 @@ def is_bare_differential(device: Device) -> bool:
 def joint_of(
     index: int, device: Device, case: Transmission, cages: AbstractSet[int]
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """A device as what joins two axes, if it does; links that it has on one axis.
+    """Return the joint of a component, if any, and groups of links on a common axis.
 
-    A mechanism with a ratio above 1 that drives one of the `cages`, the cases of differentials,
-    is their final drive: it has one wheel more, as its links turn in one direction.
+    A mechanism with a ratio above 1 that drives the case of a differential, from `cages`, is a
+    final drive with an idler, since both links turn in the same direction.
     """
     links = [link for link in device.members.values() if link]
     if device.kind == "spring" and not device.is_coupling:
@@ -136,7 +139,7 @@ def joint_of(
     sizes, between = (abs(1.0), abs(device.ratio)), 0.0
     if device.element is not None:
         teeth = device.element.teeth
-        first, *idler, second = (float(teeth[one]) for one in device.element.shape.toothed)
+        first, *idler, second = (float(teeth[gear]) for gear in device.element.shape.toothed)
         sizes, between = (first, second), sum(idler)
     return AxisJoint(index, kind, links[0], links[1], sizes, between), []
 
@@ -144,12 +147,15 @@ def joint_of(
 def _of_spring(
     index: int, device: Device, case: Transmission
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """A spring in a bevel drive: what turns with its casing is of one axis, its pinion not."""
+    """Return the joint and the links on a common axis of a spring in a bevel drive.
+
+    The crown gear and the casing share an axis, the pinion has a separate axis.
+    """
     form = {link: part for link, part in case.springs[device.numbers[0]].form.items() if link}
-    first, *others = sorted({abs(part) for part in form.values()}, reverse=True)
+    first, *smaller = sorted({abs(part) for part in form.values()}, reverse=True)
     sides = [
         [link for link, part in form.items() if abs(abs(part) - size) < SAME_RADIUS]
-        for size in (first, *others)
+        for size in (first, *smaller)
     ]
     if len(sides) != 2 or len(sides[1]) > 1 or len(sides[0]) > 2:
         return None, [list(form)]

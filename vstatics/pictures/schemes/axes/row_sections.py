@@ -1,4 +1,4 @@
-"""Planetary sets on one of several axes: what of its row is a half-section by itself."""
+"""Gear sets on an axis out of several, drawn as a separate half-section."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
 
 FEWEST_SETS = 2
-"""A single one is drawn where it stands, with all that leads to it from its row."""
+"""Smallest number of gear sets in a half-section."""
 
 
 class RowSection(NamedTuple):
-    """Sets and couplings between two links of a row, from left to right."""
+    """Gear sets and couplings between two links of a row, from left to right."""
 
-    own: CoaxialScheme
+    coaxial: CoaxialScheme
     frame: SectionFrame
     is_ordered: bool
     named_beside: frozenset[int]
-    """Links that have arrows in their rows."""
+    """Links with arrows in the row."""
 
     def laid_out(
         self, letters: float = 1.0, line_letters: int = 12, *, is_small: bool = False
     ) -> CoaxialLayout:
-        """With places, for letters of a size over lengths; longer names are broken.
+        """Return the layout for letters of a size relative to lengths, with long names broken.
 
-        A small one has no names of links.
+        A small layout has no names of links.
         """
         bare = CoaxialLayout(
-            self.own,
+            self.coaxial,
             SectionPlaces(self.frame, 0.0),
             self.is_ordered,
             is_small=is_small,
@@ -58,18 +58,18 @@ def row_sections(
     *,
     is_ordered: bool = False,
 ) -> Iterator[RowSection]:
-    """Of each axis what stands between two of its links and has sets of which links can cross.
+    """Yield the part of each axis between two links with gear sets of which links can cross.
 
     Parameters
     ----------
     sections : mapping of int to HalfSection
-        The devices that may be sets, by their places in the scheme.
+        Components that may be gear sets, by place in the scheme.
     """
     drum = {*drum_of(scheme)}
     for number in range(len(axes.axes)):
         inside, ends = _between_ends(scheme, axes, number, sections)
-        sets = [one for one in sorted(inside) if one in sections]
-        divides = any(is_bare_differential(scheme.devices[one]) for one in inside)
+        sets = [index for index in sorted(inside) if index in sections]
+        divides = any(is_bare_differential(scheme.devices[index]) for index in inside)
         if len(ends) != 2 or len(sets) < FEWEST_SETS or drum & inside or divides:
             continue
         ports = [
@@ -77,36 +77,38 @@ def row_sections(
         ]
         left_out = {*range(len(scheme.devices))} - inside
         part = replace(scheme, ports=ports)
-        own = coaxial_scheme(part, {one: sections[one] for one in sets}, left_out)
-        if own is not None and own.train.end:
-            found = swept(own.train, is_ordered=is_ordered)
-            frame = framed(own.train, found.steps)
-            yield RowSection(own, frame, found.is_ordered, frozenset(p.link for p in scheme.ports))
+        coaxial = coaxial_scheme(part, {index: sections[index] for index in sets}, left_out)
+        if coaxial is not None and coaxial.train.end:
+            sweep = swept(coaxial.train, is_ordered=is_ordered)
+            frame = framed(coaxial.train, sweep.steps)
+            yield RowSection(
+                coaxial, frame, sweep.is_ordered, frozenset(p.link for p in scheme.ports)
+            )
 
 
 def _between_ends(
-    scheme: Scheme, axes: ParallelAxes, number: int, others: Mapping[int, HalfSection]
+    scheme: Scheme, axes: ParallelAxes, number: int, sections: Mapping[int, HalfSection]
 ) -> tuple[AbstractSet[int], Sequence[int]]:
-    """Devices of an axis without chains at its ends, and the links by which these go on.
+    """Return the components of an axis without chains at the ends, and the end links.
 
-    Links by which power comes from the input are first.
+    Links that receive power from the input are first.
     """
-    joints = {one.device for one in axes.joints}
+    joints = {joint.device for joint in axes.joints}
     inside = {
         index
-        for index, one in enumerate(scheme.devices)
-        if index not in joints and one.links and one.links <= axes.axes[number]
+        for index, device in enumerate(scheme.devices)
+        if index not in joints and device.links and device.links <= axes.axes[number]
     }
     ends: dict[int, float] = {}
-    for one in axes.joints:
-        for link, other in zip(one.links, one.links[::-1], strict=True):
-            for own in {link, one.frame} if axes.of(link) == number else ():
-                ends[own] = min(ends.get(own, inf), axes.of(other))
+    for joint in axes.joints:
+        for link, far_link in zip(joint.links, joint.links[::-1], strict=True):
+            for end in {link, joint.frame} if axes.of(link) == number else ():
+                ends[end] = min(ends.get(end, inf), axes.of(far_link))
     for port in scheme.ports:
         ends.setdefault(port.link, -1.0 if port.role == "input" else inf)
     ends = {link: order for link, order in ends.items() if link in axes.axes[number]}
     while True:
-        step = next(_outermost(scheme, inside, ends, others), None)
+        step = next(_outermost(scheme, inside, ends, sections), None)
         if step is None:
             return inside, sorted(ends, key=lambda link: ends[link])
         link, index = step
@@ -119,10 +121,14 @@ def _outermost(
     scheme: Scheme,
     inside: AbstractSet[int],
     ends: Mapping[int, float],
-    others: Mapping[int, HalfSection],
+    sections: Mapping[int, HalfSection],
 ) -> Iterator[tuple[int, int]]:
-    """Links at ends that one coupling of two links joins to the rest, and this coupling."""
+    """Yield end links that only a coupling of two links connects, with the coupling."""
     for link in ends:
-        own = [index for index in inside if link in scheme.devices[index].links]
-        if len(own) == 1 and own[0] not in others and len(scheme.devices[own[0]].links) == 2:
-            yield link, own[0]
+        connected = [index for index in inside if link in scheme.devices[index].links]
+        if (
+            len(connected) == 1
+            and connected[0] not in sections
+            and len(scheme.devices[connected[0]].links) == 2
+        ):
+            yield link, connected[0]

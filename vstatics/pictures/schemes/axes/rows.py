@@ -1,4 +1,4 @@
-"""The rows in which the axes stand: their order, their distances, the radii of their wheels."""
+"""Rows of the axes: order, distances and gear radii."""
 
 from __future__ import annotations
 
@@ -10,35 +10,35 @@ from vstatics.pictures.schemes.axes.recognition import FAR, AxisJoint, ParallelA
 from vstatics.pictures.schemes.axes.stations import Station
 
 DISTANCE = 66.0
-"""Between rows without sets, at least. [pt]"""
+"""Smallest distance between rows without gear sets. [pt]"""
 CLEARANCE = 16.0
-"""From what stands on an axis to the next axis. [pt]"""
+"""Distance from stations on an axis to the next axis. [pt]"""
 LEAST_RADIUS = 8.0
-"""Of a wheel. [pt]"""
+"""Smallest radius of a gear. [pt]"""
 SIGNS = 40.0
-"""Height over an axis of signs with names. [pt]"""
+"""Height of symbols with names above an axis. [pt]"""
 MOST_PERMUTED = 7
-"""Up to so many rows all orders are tried."""
+"""Largest number of rows for which all orders are tried."""
 
 
 class AxisRows(NamedTuple):
-    """Where the axes lie."""
+    """Positions of the axes."""
 
     order: Sequence[int]
-    """Axes from top to bottom, without those of idlers between two rows."""
+    """Axes from top to bottom, without axes of idlers between two rows."""
     heights: Mapping[int, float]
-    """Of each axis. [pt]"""
+    """Height of each axis. [pt]"""
     sides: Mapping[int, int]
-    """On which side of each axis its links are drawn: 1 above, -1 below."""
+    """Side of each axis on which links are drawn: 1 above, -1 below."""
 
     def between(self, axes: Sequence[int]) -> list[int]:
-        """The axes from one to another one, both included."""
-        low, high = sorted(self.heights[one] for one in axes)
-        inside = [one for one in self.order if low <= self.heights[one] <= high]
-        return [*inside, *(one for one in axes if one not in inside)]
+        """Return the axes from a first to a last axis, both included."""
+        low, high = sorted(self.heights[axis] for axis in axes)
+        inside = [axis for axis in self.order if low <= self.heights[axis] <= high]
+        return [*inside, *(axis for axis in axes if axis not in inside)]
 
     def radii(self, joint: AxisJoint, ends: tuple[int, int]) -> tuple[float, float, float]:
-        """Of the first wheel, of that between, and of the second one [pt]."""
+        """Return the radii of the first gear, of an idler, and of the second gear [pt]."""
         distance = abs(self.heights[ends[0]] - self.heights[ends[1]])
         rows = self.between(ends)
         if len(rows) > 2:
@@ -52,25 +52,25 @@ class AxisRows(NamedTuple):
             distance *= 0.55
         unit = distance / (first + second + 2 * joint.idler)
         least = LEAST_RADIUS
-        one = min(max(first * unit, least), distance - least - 2 * joint.idler * unit)
+        first_radius = min(max(first * unit, least), distance - least - 2 * joint.idler * unit)
         between = joint.idler * unit
-        return one, between, distance - one - 2 * between
+        return first_radius, between, distance - first_radius - 2 * between
 
 
 def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 1.0) -> AxisRows:
-    """Rows by breadth from the axis of the input, so that few pairs pass a row between.
+    """Return rows in breadth-first order from the input axis, with few pairs that skip a row.
 
-    The input is at the top, or in the middle of countershafts; what stands on one axis is drawn
-    above it, below that at the bottom. Rows are farther apart for larger letters.
+    The input is at the top, or in the middle of countershafts. Stations are drawn above an axis,
+    but below the lowest axis. Rows are farther apart for larger letters.
     """
     count = len(axes.axes)
     idlers = dict(_idlers(count, stations))
     order = _order(count, stations, idlers)
     place = {axis: number for number, axis in enumerate(order)}
     between = [{place[first], place[second]} for first, second in idlers.values()]
-    if any(max(own) - min(own) > 1 or between.count(own) > 1 for own in between):
+    if any(max(places) - min(places) > 1 or between.count(places) > 1 for places in between):
         idlers, order = {}, _order(count, stations, {})
-    upright = {axis for one in stations if one.layout for axis in one.axes}
+    upright = {axis for station in stations if station.layout for axis in station.axes}
     is_last = {order[-1]} - upright if len(order) > 1 else set()
     sides = {axis: -1 if axis in is_last else 1 for axis in order}
     rooms = [_room(axis, stations) for axis in order[1:] if sides[axis] == 1]
@@ -85,33 +85,33 @@ def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 
 def _order(
     count: int, stations: Sequence[Station], idlers: Mapping[int, tuple[int, int]]
 ) -> tuple[int, ...]:
-    """Axes from top to bottom, without those of idlers."""
-    ends = [tuple(one.axes) for one in stations if one.kind == "pair"]
+    ends = [tuple(station.axes) for station in stations if station.kind == "pair"]
     ends = [pair for pair in ends if not set(pair) & idlers.keys()] + list(idlers.values())
     rows = [axis for axis in range(count) if axis not in idlers]
-    return min(_orders(rows), key=lambda one: _cost(one, ends))
+    return min(_orders(rows), key=lambda order: _cost(order, ends))
 
 
 def _room(axis: int, stations: Sequence[Station]) -> float:
-    """Height of what stands above an axis [pt]."""
-    halves = [glyph.half for one in stations if axis in one.axes for glyph in one.glyphs]
+    halves = [
+        glyph.half for station in stations if axis in station.axes for glyph in station.glyphs
+    ]
     sets = 2 * max(halves) + SIGNS if halves else SIGNS
-    return max([sets, *(one.reach[1] for one in stations if axis in one.axes)])
+    return max([sets, *(station.reach[1] for station in stations if axis in station.axes)])
 
 
 def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[int, int]]]:
-    """Axes that do nothing but turn a direction round, and the two axes beside each."""
-    found: list[tuple[int, tuple[int, int]]] = []
+    """Return axes that only reverse a direction of rotation, each with the neighbouring axes."""
+    idlers: list[tuple[int, tuple[int, int]]] = []
     for axis in range(1, count):
-        own = [one for one in stations if axis in one.axes]
-        others = {other for one in own for other in one.axes} - {axis}
-        if [one.kind for one in own] == ["pair", "pair"] and len(others) == 2:
-            links = {link for one in own for link in one.links}
+        stations_here = [station for station in stations if axis in station.axes]
+        others = {other for station in stations_here for other in station.axes} - {axis}
+        if [station.kind for station in stations_here] == ["pair", "pair"] and len(others) == 2:
+            links = {link for station in stations_here for link in station.links}
             if len(links) == 3:
                 first, second = sorted(others)
-                found.append((axis, (first, second)))
-    used = [other for _, pair in found for other in pair]
-    return [one for one in found if one[0] not in used]
+                idlers.append((axis, (first, second)))
+    used = [neighbour for _, pair in idlers for neighbour in pair]
+    return [idler for idler in idlers if idler[0] not in used]
 
 
 def _orders(rows: Sequence[int]) -> list[tuple[int, ...]]:
@@ -119,6 +119,6 @@ def _orders(rows: Sequence[int]) -> list[tuple[int, ...]]:
 
 
 def _cost(order: Sequence[int], ends: Sequence[Sequence[int]]) -> tuple[int, list[int]]:
-    """Rows that pairs pass, then how far the order is from that by breadth."""
+    """Return the number of rows that pairs skip, then the distance from breadth-first order."""
     place = {axis: number for number, axis in enumerate(order)}
-    return sum(abs(place[one] - place[other]) - 1 for one, other in ends), list(order)
+    return sum(abs(place[first] - place[second]) - 1 for first, second in ends), list(order)

@@ -1,4 +1,7 @@
-"""The order of the stations: few crossings, short hollow shafts, clutch first, output last."""
+"""Search for the order of the stations.
+
+Good orders have few crossings, short hollow shafts, the clutch first and the output last.
+"""
 
 from __future__ import annotations
 
@@ -13,52 +16,52 @@ from vstatics.pictures.schemes.axes.stations import Station
 from vstatics.pictures.schemes.axes.wires import EPSILON, crossings, link_lines, overlaps
 
 CROSSING, HOLLOW, DRUM = 150.0, 1.5, 1.3
-"""What a crossing costs, and a length of a hollow shaft, or of a drum, over one of a shaft."""
+"""Costs of a crossing, and of hollow shafts and drums per length. [-, 1/pt, 1/pt]"""
 NEIGHBOURS = 90.0
-"""What it is worth that two clutches are on one hub."""
+"""Gain of two clutches on a common hub."""
 LAST = 0.4
-"""What a length costs from a final drive to the right end. [1/pt]"""
-FIRST = 80.0
-"""What a station costs that is on the left of the clutch of the input."""
+"""Cost of the distance from a final drive to the right end. [1/pt]"""
+LEFT_OF_INPUT = 80.0
+"""Cost of a station to the left of the input clutch."""
 THROUGH = 300.0
-"""What a shaft costs that runs through a differential of which it is no part."""
-MOST_PASSES = 30
+"""Cost of a shaft through a differential without connection."""
+MOST_IMPROVEMENTS = 30
+"""Largest number of passes over all steps."""
 Step = Callable[[StationOrder], Iterator[StationOrder]]
 
 
 def arranged(board: AxesBoard) -> AxesPlaces:
-    """The best places found: single steps, each the best for its station, until none is better.
+    """Return the best positions, by single steps until no step is an improvement.
 
-    Nothing is by chance, so a case always looks the same.
+    The search is not random, so a case always looks alike.
     """
     best = None
     for start in starts(board):
-        found = _improved(board, start)
-        if best is None or found[0] < best[0]:
-            best = found
+        improved = _improved(board, start)
+        if best is None or improved[0] < best[0]:
+            best = improved
     assert best is not None  # noqa: S101 - there is a start
     return best[1]
 
 
 def _improved(board: AxesBoard, start: StationOrder) -> tuple[float, AxesPlaces]:
-    """The end of a walk downhill."""
-    found = places(board, start)
-    cost = cost_of(found)
-    for _ in range(MOST_PASSES):
+    """Return cost and positions at the end of a descent."""
+    placing = places(board, start)
+    cost = cost_of(placing)
+    for _ in range(MOST_IMPROVEMENTS):
         before = cost
         for steps in _steps(board):
-            for step in steps(found.chosen):
-                other = places(board, step)
-                value = cost_of(other, cost)
+            for step in steps(placing.chosen):
+                candidate = places(board, step)
+                value = cost_of(candidate, cost)
                 if value < cost - 1e-9:
-                    cost, found = value, other
+                    cost, placing = value, candidate
         if cost == before:
             break
-    return cost, found
+    return cost, placing
 
 
 def _steps(board: AxesBoard) -> Iterator[Step]:
-    """All kinds of steps."""
     count = len(board.stations)
     for index in range(count):
         yield partial(_moved, board, index=index, length=1)
@@ -73,18 +76,23 @@ def _steps(board: AxesBoard) -> Iterator[Step]:
 def _moved(
     board: AxesBoard, chosen: StationOrder, *, index: int, length: int
 ) -> Iterator[StationOrder]:
-    """Some groups to all places that differ in a row, forward and backward."""
+    """Yield orders with some groups at all places that differ in a row, in both directions."""
     at = next(n for n, group in enumerate(chosen.groups) if index in group)
     if index != chosen.groups[at][0] or at + length > len(chosen.groups):
         return
-    block, rest = chosen.groups[at : at + length], chosen.groups[:at] + chosen.groups[at + length :]
+    block, remaining = (
+        chosen.groups[at : at + length],
+        chosen.groups[:at] + chosen.groups[at + length :],
+    )
     backward = tuple(group[::-1] for group in reversed(block))
-    for place in range(len(rest) + 1):
-        before = rest[place - 1] if place else ()
-        if place and all(board.apart[one, n] for group in block for one in group for n in before):
+    for place in range(len(remaining) + 1):
+        before = remaining[place - 1] if place else ()
+        if place and all(
+            board.apart[moved, n] for group in block for moved in group for n in before
+        ):
             continue
-        for own in (block, backward) if backward != block else (block,):
-            yield chosen._replace(groups=(*rest[:place], *own, *rest[place:]))
+        for moved in (block, backward) if backward != block else (block,):
+            yield chosen._replace(groups=(*remaining[:place], *moved, *remaining[place:]))
 
 
 def _turned(board: AxesBoard, chosen: StationOrder, *, index: int) -> Iterator[StationOrder]:
@@ -94,89 +102,93 @@ def _turned(board: AxesBoard, chosen: StationOrder, *, index: int) -> Iterator[S
 
 
 def _rerouted(board: AxesBoard, chosen: StationOrder) -> Iterator[StationOrder]:
-    """Links as drums or as shafts, ports at the other end of their rows."""
+    """Yield orders with links as drums or as shafts, or ports at the far end of a row."""
     for link in board.axis_of:
         if link in board.may_be_drums:
-            other = chosen._replace(drums=chosen.drums ^ {link})
-            yield other
-            for index, one in enumerate(board.stations):
-                if one.kind == "set" and link in one.links:
-                    yield from _turned(board, other, index=index)
+            rerouted = chosen._replace(drums=chosen.drums ^ {link})
+            yield rerouted
+            for index, station in enumerate(board.stations):
+                if station.kind == "set" and link in station.links:
+                    yield from _turned(board, rerouted, index=index)
     for port in board.ports:
         if port.role != "input":
             yield chosen._replace(rightward=chosen.rightward ^ {port.link})
 
 
-def cost_of(found: AxesPlaces, limit: float = float("inf")) -> float:
-    """Of places: what is wanted least is dearest."""
-    board = found.board
-    value = 2 * max(found.xs)
+def cost_of(placing: AxesPlaces, limit: float = float("inf")) -> float:
+    """Return the cost of positions, or a lower bound above a limit."""
+    board = placing.board
+    value = 2 * max(placing.xs)
     wheeled = board.wheels
-    for link, span in found.spans.items():
+    for link, span in placing.spans.items():
         long = span.right - span.left
         value += 0.5 * long
         if span.level > 0:
             value += HOLLOW * long
         elif span.level < 0:
             value += DRUM * long + 30
-            value += 1e3 * (link in wheeled and not board.set_halves[found.axis_of(link)])
-    value += sum(20.0 for port in board.ports if _is_turned(found, port.link, port.role))
-    value -= NEIGHBOURS * _shared_hubs(found)
-    value += _misplaced(found)
-    order = found.chosen.order
-    value += 0.02 * sum(one > other for one, other in pairwise(order))
+            value += 1e3 * (link in wheeled and not board.set_halves[placing.axis_of(link)])
+    value += sum(20.0 for port in board.ports if _is_turned(placing, port.link, port.role))
+    value -= NEIGHBOURS * _shared_hubs(placing)
+    value += _misplaced(placing)
+    order = placing.chosen.order
+    value += 0.02 * sum(left > right for left, right in pairwise(order))
     if value > limit:
         return value
-    lines = link_lines(found)
+    lines = link_lines(placing)
     return value + CROSSING * (len(crossings(lines)) + 3 * overlaps(lines))
 
 
-def _misplaced(found: AxesPlaces) -> float:
-    """How far the final drive is from the right end, the clutch of the input from the left."""
-    board, value, right = found.board, 0.0, max(found.xs)
-    for x, one in zip(found.xs, board.stations, strict=True):
-        if one.kind == "pair" and board.rim & {*one.axes}:
-            before = {*one.axes} - board.rim
-            own = [n for n, other in enumerate(board.stations) if {*other.axes} & before]
-            value += LAST * (right - x) + FIRST * sum(found.xs[n] > x for n in own)
-        elif one.kind == "section":
-            value += THROUGH * len(list(passing(found, one, x)))
-        elif one.kind == "differential":
-            axis = one.axes[0]
-            own_axis = [link for link in found.spans if found.axis_of(link) == axis]
-            spans = [found.spans[link] for link in own_axis if link != one.links[2]]
+def _misplaced(placing: AxesPlaces) -> float:
+    """Return the cost of a final drive or an input clutch away from the ends.
+
+    Links that pass through half-sections and differentials also count.
+    """
+    board, value, right = placing.board, 0.0, max(placing.xs)
+    for x, station in zip(placing.xs, board.stations, strict=True):
+        if station.kind == "pair" and board.rim & {*station.axes}:
+            before = {*station.axes} - board.rim
+            earlier = [n for n, station in enumerate(board.stations) if {*station.axes} & before]
+            value += LAST * (right - x) + LEFT_OF_INPUT * sum(placing.xs[n] > x for n in earlier)
+        elif station.kind == "section":
+            value += THROUGH * len(list(passing(placing, station, x)))
+        elif station.kind == "differential":
+            axis = station.axes[0]
+            own_axis = [link for link in placing.spans if placing.axis_of(link) == axis]
+            spans = [placing.spans[link] for link in own_axis if link != station.links[2]]
             through = (span.level >= 0 and span.left < x < span.right for span in spans)
             value += THROUGH * sum(through)
-        elif board.entry & {*one.links}:
-            own = [n for n, other in enumerate(board.stations) if {*other.axes} & {*one.axes}]
-            value += FIRST * sum(found.xs[n] < x for n in own)
+        elif board.entry & {*station.links}:
+            earlier = [
+                n for n, station in enumerate(board.stations) if {*station.axes} & {*station.axes}
+            ]
+            value += LEFT_OF_INPUT * sum(placing.xs[n] < x for n in earlier)
     return value
 
 
-def passing(found: AxesPlaces, section: Station, x: float) -> Iterator[int]:
-    """Links that would pass through a half-section from one side of it to the other."""
+def passing(placing: AxesPlaces, section: Station, x: float) -> Iterator[int]:
+    """Yield the links that would pass through a half-section from side to side."""
     left, right = x - section.half + EPSILON, x + section.half - EPSILON
-    for link, span in found.spans.items():
-        if found.axis_of(link) == section.axes[0] and span.left < right and span.right > left:
+    for link, span in placing.spans.items():
+        if placing.axis_of(link) == section.axes[0] and span.left < right and span.right > left:
             yield link
 
 
-def _is_turned(found: AxesPlaces, link: int, role: str) -> bool:
-    """Whether the output leaves at the left."""
-    return role == "output" and link not in found.chosen.rightward
+def _is_turned(placing: AxesPlaces, link: int, role: str) -> bool:
+    return role == "output" and link not in placing.chosen.rightward
 
 
-def _shared_hubs(found: AxesPlaces) -> int:
-    """How often two clutches stand on one hub between the wheels that they join to it."""
-    board, count = found.board, 0
+def _shared_hubs(placing: AxesPlaces) -> int:
+    """Return the number of neighbouring clutches on a common hub between gears."""
+    board, count = placing.board, 0
     for axis in range(len(board.axes.axes)):
         row = [
             n
-            for n in sorted(range(len(found.xs)), key=lambda n: found.xs[n])
+            for n in sorted(range(len(placing.xs)), key=lambda n: placing.xs[n])
             if axis in board.stations[n].axes
         ]
-        for one, other in pairwise(row):
-            both = board.stations[one], board.stations[other]
+        for left, right in pairwise(row):
+            both = board.stations[left], board.stations[right]
             if both[0].kind == both[1].kind == "coupling":
                 count += bool(set(both[0].links) & set(both[1].links))
     return count

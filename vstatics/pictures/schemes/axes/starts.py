@@ -1,4 +1,4 @@
-"""Orders of the stations from which a better one is sought."""
+"""Initial orders of the stations for the search."""
 
 from __future__ import annotations
 
@@ -7,80 +7,91 @@ from collections.abc import Iterator, Mapping, Sequence
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
 
 IN_CHAINS = frozenset({"coupling", "pair"})
-"""Stations that stand in chains."""
+"""Kinds of stations in chains."""
 
 
 def starts(board: AxesBoard) -> Iterator[StationOrder]:
-    """From shaft to shaft; in small boxes also in the order of the case."""
+    """Yield an order from shaft to shaft, and in small boxes also the order of the case."""
     count = len(board.stations)
     ways = (0,) * count
     right = frozenset(port.link for port in board.ports if port.role != "input")
     by_links = _by_links(board)
     roles: dict[int, set[str]] = {}
-    for one in board.stations:
-        for tap in one.glyphs[0].taps if one.glyphs else ():
+    for station in board.stations:
+        for tap in station.glyphs[0].taps if station.glyphs else ():
             roles.setdefault(tap.wire, set()).add(tap.label)
-    drums = {link for link, own in roles.items() if len(own) > 1 and "ring" in own}
+    drums = {link for link, labels in roles.items() if len(labels) > 1 and "ring" in labels}
     orders = [_by_hubs(board, by_links), by_links, [*range(count)]]
     for order in orders[: 1 if drums else 3]:
         yield StationOrder(groups_of(board, order), ways, frozenset(), right)
     if drums:
-        own = frozenset(drums & board.may_be_drums)
-        yield StationOrder(groups_of(board, orders[2]), ways, own, right)
+        allowed = frozenset(drums & board.may_be_drums)
+        yield StationOrder(groups_of(board, orders[2]), ways, allowed, right)
 
 
 def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], ...]:
-    """What stands in a chain keeps together: dampers in line, an idle wheel with its clutch."""
-    beside: dict[int, list[int]] = {index: [] for index in order}
+    """Return the groups of stations in chains, such as dampers in line.
+
+    An idle gear is in a group with the clutch.
+    """
+    neighbours: dict[int, list[int]] = {index: [] for index in order}
     group = {index: index for index in order}
     ends = {port.link for port in board.ports}
     for link in board.axis_of:
-        own = [index for index in order if link in board.stations[index].links]
-        kinds = {board.stations[index].kind for index in own}
-        if len(own) != 2 or link in ends or "coupling" not in kinds or not kinds <= IN_CHAINS:
+        connected = [index for index in order if link in board.stations[index].links]
+        kinds = {board.stations[index].kind for index in connected}
+        if len(connected) != 2 or link in ends or "coupling" not in kinds or not kinds <= IN_CHAINS:
             continue
-        one, other = own
-        free = all(len(beside[n]) < (1 if board.stations[n].kind == "pair" else 2) for n in own)
-        if free and group[one] != group[other] and link not in board.cages:
-            beside[one].append(other)
-            beside[other].append(one)
-            group = {n: group[one] if g == group[other] else g for n, g in group.items()}
-    found: list[tuple[int, ...]] = []
+        first, second = connected
+        free = all(
+            len(neighbours[n]) < (1 if board.stations[n].kind == "pair" else 2) for n in connected
+        )
+        if free and group[first] != group[second] and link not in board.cages:
+            neighbours[first].append(second)
+            neighbours[second].append(first)
+            group = {n: group[first] if g == group[second] else g for n, g in group.items()}
+    groups: list[tuple[int, ...]] = []
     used: set[int] = set()
     for index in order:
         if index not in used:
-            chain = _chain(index, beside)
-            places = [order.index(one) for one in chain]
-            found.append(chain if places[0] <= places[-1] else chain[::-1])
+            chain = _chain(index, neighbours)
+            places = [order.index(first) for first in chain]
+            groups.append(chain if places[0] <= places[-1] else chain[::-1])
             used |= {*chain}
-    return tuple(found)
+    return tuple(groups)
 
 
-def _chain(index: int, beside: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
-    """All of a chain, from one of its ends."""
+def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
+    """Return all stations of a chain, from an end."""
     before, at = -1, index
-    while ahead := [one for one in beside[at] if one != before]:  # to its end, then back
+    while ahead := [
+        neighbour for neighbour in neighbours[at] if neighbour != before
+    ]:  # to its end, then back
         before, at = at, ahead[0]
     chain = [at]
-    while ahead := [one for one in beside[chain[-1]] if one not in chain]:
+    while ahead := [neighbour for neighbour in neighbours[chain[-1]] if neighbour not in chain]:
         chain.append(ahead[0])
     return tuple(chain)
 
 
 def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
-    """Wheels of one shaft together, the clutches of two idle ones between them."""
+    """Return an order with the gears of a shaft together, and clutches between idle gears."""
     clutch: dict[int, int] = {}
-    for index, one in enumerate(board.stations):
-        for link in one.links if one.kind == "coupling" else ():
+    for index, station in enumerate(board.stations):
+        for link in station.links if station.kind == "coupling" else ():
             if link in board.idle:
                 clutch.setdefault(link, index)
     groups: dict[object, list[tuple[int, int]]] = {}
     for index in order:
-        one = board.stations[index]
-        own = [link for link in one.links if link in clutch] if one.kind == "pair" else []
-        if len(own) == 1:
-            (fixed,) = {*one.links} - {*own}
-            groups.setdefault((fixed, board.idle[own[0]]), []).append((index, clutch[own[0]]))
+        station = board.stations[index]
+        idle_links = (
+            [link for link in station.links if link in clutch] if station.kind == "pair" else []
+        )
+        if len(idle_links) == 1:
+            (fixed,) = {*station.links} - {*idle_links}
+            groups.setdefault((fixed, board.idle[idle_links[0]]), []).append(
+                (index, clutch[idle_links[0]])
+            )
     blocks = {}
     for wheels in groups.values():
         block: list[int] = []
@@ -88,19 +99,19 @@ def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
             block += [dog, wheel] if place % 2 else [wheel, dog]
         blocks[wheels[0][0]] = block
     used = {index for block in blocks.values() for index in block}
-    found: list[int] = []
+    hub_order: list[int] = []
     for index in order:
-        found += blocks.get(index, [index] if index not in used else [])
-    return list(dict.fromkeys(found))
+        hub_order += blocks.get(index, [index] if index not in used else [])
+    return list(dict.fromkeys(hub_order))
 
 
 def _by_links(board: AxesBoard) -> list[int]:
-    """Stations by breadth from the input."""
+    """Return the stations in breadth-first order from the input."""
     links = [port.link for port in board.ports if port.role == "input"]
     order: list[int] = []
     for link in links:
-        for index, one in enumerate(board.stations):
-            if link in one.links and index not in order:
+        for index, station in enumerate(board.stations):
+            if link in station.links and index not in order:
                 order.append(index)
-                links += [other for other in one.links if other not in links]
+                links += [link_ahead for link_ahead in station.links if link_ahead not in links]
     return [*order, *(n for n in range(len(board.stations)) if n not in order)]

@@ -1,4 +1,4 @@
-"""What stands on the axes: pairs of wheels, sets, differentials, clutches, brakes, springs."""
+"""Stations on the axes: gear pairs, gear sets, differentials, clutches, brakes, springs."""
 
 from __future__ import annotations
 
@@ -22,50 +22,51 @@ from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
 
 SIGN = 16.0
-"""Length of a sleeve or a pack of plates with what leads to it. [pt]"""
+"""Length of a sleeve or a pack of plates with connections. [pt]"""
 SPRING = 24.0
+"""Length of a spring with connections. [pt]"""
 PACK_PITCH = 24.0
-"""From pack to pack in one drum. [pt]"""
+"""Distance between packs of plates in a drum. [pt]"""
 WHEEL = 5.0
-"""Half the width of a wheel. [pt]"""
+"""Half the width of a gear. [pt]"""
 PIN = 7.0
-"""Half of what a link takes of the width of a box. [pt]"""
+"""Half the width of a box per link. [pt]"""
 CAGE = 15.0
 """Half the width of a differential. [pt]"""
 BEARING = 9.0
-"""From a crown wheel to the bearing of its casing. [pt]"""
+"""Distance from a crown gear to the bearing of the casing. [pt]"""
 
 
 class Station(NamedTuple):
-    """Something at one place along the axes."""
+    """Part of a diagram at a position along the axes."""
 
     kind: str
     """``pair``, ``coupling``, ``brake``, ``drum``, ``set``, ``differential``, ``box``, or
     ``section`` of several sets."""
     devices: Sequence[int]
-    """By their places in `Scheme.devices`; of a drum those of its clutches."""
+    """Places of the components in `Scheme.devices`, for a drum of the clutches."""
     axes: Sequence[int]
-    """On which it stands: both of a pair."""
+    """Axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """That it joins; of a pair by its wheels, of a drum that of the drum first, of a half-section
-    those that go on to its left and to its right."""
+    """Connected links: of a pair by gears, of a drum with the drum first, of a half-section to the
+    left and to the right."""
     half: float
-    """Half its width. [pt]"""
+    """Half the width. [pt]"""
     names: Sequence[str] = ()
-    """Of its devices, in lines of text."""
+    """Names of the components, in lines of text."""
     joint: AxisJoint | None = None
     glyphs: Sequence[Glyph] = ()
-    """All ways to draw a set."""
+    """Variants of a gear set."""
     is_shifted: bool = False
-    """Whether a clutch joins its links, not a spring."""
+    """True if a clutch connects the links, False for a spring."""
     teeth: Sequence[str] = ()
-    """Of the two wheels of a pair, if they are shown."""
+    """Tooth numbers of a gear pair, empty if not shown."""
     layout: CoaxialLayout | None = None
-    """Of a half-section."""
+    """Layout of a half-section."""
 
     @property
     def reach(self) -> tuple[float, float]:
-        """From its axis down and up to the ends of a half-section; 0 of anything else [pt]."""
+        """Distances from the axis down and up to the ends of a half-section, else 0 [pt]."""
         if self.layout is None:
             return 0.0, 0.0
         (_, low), (_, high) = extent(self.layout)
@@ -73,7 +74,7 @@ class Station(NamedTuple):
 
     @property
     def has_two_sides(self) -> bool:
-        """Whether it stands between two links."""
+        """True for a station between two links."""
         return self.kind in ("coupling", "box") and len(self.links) == 2
 
 
@@ -84,11 +85,11 @@ def stations_of(
     letters: int = 12,
     sections: Sequence[CoaxialLayout] = (),
 ) -> list[Station]:
-    """All stations of a box, in the order of its devices; longer names are broken."""
+    """Return the stations of a box in the order of the components, with long names broken."""
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
-    found = [_section(layout, axes) for layout in sections]
-    inside = {index for one in found for index in one.devices}
+    stations = [_section(layout, axes) for layout in sections]
+    inside = {index for section in stations for index in section.devices}
     for index, device in enumerate(scheme.devices):
         if index in inside:
             continue
@@ -97,46 +98,45 @@ def stations_of(
             joint = joints[index]
             rows = axes.of(joint.first), axes.of(joint.second)
             half = WHEEL + BEARING * bool(joint.frame)
-            one = Station("pair", (index,), rows, joint.links, half, names, joint)
-            found.append(one._replace(teeth=_pair_teeth(device, style)))
+            pair = Station("pair", (index,), rows, joint.links, half, names, joint)
+            stations.append(pair._replace(teeth=_pair_teeth(device, style)))
         elif index in drum[:1]:
-            found.append(_drum(scheme, drum, axes))
+            stations.append(_drum(scheme, drum, axes))
         elif index not in drum:
             row = axes.of(next(iter(device.links)))
-            found.append(_alone(index, device, row, names, style))
-    return list(_stacked(found))
+            stations.append(_alone(index, device, row, names, style))
+    return list(_stacked(stations))
 
 
 def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
-    own, (left, right) = layout.own, ends_of(layout)
-    links, row = (own.train.start, own.train.end), axes.of(own.train.start)
-    return Station("section", own.devices, (row,), links, (right - left) / 2, layout=layout)
+    coaxial, (left, right) = layout.coaxial, ends_of(layout)
+    links, row = (coaxial.train.start, coaxial.train.end), axes.of(coaxial.train.start)
+    return Station("section", coaxial.devices, (row,), links, (right - left) / 2, layout=layout)
 
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
-    """What joins the same two links stands at one place, one above the other."""
+    """Yield the stations, with couplings between equal links stacked at a common position."""
     taken: set[int] = set()
-    for place, one in enumerate(stations):
+    for place, station in enumerate(stations):
         if place in taken:
             continue
-        if one.kind == "coupling":
+        if station.kind == "coupling":
             alike = [
                 number
-                for number, other in enumerate(stations)
-                if other.kind == one.kind and {*other.links} == {*one.links}
+                for number, coupling in enumerate(stations)
+                if coupling.kind == station.kind and {*coupling.links} == {*station.links}
             ]
             taken |= {*alike}
-            own = [stations[number] for number in alike]
-            devices = [index for other in own for index in other.devices]
-            names = [name for other in own for name in other.names]
-            half = max(other.half for other in own)
-            yield one._replace(devices=devices, names=names, half=half)
+            couplings = [stations[number] for number in alike]
+            devices = [index for coupling in couplings for index in coupling.devices]
+            names = [name for coupling in couplings for name in coupling.names]
+            half = max(coupling.half for coupling in couplings)
+            yield station._replace(devices=devices, names=names, half=half)
         else:
-            yield one
+            yield station
 
 
 def _alone(index: int, device: Device, row: int, names: Sequence[str], style: Style) -> Station:
-    """What stands on one axis."""
     links = [link for link in device.members.values() if link]
     if device.is_on_housing:
         names = [] if device.kind == "held" else names
@@ -156,25 +156,24 @@ def _alone(index: int, device: Device, row: int, names: Sequence[str], style: St
 
 
 def _pair_teeth(device: Device, style: Style) -> list[str]:
-    """Of its first wheel and of its last one."""
     if not style.wheels or device.element is None:
         return []
     first, *_, last = device.element.shape.toothed
-    return [typeset(f"{device.element.teeth[one]:g}") for one in (first, last)]
+    return [typeset(f"{device.element.teeth[gear]:g}") for gear in (first, last)]
 
 
 def box_note(device: Device, style: Style) -> str:
-    """What stands in a box whose wheels are not known."""
+    """Return the text in a box of a component without known gears."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
 
 
 def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """All ways to draw a planetary set with its carrier; none of what is no set."""
+    """Return the variants of a planetary gear set with the carrier, empty without a gear set."""
     if device.element is not None:
         if not isinstance(device.element.shape, Planetary):
             return []
         counts = teeth_of(device.element) if style.wheels else {}
-        named = {one: f"{count:g}" for one, count in counts.items()}
+        named = {gear: f"{count:g}" for gear, count in counts.items()}
         return set_glyphs(group_of(device.element), named)
     if device.kind != "mechanism" or "third" not in device.members:
         return []
@@ -183,7 +182,7 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
 
 
 def drum_of(scheme: Scheme) -> list[int]:
-    """Clutches whose packs are in one drum on the side of the input: those of a dual clutch.
+    """Return the clutches with packs in a common drum on the input side, as of a dual clutch.
 
     >>> from vstatics.pictures.schemes.scheme import SchemePort
     >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]
@@ -193,12 +192,12 @@ def drum_of(scheme: Scheme) -> list[int]:
     at = next(port.link for port in scheme.ports if port.role == "input")
     seen = {at}
     while True:
-        if any(at in one.links for one in scheme.devices if not one.is_coupling):
+        if any(at in device.links for device in scheme.devices if not device.is_coupling):
             return []
         ahead = [
             index
-            for index, one in enumerate(scheme.devices)
-            if at in one.links and not one.is_on_housing and not one.links <= seen
+            for index, device in enumerate(scheme.devices)
+            if at in device.links and not device.is_on_housing and not device.links <= seen
         ]
         if len(ahead) != 1:
             break
@@ -212,12 +211,12 @@ def drum_of(scheme: Scheme) -> list[int]:
 def _drum(scheme: Scheme, drum: Sequence[int], axes: ParallelAxes) -> Station:
     links = [scheme.devices[index].links for index in drum]
     (common,) = set.intersection(*links)
-    others = [next(iter(own - {common})) for own in links]
+    others = [next(iter(clutch_links - {common})) for clutch_links in links]
     half = PACK_PITCH * len(drum) / 2 + 2
     names = [lines_of(scheme.devices[index].name, 4) for index in drum]
     return Station("drum", drum, (axes.of(common),), (common, *others), half, names)
 
 
 def taps_of(glyph: Glyph) -> Iterator[Tap]:
-    """Where wires meet a set."""
+    """Yield the points where wires meet a gear set."""
     return (tap for tap in glyph.taps if tap.reach != "none" and tap.side in (ABOVE, BELOW))

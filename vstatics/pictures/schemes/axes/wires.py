@@ -1,4 +1,4 @@
-"""The lines of links: level ones along the axes, upright ones to what stands on them."""
+"""Lines of links: horizontal lines along the axes, upright lines to the stations."""
 
 from __future__ import annotations
 
@@ -12,170 +12,186 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import Station
 
 STACK = 27.0
-"""From sign to sign that join the same links. [pt]"""
+"""Distance between symbols that connect equal links. [pt]"""
 TOO_NEAR = 2.5
-"""Upright lines that are nearer look like one. [pt]"""
+"""Distance below which upright lines look like a single line. [pt]"""
 EPSILON = 0.01
-"""Lines that are nearer touch. [pt]"""
+"""Distance below which lines touch. [pt]"""
 
 
 class LinkLines(NamedTuple):
-    """The lines of a link."""
+    """Lines of a link."""
 
     level: Segment
-    """Along its axis."""
+    """Line along the axis."""
     upright: list[tuple[int, list[Point]]]
-    """Devices, and the line to each from the one along the axis."""
+    """Components, each with the path from the line along the axis."""
 
 
 class WireCrossing(NamedTuple):
-    """Where the lines of two links meet."""
+    """Crossing of the lines of two links."""
 
     at: Point
     upright: int
-    """The link of the upright line."""
+    """Link of the upright line."""
     level: int
+    """Link of the horizontal line."""
 
 
-def link_lines(found: AxesPlaces) -> dict[int, LinkLines]:
-    """All lines of each link, by its number."""
+def link_lines(placing: AxesPlaces) -> dict[int, LinkLines]:
+    """Return the lines of each link."""
     lines: dict[int, LinkLines] = {}
-    for link, span in found.spans.items():
-        y = found.y(found.axis_of(link), span.height)
+    for link, span in placing.spans.items():
+        y = placing.y(placing.axis_of(link), span.height)
         lines[link] = LinkLines(((span.left, y), (span.right, y)), [])
-    for contact in found.contacts:
-        path = path_of(found, contact)
+    for contact in placing.contacts:
+        path = path_of(placing, contact)
         if path:
             lines[contact.link].upright.append((contact.device, path))
     return lines
 
 
-def path_of(found: AxesPlaces, contact: AxisContact) -> list[Point]:
-    """From the line along an axis to the device; none where that stands on it."""
-    axis, span = found.axis_of(contact.link), found.spans[contact.link]
+def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
+    """Return the path from the line along an axis to a component, empty on the line."""
+    axis, span = placing.axis_of(contact.link), placing.spans[contact.link]
     height, x = span.height, contact.x
     if contact.kind == "wheel":
         ends = [(x, contact.end)]
     elif contact.kind == "set":
-        middle = found.sign_height(axis) + contact.end
+        middle = placing.sign_height(axis) + contact.end
         ends = [(x, middle)]
         if contact.way_round:
             ends.append((x + contact.way_round, middle))
     elif contact.kind == "port":
-        ends = [(x, found.port_height(contact.link))]
+        ends = [(x, placing.port_height(contact.link))]
     elif contact.kind == "sign":
-        ends = [(x, sign_height(found, contact.device))]
+        ends = [(x, sign_height(placing, contact.device))]
     else:
         return []
     if abs(ends[0][1] - height) < EPSILON and len(ends) == 1:
         return []
-    return [(x, found.y(axis, height)), *((at, found.y(axis, one)) for at, one in ends)]
+    return [
+        (x, placing.y(axis, height)),
+        *((at, placing.y(axis, end_height)) for at, end_height in ends),
+    ]
 
 
-def branches(found: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
-    """Where a link branches, and the device to which: not at wheels on its shaft."""
+def branches(placing: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
+    """Yield the points where a link branches, with the component, except at gears on a shaft."""
     (left, level), (right, _) = lines.level
     wheeled = {
-        one.device
-        for one in found.contacts
-        if one.link == link and one.kind in ("wheel", "bar") and found.spans[link].level >= 0
+        contact.device
+        for contact in placing.contacts
+        if contact.link == link
+        and contact.kind in ("wheel", "bar")
+        and placing.spans[link].level >= 0
     }
     paths = [(device, path) for device, path in lines.upright if device not in wheeled]
     for place, (device, path) in enumerate(paths):
         (x, _), (end_x, end) = path[0], path[-1]
         if left + EPSILON < x < right - EPSILON:
             yield device, (x, level)
-        for number, (_, other) in enumerate(paths):
-            low, high = sorted((other[0][1], other[-1][1]))
-            if number != place and other[0][0] == end_x and low + EPSILON < end < high - EPSILON:
+        for number, (_, branch_path) in enumerate(paths):
+            low, high = sorted((branch_path[0][1], branch_path[-1][1]))
+            if (
+                number != place
+                and branch_path[0][0] == end_x
+                and low + EPSILON < end < high - EPSILON
+            ):
                 yield device, (end_x, end)
 
 
-def sign_height(found: AxesPlaces, device: int) -> float:
-    """Of the middle of a sign over its axis [pt]; 0 where it joins two shafts end to end."""
-    station = found.board.station_of[device]
+def sign_height(placing: AxesPlaces, device: int) -> float:
+    """Return the height of the middle of a symbol above the axis [pt].
+
+    The height is 0 for a symbol that connects two shafts end to end.
+    """
+    station = placing.board.station_of[device]
     (axis, *_) = station.axes
-    levels = [found.spans[link].level for link in station.links]
+    levels = [placing.spans[link].level for link in station.links]
     if station.kind == "brake":
-        return _brake_height(found, station, device)
+        return _brake_height(placing, station, device)
     place = list(station.devices).index(device) if station.kind == "coupling" else 0
     if station.has_two_sides and levels == [0, 0] and len(station.devices) == 1:
         return 0.0
-    return found.sign_height(axis) + STACK * place
+    return placing.sign_height(axis) + STACK * place
 
 
-def _brake_height(found: AxesPlaces, station: Station, device: int) -> float:
-    """Of the lower end of a brake [pt]: that of a drum is outside of all drums over it."""
+def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
+    """Return the height of the lower end of a brake [pt], for a drum outside of all drums."""
     (axis,), (link,) = station.axes, station.links
-    if found.spans[link].level >= 0:
-        return found.sign_height(axis)
-    x = next(one.x for one in found.contacts if one.device == device)
+    if placing.spans[link].level >= 0:
+        return placing.sign_height(axis)
+    x = next(contact.x for contact in placing.contacts if contact.device == device)
     return max(
         span.height
-        for other, span in found.spans.items()
+        for drum, span in placing.spans.items()
         if span.level < 0
-        and found.axis_of(other) == axis
+        and placing.axis_of(drum) == axis
         and span.left - station.half < x < span.right + station.half
     )
 
 
-def wheel_crossings(found: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
-    """How often the free half of a wheel passes a link of another axis: rings are that large."""
+def wheel_crossings(placing: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
+    """Return the number of crossings of the free halves of gears with links of other axes.
+
+    Internal gears are large enough to cross links.
+    """
     count = 0
-    for number, station in enumerate(found.board.stations):
+    for number, station in enumerate(placing.board.stations):
         if station.kind != "pair":
             continue
-        bell, off = found.board.bell(number, found.chosen.ways[number])
-        for place, radius in enumerate(found.board.radii[number][::2]):
+        bell, off = placing.board.bell(number, placing.chosen.ways[number])
+        for place, radius in enumerate(placing.board.radii[number][::2]):
             axis = station.axes[place]
-            x = found.xs[number] + off * (bell == place)
-            low, high = sorted((found.y(axis, 0.0), found.y(axis, -radius)))
-            for link, own in lines.items():
-                (left, y), (right, _) = own.level
-                is_other = link not in station.links and found.axis_of(link) != axis
+            x = placing.xs[number] + off * (bell == place)
+            low, high = sorted((placing.y(axis, 0.0), placing.y(axis, -radius)))
+            for link, wires in lines.items():
+                (left, y), (right, _) = wires.level
+                is_other = link not in station.links and placing.axis_of(link) != axis
                 count += is_other and left < x < right and low < y < high
     return count
 
 
 def crossings(lines: Mapping[int, LinkLines]) -> list[WireCrossing]:
-    """Where the lines of one link pass those of another one."""
+    """Return the points where lines of two links cross."""
     return list(dict.fromkeys(_crossings(lines)))
 
 
 def _crossings(lines: Mapping[int, LinkLines]) -> Iterator[WireCrossing]:
     levels: list[tuple[float, float, float, int]] = []
     uprights: list[tuple[float, float, float, int]] = []
-    for link, own in lines.items():
-        for (x, y), (x2, y2) in _pieces(own):
+    for link, wires in lines.items():
+        for (x, y), (x2, y2) in _pieces(wires):
             if y == y2:
                 levels.append((min(x, x2) + EPSILON, max(x, x2) - EPSILON, y, link))
             else:
                 uprights.append((x, min(y, y2) + EPSILON, max(y, y2) - EPSILON, link))
     for x, low, high, link in uprights:
-        for left, right, y, other in levels:
-            if left < x < right and low < y < high and other != link:
-                yield WireCrossing((x, y), link, other)
+        for left, right, y, crossed in levels:
+            if left < x < right and low < y < high and crossed != link:
+                yield WireCrossing((x, y), link, crossed)
 
 
 def overlaps(lines: Mapping[int, LinkLines]) -> int:
-    """How often upright lines of two links run over each other."""
+    """Return the number of overlapping upright lines of two links."""
     pieces = [
         (x, *sorted((first, last)), link)
-        for link, own in lines.items()
-        for (x, first), (_, last) in _pieces(own)
+        for link, wires in lines.items()
+        for (x, first), (_, last) in _pieces(wires)
         if first != last
     ]
     pieces.sort()
     count = 0
     for place, (x, low, high, link) in enumerate(pieces):
-        for other in pieces[place + 1 :]:
-            if other[0] - x > TOO_NEAR:
+        for piece in pieces[place + 1 :]:
+            if piece[0] - x > TOO_NEAR:
                 break
-            count += other[3] != link and other[1] < high - EPSILON and other[2] > low + EPSILON
+            count += piece[3] != link and piece[1] < high - EPSILON and piece[2] > low + EPSILON
     return count
 
 
-def _pieces(own: LinkLines) -> Iterable[Segment]:
-    yield own.level
-    for _, path in own.upright:
+def _pieces(lines: LinkLines) -> Iterable[Segment]:
+    yield lines.level
+    for _, path in lines.upright:
         yield from pairwise(path)

@@ -1,7 +1,8 @@
-"""Half-sections of what turns about one axis, in which no two links cross where none need.
+"""Half-sections of components on a common axis, with links that cross only where necessary.
 
-`train` is what is joined, made of a scheme by `section`; `search` finds in which order from left to
-right it stands and what lies inside what. `layout` makes bars and uprights of this, `places` gives
-them places: of a `half_section`, with `rooms` for signs and letters, `fitting` into a width.
-`chains` stand in rows of their own before it and behind it. `drawn` draws, `picture` is all of it.
+`train` is the graph of components, created from a scheme by `section`. `search` finds the order
+from left to right and the nesting of links. `layout` converts the result to bars and uprights, and
+`places` computes the positions of a `half_section`, with `rooms` for symbols and letters, and
+`fitting` to a width. `chains` before and after the gearbox have separate rows. `drawn` draws the
+parts, `picture` the whole.
 """

@@ -1,4 +1,4 @@
-"""What stands one behind the other before a box and behind it: shafts, dampers, reductions."""
+"""Chains of shafts, dampers and reductions before and after a gearbox."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 
 
 class CoaxialChain(NamedTuple):
-    """Couplings of two links each, from left to right."""
+    """Couplings with two links each, from left to right."""
 
     links: Sequence[int]
-    """One more than there are devices."""
+    """Links of the chain, including both ends."""
     devices: Sequence[int]
-    """By their places in the scheme."""
+    """Components, by place in the scheme."""
     is_before: bool
-    """Whether it is at the input of the box."""
+    """True at the input of the gearbox."""
     ports: tuple[SchemePort, SchemePort]
-    """At its ends; those by which it goes on, too."""
+    """Ports at both ends, including continuations in further rows."""
 
     def part(self, first: int, last: int) -> CoaxialChain:
-        """Some of its devices, by their places in it; `last` is not among them."""
+        """Return the components from `first` up to, but without, `last`."""
         links, devices = self.links[first : last + 1], self.devices[first:last]
         left = SchemePort(links[0], "before") if first else self.ports[0]
         right = SchemePort(links[-1], "behind") if last < len(self.devices) else self.ports[1]
         return CoaxialChain(links, devices, self.is_before, (left, right))
 
     def broken(self, wide: Callable[[CoaxialChain], float], room: float) -> Iterator[CoaxialChain]:
-        """Parts that are no wider than a room, if one device is not [pt]."""
+        """Yield parts that are no wider than a room [pt], with at least a single component."""
         first = 0
         for last in range(1, len(self.devices) + 1):
             if last == len(self.devices) or wide(self.part(first, last + 1)) > room:
@@ -39,25 +39,25 @@ class CoaxialChain(NamedTuple):
 
 
 class ChainedScheme(NamedTuple):
-    """A scheme without what stands before it and behind it."""
+    """Scheme without the chains at input and output."""
 
     scheme: Scheme
-    """With all devices, but with ports where chains go on."""
+    """Scheme with all components, with ports where chains continue."""
     chains: Sequence[CoaxialChain]
 
     @property
     def left_out(self) -> set[int]:
-        """Devices of chains."""
+        """Components of chains."""
         return {index for chain in self.chains for index in chain.devices}
 
 
 def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
-    """A scheme of which chains at input and output are taken off.
+    """Separate the chains at input and output from a scheme.
 
     Parameters
     ----------
     others : container of int
-        Devices that are in no chain: sets.
+        Components that belong to no chain: gear sets.
 
     Examples
     --------
@@ -65,8 +65,8 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
     >>> damper = Device("damper", "spring", {"first": 1, "second": 2}, (0,))
     >>> devices = [damper, Device("P", "mechanism", {"first": 2, "second": 3, "third": 4}, (0,))]
     >>> ports = [SchemePort(1, "input"), SchemePort(4, "output")]
-    >>> found = unchained(Scheme(["engine", "sun", "ring", "carrier"], devices, ports), {1})
-    >>> found.chains[0].links, [(port.link, port.role) for port in found.scheme.ports]
+    >>> parts = unchained(Scheme(["engine", "sun", "ring", "carrier"], devices, ports), {1})
+    >>> parts.chains[0].links, [(port.link, port.role) for port in parts.scheme.ports]
     ([1, 2], [(2, 'before'), (4, 'output')])
     """
     chains: list[CoaxialChain] = []
@@ -86,7 +86,7 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
                 for index, device in enumerate(scheme.devices)
                 if index not in taken
             )
-            outputs = [one for one in scheme.ports if one.link == inner.link]
+            outputs = [other_port for other_port in scheme.ports if other_port.link == inner.link]
             last = outputs[0] if outputs and not goes_on else inner
             ends = (port, last) if is_before else (last, port)
             chains.append(CoaxialChain(links, devices, is_before, ends))
@@ -97,24 +97,28 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
 def _walk(
     scheme: Scheme, start: int, others: Container[int], taken: AbstractSet[int]
 ) -> tuple[list[int], list[int]]:
-    """Links and devices from a port, as long as one device goes on."""
+    """Return links and components from a port, as long as a single component continues."""
     ends = {port.link for port in scheme.ports} - {start}
     links, devices = [start], list[int]()
     while links[-1] not in ends:
-        own = [
+        next_devices = [
             index
             for index, device in enumerate(scheme.devices)
             if links[-1] in device.links and index not in devices and index not in taken
         ]
-        if len(own) != 1 or own[0] in others or len(scheme.devices[own[0]].links) != 2:
+        if (
+            len(next_devices) != 1
+            or next_devices[0] in others
+            or len(scheme.devices[next_devices[0]].links) != 2
+        ):
             break
-        devices.append(own[0])
-        links += scheme.devices[own[0]].links - {links[-1]}
+        devices.append(next_devices[0])
+        links += scheme.devices[next_devices[0]].links - {links[-1]}
     return links, devices
 
 
 def chained_state(state: SchemeState, chains: Sequence[CoaxialChain]) -> SchemeState:
-    """A state that says, too, whether torque passes from row to row."""
+    """Return a state with the torque between rows."""
     idle = set(state.idle_ports)
     for chain in chains:
         for port, nearest in zip(chain.ports, (chain.devices[0], chain.devices[-1]), strict=True):

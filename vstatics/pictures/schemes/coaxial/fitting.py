@@ -1,4 +1,4 @@
-"""Places of a half-section in a width: lines close up, letters stay."""
+"""Fitting of a half-section into a width: lengths shrink, letters keep their size."""
 
 from __future__ import annotations
 
@@ -14,93 +14,102 @@ from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.glyphs import DEVICE_NAME_LETTERS
 
 LEAST_HALF = 24.0
-"""Half the height of the row of planets, at least. [pt]"""
+"""Smallest half height of the row of planets. [pt]"""
 FEW_LETTERS = 5
-"""In a narrow picture longer names are broken at blanks."""
+"""Length above which names are broken at blanks in a narrow picture. [letters]"""
 NAMED = (
     (DEVICE_NAME_LETTERS, False, False),
     (FEW_LETTERS, False, False),
     (FEW_LETTERS, True, False),
     (FEW_LETTERS, True, True),
 )
-"""Letters of a line, whether links have no names, and whether wheels have their teeth alone:
-what is tried, from wide to narrow."""
-MOST_NAMED = 2.5
-"""Links and wheels have names while lengths are shorter by so much, at most; else signs are not
-seen."""
-MOST_CLOSED = 4.0
-"""Lengths are shorter by so much, at most; what is wider then is wider than its page."""
+"""Variants to try from wide to narrow: letters of a line, links without names, gears with tooth
+numbers alone."""
+MOST_SHRUNK_NAMED = 2.5
+"""Largest reduction of lengths for which links and gears are named; below, symbols vanish. [-]"""
+MOST_SHRUNK = 4.0
+"""Largest reduction of lengths; wider pictures exceed the width of the page. [-]"""
 FITS, SLOW_FITS = 16, 5
-"""Times that lines are closed up, at most; after so many by more each time."""
+"""Largest number of reductions, and number after which the steps grow."""
 LEAST_STEP = 1.01
-"""What they close up by, at least."""
+"""Smallest factor of a reduction. [-]"""
 CLOSEST = 1.6
-"""Lengths are shorter by so much, at most, where something can stand in another row."""
+"""Largest reduction of lengths if components can move to further rows. [-]"""
 ROUNDED = 0.1
-"""Of widths. [pt]"""
+"""Tolerance of widths. [pt]"""
 
 
 def laid_out(
-    own: CoaxialScheme,
+    coaxial: CoaxialScheme,
     wide: float = math.inf,
     *,
     is_small: bool = False,
     effort: SweepEffort = FULL,
     is_ordered: bool = False,
 ) -> CoaxialLayout:
-    """Where everything stands.
+    """Return the layout of a half-section.
 
     Parameters
     ----------
     wide : float
-        For which lines close up, and letters do not. [pt]
+        Width to fit into, by reduction of lengths but not of letters. [pt]
     is_small : bool
-        Links have no names but those at the ends of the axis.
+        True to name only the links at the ends of the axis.
     effort : SweepEffort, optional
-        Tries of the search for an arrangement; fewer for boxes.
+        Effort of the search for an arrangement; boxes use a smaller effort.
     is_ordered : bool
-        Sets stand in the order of the case, if a way is found soon.
+        True to keep gear sets in the order of the case, if a layout is found soon.
     """
-    found = swept(own.train, is_ordered=is_ordered, effort=BRIEF if own.has_boxes else effort)
-    ends = frozenset([own.train.start, own.train.end, *(port.link for port in own.scheme.ports)])
-    bare = CoaxialLayout(
-        own, SectionPlaces(framed(own.train, found.steps), 0.0), found.is_ordered, named_beside=ends
+    arrangement = swept(
+        coaxial.train, is_ordered=is_ordered, effort=BRIEF if coaxial.has_boxes else effort
     )
-    for line_letters, without, has_teeth_alone in NAMED[: 1 if own.has_boxes else None]:
+    ends = frozenset(
+        [coaxial.train.start, coaxial.train.end, *(port.link for port in coaxial.scheme.ports)]
+    )
+    bare = CoaxialLayout(
+        coaxial,
+        SectionPlaces(framed(coaxial.train, arrangement.steps), 0.0),
+        arrangement.is_ordered,
+        named_beside=ends,
+    )
+    for line_letters, without, has_teeth_alone in NAMED[: 1 if coaxial.has_boxes else None]:
         named = bare._replace(
             is_small=is_small or without,
             line_letters=line_letters,
             has_teeth_alone=has_teeth_alone,
         )
         layout = _closed_up(named, wide)
-        if is_within(layout, wide) and layout.letters <= MOST_NAMED:
+        if is_within(layout, wide) and layout.letters <= MOST_SHRUNK_NAMED:
             break
     return layout
 
 
 def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
-    """With lines as close as a width asks for."""
+    """Return the layout with lengths reduced to fit into a width."""
     letters = 1.0
-    sections = bare.own.sections.values()
+    sections = bare.coaxial.sections.values()
     has_rims = any(
-        rim in one.names for one in sections for col in one.columns for rim in col.rims.values()
+        rim in section.names
+        for section in sections
+        for column in section.columns
+        for rim in column.rims.values()
     )
-    most = MOST_NAMED if has_rims else MOST_CLOSED  # the teeth of a planet stand over its pin
-    if bare.own.has_boxes:  # which have the size of their letters
-        most = MOST_NAMED
+    most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK  # planet teeth are above the pin
+    if bare.coaxial.has_boxes:  # the size of boxes depends on letters
+        most = MOST_SHRUNK_NAMED
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
         length = _length(layout)
         if length <= wide * letters + ROUNDED or letters >= most:
             break
         lack = length / (wide * letters)
-        letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster where names fill it
+        letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster if names fill it
         letters = min(letters, most)
     return layout
 
 
 def is_within(layout: CoaxialLayout, wide: float) -> bool:
-    """Whether a half-section is no wider than it may be [pt]."""
+    """Return whether a half-section fits into a width [pt]."""
     return _length(layout) <= wide * layout.letters + ROUNDED
 
 
@@ -111,28 +120,28 @@ def _length(layout: CoaxialLayout) -> float:
 
 
 def fits(layout: CoaxialLayout, wide: float) -> bool:
-    """Whether a half-section can be read in a width [pt]: lines have not closed up too far."""
+    """Return whether a half-section is readable in a width [pt], without too large a reduction."""
     return is_within(layout, wide) and layout.letters <= CLOSEST
 
 
 def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
-    """With places, for letters of its size."""
-    own, frame = bare.own, bare.places.frame
-    scheme = own.scheme
+    """Return the layout with positions for the size of letters."""
+    coaxial, frame = bare.coaxial, bare.places.frame
+    scheme = coaxial.scheme
     links = [] if bare.is_small else scheme.links
     own_names = [bare.link_name(n) for n in range(1, len(links) + 1)]
     named = {
         n: bare.width(name) for n, name in enumerate(own_names, 1) if n not in bare.named_beside
     }
     lines = max((own_names[n - 1].count("\n") + 1 for n in named), default=1)
-    sections = [replace(section, letters=bare.letters) for section in own.sections.values()]
+    sections = [replace(section, letters=bare.letters) for section in coaxial.sections.values()]
     half = max([LEAST_HALF, *(section.tall for section in sections)])
     needs = Needs(
         half,
-        [bare.sign_room(number) for number in range(len(own.pairs))],
+        [bare.sign_room(number) for number in range(len(coaxial.pairs))],
         named,
         bare.letters * lines,
-        own.has_boxes or any(section.names for section in own.sections.values()),
+        coaxial.has_boxes or any(section.names for section in coaxial.sections.values()),
     )
     layout = bare._replace(places=heights_of(frame, needs))
     rooms = [list(rooms_of(layout, up)) for up in frame.uprights]

@@ -1,4 +1,4 @@
-"""From steps to bars and uprights: which bar each upright meets. Nothing has a place yet."""
+"""Bars of links and uprights of components from the steps of a search, without positions."""
 
 from __future__ import annotations
 
@@ -14,43 +14,44 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 @dataclass(eq=False)
 class Bar:
-    """A level line of a link: a shaft, or a drum."""
+    """Horizontal line of a link: a shaft or a drum."""
 
     link: int
     is_above: bool
-    """Whether it lies above the row of planets."""
+    """True above the row of planets."""
     first: int = 0
     last: int = 0
-    """The uprights between which it lies, by their places from left to right."""
+    """Places of the first and the last upright of the bar, from left to right."""
 
 
 @dataclass(eq=False)
 class Upright:
-    """What stands at a place along the axis."""
+    """Component at a place along the axis."""
 
     kind: str
-    """``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` at the axis."""
+    """Kind: ``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` at the axis."""
     index: int
     bars: Sequence[Bar]
-    """The lower and the upper one; only one of them for tops and ends."""
+    """Lower and upper bar; a single bar for tops and ends."""
     gap: Sequence[Bar] = ()
-    """Two neighbours between which the sign of a pair is."""
+    """Neighbouring bars on both sides of the symbol of a pair."""
     is_turned: bool = False
     wheels: Sequence[tuple[Bar | None, Bar | None]] = ()
-    """Of the planes of a set from left to right, those of sun and ring."""
+    """Bars of sun and ring in the planes of a set, from left to right."""
     left: tuple[Bar | None, Bar | None] = (None, None)
-    """To which the left arm of a carrier leads below and above."""
+    """Bars of the left arm of a carrier, below and above."""
     right: tuple[Bar | None, Bar | None] = (None, None)
+    """Bars of the right arm of a carrier, below and above."""
 
     @property
     def all_bars(self) -> list[Bar]:
-        """All that it meets."""
+        """Bars that the upright meets."""
         pairs = (*self.wheels, self.left, self.right)
         return [*self.bars, *(bar for pair in pairs for bar in pair if bar is not None)]
 
 
 class Neighbours(NamedTuple):
-    """Bars of one side of the row that lie over one another somewhere, from the axis outward."""
+    """Neighbouring bars on a side of the row, from the axis outward."""
 
     low: Bar
     high: Bar
@@ -58,20 +59,20 @@ class Neighbours(NamedTuple):
 
 @dataclass
 class SectionFrame:
-    """The bars and uprights of a half-section."""
+    """Bars and uprights of a half-section."""
 
     uprights: list[Upright] = field(default_factory=list)
     rows: list[tuple[list[Bar], list[Bar]]] = field(default_factory=list)
-    """All that lay below and above the row of planets, at a place each."""
+    """Bars below and above the row of planets, at each place."""
 
     @property
     def bars(self) -> list[Bar]:
-        """All, as they begin."""
+        """All bars in order of the left ends."""
         return list(dict.fromkeys(bar for up in self.uprights for bar in up.all_bars))
 
     def neighbours(self) -> Iterator[Neighbours]:
-        """All pairs of neighbours."""
-        found = {
+        """Yield all pairs of neighbouring bars."""
+        pairs = {
             Neighbours(low, high)
             for rows in self.rows
             for row in rows
@@ -79,13 +80,13 @@ class SectionFrame:
         }
         order = {bar: place for place, bar in enumerate(self.bars)}
         yield from sorted(
-            (one for one in found if one.low in order and one.high in order),
-            key=lambda one: (order[one.low], order[one.high]),
+            (pair for pair in pairs if pair.low in order and pair.high in order),
+            key=lambda pair: (order[pair.low], order[pair.high]),
         )
 
 
 def framed(train: CoaxialTrain, steps: Sequence[SweepStep]) -> SectionFrame:
-    """The bars and uprights of the steps of a train.
+    """Return the bars and uprights for the steps of a train.
 
     Examples
     --------
@@ -129,12 +130,12 @@ class _FrameMaker:
             self._stand(Upright(step.kind, step.number, bars, row[place : place + 2]))
 
     def finished(self) -> SectionFrame:
-        if not self.is_started:  # nothing but its ends
+        if not self.is_started:  # a train without components
             self._start(SweepStep("wall", self.train.start, [((8 * self.train.start,), ())]))
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
-        if not ends:  # it ended with the last step, as nothing but the axis was left
+        if not ends:  # the bar ended with the last step, when only the axis remained
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
-        if self.train.end and not ends:  # an output that nothing joins
+        if self.train.end and not ends:  # an unconnected output
             ends = [Bar(self.train.end, is_above=False)]
             self.below.append(ends[0])
             self._note()
@@ -158,7 +159,6 @@ class _FrameMaker:
         self.frame.rows.append(([*self.below], [*self.above]))
 
     def _go_to(self, below: Bars, above: Bars) -> None:
-        """The bars there: those that go on, and those that begin."""
         self.below = _aligned(self.below, [bar >> 3 for bar in below], is_above=False)
         self.above = _aligned(self.above, [bar >> 3 for bar in above], is_above=True)
         self._note()
@@ -199,8 +199,8 @@ class _FrameMaker:
     def _top(self, link: int) -> Bar:
         return self._last_of(self.below + self.above, link)
 
-    def _nearest(self, one: int, other: int, place: int) -> list[Bar]:
-        """Two neighbours; or the bars of two links that lie nearest to each other."""
+    def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
+        """Return two neighbouring bars, or the nearest bars of two links."""
         if place >= 0:
             return (self.below + self.above)[place : place + 2]
         bars = list(enumerate(self.below + self.above))
@@ -208,22 +208,22 @@ class _FrameMaker:
             (b - a, a, low, high)
             for a, low in bars
             for b, high in bars[a + 1 :]
-            if {low.link, high.link} == {one, other} and low is not high
+            if {low.link, high.link} == {first_link, second_link} and low is not high
         ]
         _, _, low, high = min(ways, key=lambda way: way[:2])
         return [low, high]
 
 
 def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
-    """Without webs to bars that nothing else meets; bars know where they begin and end."""
+    """Remove walls to bars that meet no other upright, and set the ends of bars."""
     while True:
         met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
-        kept = [
+        uprights = [
             up for up in frame.uprights if up.kind != "wall" or all(met[bar] > 1 for bar in up.bars)
         ]
-        if len(kept) == len(frame.uprights):
+        if len(uprights) == len(frame.uprights):
             break
-        frame.uprights = kept
+        frame.uprights = uprights
     for place, up in reversed([*enumerate(frame.uprights)]):
         for bar in up.all_bars:
             bar.first = place
@@ -236,21 +236,21 @@ def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
 
 
 def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:
-    """Bars of these links, as many of the old ones as keep their order."""
+    """Return bars of links, reusing as many old bars as keep the order (longest subsequence)."""
     most = [[0] * (len(links) + 1) for _ in range(len(old) + 1)]
     for a in range(len(old) - 1, -1, -1):
         for b in range(len(links) - 1, -1, -1):
             most[a][b] = max(
                 most[a + 1][b], most[a][b + 1], (old[a].link == links[b]) * (1 + most[a + 1][b + 1])
             )
-    found: list[Bar] = []
+    bars: list[Bar] = []
     a = 0
     for b, link in enumerate(links):
         while a < len(old) and old[a].link != link and most[a + 1][b] == most[a][b]:
             a += 1
         if a < len(old) and old[a].link == link and most[a][b] == 1 + most[a + 1][b + 1]:
-            found.append(old[a])
+            bars.append(old[a])
             a += 1
         else:
-            found.append(Bar(link, is_above))
-    return found
+            bars.append(Bar(link, is_above))
+    return bars

@@ -1,4 +1,4 @@
-"""The picture of a half-section: its head, its rows, what its title says of crossings."""
+"""Picture of a half-section: head, rows, and remarks on crossings in the title."""
 
 from __future__ import annotations
 
@@ -35,21 +35,21 @@ from vstatics.pictures.schemes.titles import Titles
 
 
 class CoaxialSheet(NamedTuple):
-    """A half-section, and what stands before it and behind it in rows of its own."""
+    """Half-section, with separate rows for chains before and after the gearbox."""
 
     layout: CoaxialLayout
     chains: Sequence[CoaxialChain] = ()
 
     def remarks(self, style: Style) -> list[str]:
-        """What the title says besides: crossings, an output that can't leave along the axis."""
-        found = crossings_told(crossings_of(self.layout), style)
-        if not self.layout.own.train.end:
-            found.append(style.text("output through the housing"))
-        return found + order_told(self.layout, style)
+        """Return the remarks in the title: crossings, an output not along the axis."""
+        remarks = crossings_told(crossings_of(self.layout), style)
+        if not self.layout.coaxial.train.end:
+            remarks.append(style.text("output through the housing"))
+        return remarks + order_told(self.layout, style)
 
     def rows(self, room: float) -> Iterator[CoaxialRow]:
-        """From above, in a width [pt]."""
-        scheme, texts = self.layout.own.scheme, self.layout.own.texts
+        """Yield the rows from above, for a width [pt]."""
+        scheme, texts = self.layout.coaxial.scheme, self.layout.coaxial.texts
         before, behind = (
             [
                 CoaxialRow(chain_extent(scheme, part, texts), part)
@@ -60,21 +60,21 @@ class CoaxialSheet(NamedTuple):
             for is_before in (True, False)
         )
         least = 1 / self.layout.letters
-        section = [CoaxialRow(extent(self.layout), least=least)] * bool(self.layout.own.devices)
+        section = [CoaxialRow(extent(self.layout), least=least)] * bool(self.layout.coaxial.devices)
         yield from (*before, *section, *behind)
 
 
 class CoaxialRow(NamedTuple):
-    """A half-section, or a chain."""
+    """Row with a half-section or a chain."""
 
     ends: tuple[Point, Point]
-    """Its lower left and its upper right corner."""
+    """Lower left and upper right corner."""
     chain: CoaxialChain | None = None
     least: float = 0.0
-    """What lengths are drawn smaller by, at most: for the letters of a half-section."""
+    """Smallest scale of lengths, for readable letters of a half-section."""
 
     def size(self, width: float) -> Point:
-        """On a page of a width: where there is more, lines close up, as far as they may."""
+        """Return the size on a page of a width, scaled down as far as possible."""
         (left, low), (right, high) = self.ends
         part = min(1.0, max(width / (right - left), self.least))
         return part * (right - left), part * (high - low)
@@ -86,16 +86,16 @@ def coaxial_sheet(
     style: Style,
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialSheet | None:
-    """Return a half-section; None if a component without a symbol joins three links.
+    """Return a half-section, or `None` for a component without a symbol at three links.
 
-    Where a page is too narrow, chains before the gearbox and behind it have rows of their own.
+    On a narrow page, chains before and after the gearbox have separate rows.
     """
-    own, parts = coaxial_scheme(scheme, sections, texts=texts), unchained(scheme, sections)
+    whole, parts = coaxial_scheme(scheme, sections, texts=texts), unchained(scheme, sections)
     box = coaxial_scheme(parts.scheme, sections, parts.left_out, texts)
-    if own is None or box is None:
+    if whole is None or box is None:
         return None
     if box.devices or not parts.chains:
-        layout = laid_out(own, style.width, is_ordered=style.ordered)
+        layout = laid_out(whole, style.width, is_ordered=style.ordered)
         if fits(layout, style.width) or not parts.chains:
             return CoaxialSheet(layout)
     return CoaxialSheet(laid_out(box, style.width, is_ordered=style.ordered), parts.chains)
@@ -110,15 +110,15 @@ def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     subject: str,
     note: str = "",
 ) -> Iterator[list[Figure]]:
-    """Return figures of no gear or of one by its number from 1, everything at the same places."""
+    """Yield figures without a gear or with a gear number from 1, in a fixed layout."""
     for gears in shown:
-        told = told_of(results, scheme, style, gears, subject=subject)
-        state = told.state, told.titles, told.name
+        caption = told_of(results, scheme, style, gears, subject=subject)
+        state = caption.state, caption.titles, caption.name
         yield [painted(sheet, style, *state, note).figure]
 
 
 def crossings_told(count: int, style: Style) -> list[str]:
-    """What a title says where links cross so often.
+    """Return the remark on the number of crossings.
 
     >>> crossings_told(2, Style()), crossings_told(0, Style())
     (['2 crossings'], [])
@@ -127,7 +127,7 @@ def crossings_told(count: int, style: Style) -> list[str]:
 
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
-    """What a title says where sets do not stand as they should."""
+    """Return the remark on gear sets that are not in the order of the case."""
     if layout.is_ordered:
         return []
     return [style.text("sets in another order: no layout in that of the case was found")]
@@ -139,9 +139,9 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
 
 
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """All of it, over its axis."""
+    """Draw a half-section with the axis."""
     (left, right), y = ends_of(layout), layout.places.axis
-    if layout.own.has_boxes:
+    if layout.coaxial.has_boxes:
         draw_parts(ink, layout)
         draw_ports(ink, layout)
         return
@@ -153,7 +153,7 @@ def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
 
 
 def draw_parts(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Its links and devices, without what leads along the axis."""
+    """Draw links and components, without the lines along the axis."""
     draw_links(ink, layout)
     draw_link_names(ink, layout)
     draw_devices(ink, layout)
@@ -167,7 +167,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     name: str,
     note: str = "",
 ) -> Pen:
-    """A half-section with its head; its letters keep their size, and signs one that is seen."""
+    """Draw a half-section with head, with letters of fixed size and visible symbols."""
     named = ", ".join([name, *sheet.remarks(style)])
     rows = list(sheet.rows(style.width))
     sizes = [row.size(style.width) for row in rows]
@@ -180,20 +180,22 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     top = sum(high for _, high in sizes)
     page = head.over((wide, top), WIDE_MARGIN * bool(head.high), style)
     chains = [row.chain for row in rows if row.chain is not None]
-    own = chained_state(state, chains)
+    state_of_rows = chained_state(state, chains)
     for row, (_, high) in zip(rows, sizes, strict=True):
         top -= high
         pen = page.panel((0.0, top), (wide, high)).fitted(*row.ends)
-        ink = SchemeInk(pen._replace(letters=1 / pen.part), sheet.layout.own.scheme, own, titles)
+        ink = SchemeInk(
+            pen._replace(letters=1 / pen.part), sheet.layout.coaxial.scheme, state_of_rows, titles
+        )
         if row.chain is None:
             draw_half_section(ink, sheet.layout)
         else:
             scheme = replace(ink.scheme, ports=row.chain.ports)
-            draw_chain(replace(ink, scheme=scheme), row.chain, sheet.layout.own.texts)
+            draw_chain(replace(ink, scheme=scheme), row.chain, sheet.layout.coaxial.texts)
     return page
 
 
 def painted_within(pen: Pen, layout: CoaxialLayout) -> None:
-    """A half-section of no gear at a place of another figure, without a head."""
-    ink = SchemeInk(pen.fitted(*extent(layout)), layout.own.scheme, SchemeState(), Titles())
+    """Draw a half-section without gear and head at a place of a larger figure."""
+    ink = SchemeInk(pen.fitted(*extent(layout)), layout.coaxial.scheme, SchemeState(), Titles())
     draw_half_section(ink, layout)

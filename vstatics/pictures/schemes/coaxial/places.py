@@ -1,4 +1,4 @@
-"""Where bars and uprights stand [pt]: y is 0 in the middle of the row of planets."""
+"""Positions of bars and uprights [pt], with y = 0 in the middle of the row of planets."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
-"""From bar to bar, and where a sign stands between them. [pt]"""
+"""Distances of bars, without and with a symbol in between. [pt]"""
 NAMED_PITCH = 9.5
-"""From a bar with a name to a name beside it, at least. [pt of letters]"""
-CLEARANCE = 9.0
-"""From the row to the bars next to it. [pt]"""
+"""Smallest distance of bars with names. [pt of letters]"""
+ROW_CLEARANCE = 9.0
+"""Distance from the row of planets to the nearest bars. [pt]"""
 WHEEL_NAME = 13.0
-"""Height of the name of a wheel, with half of that of a link on a bar. [pt of letters]"""
+"""Height of the name of a gear, with half the height of a link name on a bar. [pt of letters]"""
 HOUSING_BAND = 24.0
-"""From the outermost drum to the housing. [pt]"""
-GAP = 5.0
-"""Between what stands side by side. [pt]"""
+"""Distance from the outermost drum to the housing. [pt]"""
+ROOM_GAP = 5.0
+"""Distance between neighbouring rooms. [pt]"""
 NAME_PAD = 5.0
-"""Beside the name of a link on its bar. [pt]"""
+"""Margin of the name of a link on a bar. [pt]"""
 
 
 class SignRoom(NamedTuple):
-    """A rectangle that something needs, from the place of its upright [pt]."""
+    """Rectangle that a part needs, relative to the upright [pt]."""
 
     left: float
     right: float
@@ -35,33 +35,33 @@ class SignRoom(NamedTuple):
 
 
 class Needs(NamedTuple):
-    """What must be known of the signs and letters of a half-section to give it places."""
+    """Sizes of symbols and letters that determine the positions of a half-section."""
 
     half: float
     """Half the height of the row of planets."""
     signs: Sequence[float]
-    """Distances between the bars of pairs, for their signs [pt]."""
+    """Distances of the bars of pairs for the symbols. [pt]"""
     names: Mapping[int, float]
-    """Widths of the names of links that stand on their bars."""
+    """Widths of the names of links on bars. [pt]"""
     letters: float = 1.0
-    """Size of letters over lengths."""
+    """Ratio of the size of letters to lengths."""
     has_wheel_names: bool = False
-    """Whether names of wheels stand between the row and the bars next to it."""
+    """True for names of gears between the row and the nearest bars."""
 
     @property
     def clearance(self) -> float:
-        """From the row to the bars next to it [pt]."""
-        return CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
+        """Distance from the row to the nearest bars [pt]."""
+        return ROW_CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
 
     @property
     def pitch(self) -> float:
-        """From bar to bar [pt]."""
+        """Distance of bars [pt]."""
         return max(PITCH, NAMED_PITCH * self.letters)
 
 
 @dataclass
 class SectionPlaces:
-    """All places."""
+    """Positions of a half-section."""
 
     frame: SectionFrame
     half: float
@@ -69,25 +69,27 @@ class SectionPlaces:
     axis: float = 0.0
     housing: float = 0.0
     at: list[float] = field(default_factory=list)
-    """Of uprights."""
+    """Positions of uprights along the axis. [pt]"""
     names: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """Middle of the name of each link that has one on a bar."""
+    """Middle of each link name on a bar. [pt]"""
 
     def span(self, bar: Bar, offsets: Mapping[int, Mapping[Bar, Sequence[float]]]) -> list[float]:
-        """Where uprights meet a bar, from left to right."""
+        """Return the points at which uprights meet a bar, from left to right."""
         return sorted(
-            self.at[place] + off for place, own in offsets.items() for off in own.get(bar, ())
+            self.at[place] + off for place, by_bar in offsets.items() for off in by_bar.get(bar, ())
         )
 
 
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
-    """The heights of bars, of the axis, and of the housing."""
+    """Return the heights of bars, of the axis, and of the housing."""
     places = SectionPlaces(frame, needs.half)
     signs: dict[frozenset[Bar], float] = {}
     for up in frame.uprights:
         if up.kind == "pair":
-            own = frozenset(up.gap)
-            signs[own] = max(signs.get(own, 0.0), needs.signs[up.index], 2 * needs.pitch)
+            bars_of_sign = frozenset(up.gap)
+            signs[bars_of_sign] = max(
+                signs.get(bars_of_sign, 0.0), needs.signs[up.index], 2 * needs.pitch
+            )
     pinned, pitch = set(_pinned(frame)), needs.pitch
     rises: dict[Bar, list[tuple[Bar, float]]] = {}
     for low, high in frame.neighbours():
@@ -97,12 +99,12 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}
 
     def rise(bar: Bar) -> float:
-        if bar not in found:
+        if bar not in heights:
             least = 0.0 if bar.is_above or bar in ends else pitch
-            found[bar] = max([least, *(rise(low) + step for low, step in rises.get(bar, []))])
-        return found[bar]
+            heights[bar] = max([least, *(rise(low) + step for low, step in rises.get(bar, []))])
+        return heights[bar]
 
-    found: dict[Bar, float] = {}
+    heights: dict[Bar, float] = {}
     bars = [bar for bar in frame.bars if bar not in pinned]
     depth = max((rise(bar) for bar in bars if not bar.is_above), default=0.0)
     places.axis = -needs.half - needs.clearance - max(depth, pitch)
@@ -115,14 +117,14 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
 
 
 def _pinned(frame: SectionFrame) -> Iterator[Bar]:
-    """Bars between neighbouring sets, or from a set to what stands beside it: at the pins."""
+    """Yield the bars between neighbouring sets, or next to a set, at the height of the pins."""
     for bar in frame.bars:
-        own = frame.uprights[bar.first : bar.last + 1]
-        met = [up for up in own if bar in up.all_bars]
+        uprights = frame.uprights[bar.first : bar.last + 1]
+        met = [up for up in uprights if bar in up.all_bars]
         arms = [up for up in met if up.kind == "set"]
         if not arms or any(bar in pair for up in arms for pair in up.wheels):
             continue
-        if any(up is not own[0] and up is not own[-1] for up in arms):
+        if any(up is not uprights[0] and up is not uprights[-1] for up in arms):
             continue
         side = 1 if bar.is_above else 0
         if any(
@@ -130,11 +132,11 @@ def _pinned(frame: SectionFrame) -> Iterator[Bar]:
         ):
             continue
         ends_well = all(
-            (up is own[0] and bar in up.right and bar not in up.left)
-            or (up is own[-1] and bar in up.left and bar not in up.right)
+            (up is uprights[0] and bar in up.right and bar not in up.left)
+            or (up is uprights[-1] and bar in up.left and bar not in up.right)
             for up in arms
         )
-        passed = any(_spans_row(up) for up in own if bar not in up.all_bars)
+        passed = any(_spans_row(up) for up in uprights if bar not in up.all_bars)
         rows = [row for rows in frame.rows for row in (rows[side],) if bar in row]
         is_next = all(row[0 if bar.is_above else -1] is bar for row in rows)
         goes_off = any(
@@ -159,14 +161,14 @@ def placed_along(
     offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
     needs: Needs,
 ) -> None:
-    """Give uprights their places along the axis, as close as rooms and names of links let them.
+    """Place uprights along the axis, as close as rooms and link names permit.
 
     Parameters
     ----------
     rooms : sequence of sequence of SignRoom
-        Of each upright.
+        Rooms of each upright.
     offsets : mapping
-        By upright and bar, where they meet, from the place of the upright.
+        Meeting points by upright and bar, relative to the upright.
     """
     apart: dict[tuple[int, int], float] = {}
     for _ in range(3 * len(needs.names) + 1):
@@ -182,15 +184,15 @@ def _closed_up(
     apart: Mapping[tuple[int, int], float],
 ) -> None:
     at: list[float] = []
-    for place, own in enumerate(rooms):
+    for place, needed in enumerate(rooms):
         x = 0.0
         for other, theirs in enumerate(rooms[:place]):
             if (other, place) in apart:
                 x = max(x, at[other] + apart[other, place])
-            for room in own:
+            for room in needed:
                 for there in theirs:
                     if room.low < there.high and there.low < room.high:
-                        x = max(x, at[other] + there.right + GAP - room.left)
+                        x = max(x, at[other] + there.right + ROOM_GAP - room.left)
         at.append(x)
     places.at = at
 
@@ -201,7 +203,7 @@ def _named(
     needs: Needs,
     apart: dict[tuple[int, int], float],
 ) -> tuple[dict[int, tuple[float, float]], bool]:
-    """Where names of links stand; and whether room for one had to be made."""
+    """Return the positions of link names, and whether room had to be made."""
     names: dict[int, tuple[float, float]] = {}
     for link, width in needs.names.items():
         gaps = []
@@ -210,8 +212,8 @@ def _named(
                 continue
             met = sorted(
                 (places.at[place] + off, place)
-                for place, own in offsets.items()
-                for off in own.get(bar, ())
+                for place, by_bar in offsets.items()
+                for off in by_bar.get(bar, ())
             )
             gaps += [(b[0] - a[0], bar, a, b) for a, b in pairwise(met) if a[1] != b[1]]
         if not gaps:

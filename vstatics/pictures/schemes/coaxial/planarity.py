@@ -1,7 +1,7 @@
-"""Whether a train has a half-section without crossings: a planar graph with the axis.
+"""Test whether a train has a half-section without crossings: planarity of a graph.
 
-A carrier that is that of several sets, or of one with several planes, is taken apart: each set has
-its own planets, round which sun, carrier, ring and carrier stand in this order.
+The graph includes the axis and the housing. A carrier with several sets or planes is split: each
+set has its own planets, around which sun, carrier, ring and carrier are arranged in this order.
 """
 
 from __future__ import annotations
@@ -13,23 +13,24 @@ from math import prod
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
-"""Ways to take carriers apart that are tried; where there are more, none is taken apart."""
+"""Number of ways to split carriers up to which all are tried; otherwise carriers stay whole."""
 _Vertex = int | tuple[int, int]
 _Joined = tuple[_Vertex, _Vertex]
 _NumberedSet = tuple[int, Planes]
 
 
 def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
-    """Whether a half-section without crossings exists.
+    """Return whether a half-section without crossings exists.
 
     Parameters
     ----------
     left_out : int
-        The bits of edges that need not be drawn.
+        Bits of edges that need not be drawn.
 
     Examples
     --------
-    Carriers of two sets side by side: each sun goes to the other set's ring past the planets.
+    In two neighbouring sets with a common carrier, each sun can pass the planets of the other set
+    to its ring:
 
     >>> sets = [Planes(1, [(2, 3)]), Planes(1, [(4, 5)])]
     >>> has_half_section(CoaxialTrain(sets, [(2, 4), (3, 5)], [], 1, 2))
@@ -37,19 +38,23 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     >>> has_half_section(CoaxialTrain(sets, [(2, 4), (4, 3), (3, 5), (5, 2)], [], 1, 1))
     False
 
-    Where there are more ways than are tried, the answer is kinder than it should be.
+    With too many ways to try, the answer can be True without such a half-section:
 
     >>> has_half_section(CoaxialTrain([Planes(1, [(2, 3)])] * 20, [], [], 1, 2))
     True
     """
     import networkx as nx  # an extra
 
-    own: dict[int, list[_NumberedSet]] = {}
-    for number, one in enumerate(train.sets):
-        own.setdefault(one.carrier, []).append((number, one))
-    apart = {c: sets for c, sets in own.items() if len(sets) > 1 or len(sets[0][1].wheels) > 1}
+    by_carrier: dict[int, list[_NumberedSet]] = {}
+    for number, planes in enumerate(train.sets):
+        by_carrier.setdefault(planes.carrier, []).append((number, planes))
+    apart = {
+        carrier: sets
+        for carrier, sets in by_carrier.items()
+        if len(sets) > 1 or len(sets[0][1].wheels) > 1
+    }
     if any(len(sets) ** (len(sets) - 2) > MOST_GRAPHS for sets in apart.values()):
-        apart = {}  # so many trees n parts of a carrier have (Cayley)
+        apart = {}  # n parts have n**(n - 2) trees (Cayley's formula)
     ways = _ways(train, apart, left_out)
     if prod(map(len, ways)) > MOST_GRAPHS:
         ways = _ways(train, {}, left_out)
@@ -60,7 +65,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
 def _ways(
     train: CoaxialTrain, apart: Mapping[int, Sequence[_NumberedSet]], left_out: int
 ) -> list[list[list[_Joined]]]:
-    """What is joined, for each of the things that can be joined in several ways, these."""
+    """Return the possible edges of each part that can be connected in several ways."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
     def joined(bit: int, one: Sequence[_Vertex], other: Sequence[_Vertex]) -> list[list[_Joined]]:
@@ -92,14 +97,14 @@ def _ways(
 
 
 def _ends(numbered: _NumberedSet) -> list[_Vertex]:
-    """Where a carrier may be joined at a set: at both ends of its planets if it has planes."""
-    number, one = numbered
-    return [(number, end) for end in range(min(2, len(one.wheels)))]
+    """Return the vertices at which a carrier can be connected: both ends of planets with planes."""
+    number, planes = numbered
+    return [(number, end) for end in range(min(2, len(planes.wheels)))]
 
 
-def _rim(number: int, one: Planes) -> list[_Joined]:
-    """A wheel round a hub: suns, an end of the carrier, rings, the other end."""
-    planes = range(len(one.wheels))
+def _rim(number: int, gear_planes: Planes) -> list[_Joined]:
+    """Return the cycle of suns, carrier end, rings and second carrier end, with a hub."""
+    planes = range(len(gear_planes.wheels))
     if len(planes) == 1:
         return []
     order = [0, *(2 * n + 2 for n in planes), 1, *(2 * n + 3 for n in reversed(planes))]
@@ -109,7 +114,7 @@ def _rim(number: int, one: Planes) -> list[_Joined]:
 
 
 def _trees(sets: Sequence[_NumberedSet]) -> Iterator[list[_Joined]]:
-    """All ways in which the parts of a carrier hang together."""
+    """Yield all trees that connect the parts of a carrier."""
     import networkx as nx  # an extra
 
     places = range(len(sets))

@@ -1,4 +1,4 @@
-"""What stands in a half-section needs this room of the paper; where it meets bars."""
+"""Room on paper for each part of a half-section, and the points where parts meet bars."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Device, ratio_text
 from vstatics.pictures.schemes.sets import HalfSection
 
-BRAKE = 20.0
-"""From the end of its link to the housing. [pt]"""
+BRAKE_LENGTH = 20.0
+"""Distance from the end of a link to the housing, for a brake. [pt]"""
 PORT_NAME = 5.0
-"""From an arrow to the name of its link. [pt]"""
+"""Distance from an arrow to the name of the link. [pt]"""
 SET_NAME = 10.0
-"""From the axis to the names of sets below it. [pt]"""
-NAME_GAP = 4.0
-"""From the end of a link to its name. [pt]"""
+"""Distance from the axis to the names of sets below. [pt]"""
+LINK_NAME_GAP = 4.0
+"""Distance from the end of a link to its name. [pt]"""
 
 
 def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
-    """Where an upright meets bars, from its place."""
+    """Return the points where an upright meets bars, relative to the upright."""
     if up.kind != "set":
         return {bar: [0.0] for bar in up.bars}
     section = layout.section(up)
-    pairs = [(bar, section.x(n)) for n, own in enumerate(up.wheels) for bar in own]
+    pairs = [(bar, section.x(n)) for n, both in enumerate(up.wheels) for bar in both]
     pairs += [(bar, 0.0) for bar in up.left] + [(bar, section.width) for bar in up.right]
     return grouped((bar, x) for bar, x in pairs if bar is not None)
 
 
 def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
-    """What an upright needs of the paper."""
-    places, scheme = layout.places, layout.own.scheme
+    """Yield the rectangles that an upright needs."""
+    places, scheme = layout.places, layout.coaxial.scheme
     for link, x, y in loose_names(layout, up):
         name = layout.name(link)
-        yield SignRoom(x, x + NAME_GAP + layout.width(name), y - 5, y + 5)
+        yield SignRoom(x, x + LINK_NAME_GAP + layout.width(name), y - 5, y + 5)
     ys = [places.heights[bar] for bar in up.bars]
     if up.kind in ("start", "end"):
         yield SignRoom(-3, 3, min(places.axis, *ys) - 3, max(ys) + 3)
@@ -60,10 +60,10 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
         yield SignRoom(9, 14 + layout.width(name, bold=True), middle - high, middle + high)
     elif up.kind == "top":
         yield SignRoom(-3, 3, min(ys) - 3, places.housing)
-        yield SignRoom(-11, 10, places.housing - BRAKE, places.housing + 6)
+        yield SignRoom(-11, 10, places.housing - BRAKE_LENGTH, places.housing + 6)
         name = top_name(layout, up)
         if name:
-            half = layout.width(name, bold=True) / 2  # as it is where it is engaged
+            half = layout.width(name, bold=True) / 2  # bold as for an engaged element
             yield SignRoom(
                 -half, half, places.housing + 7, places.housing + 7 + layout.height(name)
             )
@@ -72,47 +72,47 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Return links that nothing else joins: their names are next to their ends."""
+    """Yield unconnected links, and the ends next to which the names are written."""
     if layout.is_small or up.kind not in {"set", "pair", "top"}:
         return
     heights, names = layout.places.heights, set(layout.named_beside)
     for link, x, y in _set_ends(layout, up) if up.kind == "set" else ():
         others = [other for other in layout.uprights if other is not up]
         elsewhere = any(bar.link == link for other in others for bar in other.all_bars)
-        if not elsewhere and link not in names and not layout.own.is_housing(link):
+        if not elsewhere and link not in names and not layout.coaxial.is_housing(link):
             yield link, x, y
     for bar in up.bars:
-        links = [one.link for one in layout.places.frame.bars]
+        links = [drawn_bar.link for drawn_bar in layout.places.frame.bars]
         if bar.first == bar.last and bar.link not in names and links.count(bar.link) == 1:
             yield bar.link, 0.0, heights[bar]
 
 
 def _set_ends(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Return the ends of the members of a set, if they do not lead elsewhere."""
-    section, carrier = layout.section(up), layout.own.train.sets[up.index].carrier
+    """Yield the ends of the unconnected members of a set."""
+    section, carrier = layout.section(up), layout.coaxial.train.sets[up.index].carrier
     ends = [(carrier, section.width, 0.0)]
-    if len(section.levels) == 1:  # the name of a rim stands above the end of the pin
+    if len(section.levels) == 1:  # the name of a planet gear is above the end of the pin
         is_below = any(rim in section.names for rim in section.columns[-1].rims.values())
         drop = layout.height(layout.name(carrier)) / 2 + 1
         ends = [(carrier, section.pin_end, -drop * is_below)]
     ends = [] if any((*up.left, *up.right)) else ends
-    for number, own in enumerate(up.wheels):
-        for bar in own:
+    for number, both in enumerate(up.wheels):
+        for bar in both:
             if bar is not None and bar.first == bar.last:
                 ends.append((bar.link, section.x(number), layout.places.heights[bar]))
     yield from ends
 
 
 def pair_name(device: Device, letters: int = DEVICE_NAME_LETTERS) -> str:
-    """Of what joins two links; with its ratio, where it has one and wheels that are not known."""
+    """Return the name of a component between two links, with the ratio of a mechanism."""
     name = lines_of(device.name, letters)
     is_bare = device.kind == "mechanism"
     return f"{name}\n{ratio_text(device.ratio)}" if is_bare else name
 
 
 def top_name(layout: CoaxialLayout, up: Upright) -> str:
-    """Of what stands at the housing; none of a support."""
-    meaning, scheme = layout.own.tops[up.index], layout.own.scheme
+    """Return the name of a component at the housing, empty for a support."""
+    meaning, scheme = layout.coaxial.tops[up.index], layout.coaxial.scheme
     if meaning.port:
         return scheme.name(meaning.port.link)
     if meaning.device < 0 or scheme.devices[meaning.device].kind == "held":
@@ -128,13 +128,13 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
     left = -3.0 if is_left else left - 3
     right = section.width + 3 if is_right else right + 3
     yield SignRoom(left, right, -places.half, places.half)
-    for x, own in ((0.0, up.left), (section.width, up.right)):
-        for bar in own:
+    for x, both in ((0.0, up.left), (section.width, up.right)):
+        for bar in both:
             if bar is not None:
                 y = places.heights[bar]
                 yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
-    for number, own in enumerate(up.wheels):
-        for bar in own:
+    for number, both in enumerate(up.wheels):
+        for bar in both:
             if bar is not None:
                 y, x = places.heights[bar], section.x(number)
                 yield SignRoom(x - 3, x + 3, min(y, 0.0) - 3, max(y, 0.0) + 3)
@@ -147,13 +147,13 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def middle_of(section: HalfSection) -> float:
-    """Of the planes of a set, from its left end [pt]."""
+    """Return the middle of the planes of a set, from the left end [pt]."""
     return (section.x(0) + section.x(len(section.columns) - 1)) / 2
 
 
 def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
-    """The lower left and the upper right corner, with room for all but the head."""
-    places, train = layout.places, layout.own.train
+    """Return the lower left and the upper right corner, with room for all but the head."""
+    places, train = layout.places, layout.coaxial.train
     before, behind = (
         (ARROW + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
         for link in (train.start, train.end)
@@ -166,7 +166,7 @@ def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
 
 
 def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
-    """Left and right end of a half-section, without ports."""
+    """Return the left and right end of a half-section, without ports."""
     rooms = _placed_rooms(layout)
     return min(room.left for room in rooms), max(room.right for room in rooms)
 

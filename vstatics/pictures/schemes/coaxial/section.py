@@ -1,4 +1,4 @@
-"""A scheme whose links all turn about one axis, as a train that is to be drawn."""
+"""Conversion of a scheme with a common axis to a train."""
 
 from __future__ import annotations
 
@@ -18,40 +18,40 @@ NO_TEXTS: Mapping[int, BoxText] = MappingProxyType({})
 
 
 class TopMeaning(NamedTuple):
-    """What goes to the housing or through it."""
+    """Connection to the housing, or through the housing."""
 
     device: int = -1
-    """Its place in the scheme, or -1."""
+    """Place of the component in the scheme, or -1."""
     port: SchemePort | None = None
 
 
 @dataclass(frozen=True)
 class CoaxialScheme:
-    """A scheme and its train; links beyond those of the scheme are fixed members of sets."""
+    """Scheme and train, in which links beyond the scheme are fixed members of sets."""
 
     scheme: Scheme
     train: CoaxialTrain
     sections: Mapping[int, HalfSection]
-    """Sets and boxes in the row of planets, by their places in the scheme."""
+    """Sets and boxes in the row of planets, by place in the scheme."""
     texts: Mapping[int, BoxText]
-    """Texts of the boxes on lines, by their places in the scheme."""
+    """Texts of the boxes on lines, by place in the scheme."""
     sets: Sequence[int]
-    """Their places in the scheme, in the order of the train."""
+    """Places of the sets in the scheme, in the order of the train."""
     pairs: Sequence[int]
     tops: Sequence[TopMeaning]
 
     @property
     def devices(self) -> list[int]:
-        """What is drawn of the scheme, by places in it."""
-        return [*self.sets, *self.pairs, *(one.device for one in self.tops if one.device >= 0)]
+        """Places of the drawn components in the scheme."""
+        return [*self.sets, *self.pairs, *(top.device for top in self.tops if top.device >= 0)]
 
     @property
     def has_boxes(self) -> bool:
-        """Whether components are boxes, which have no axis."""
+        """True for components as boxes, which have no axis."""
         return bool(self.texts) or any(isinstance(s, BoxSection) for s in self.sections.values())
 
     def is_housing(self, link: int) -> bool:
-        """Whether it is a fixed member of a set."""
+        """Return whether a link is a fixed member of a set."""
         return link > len(self.scheme.links)
 
 
@@ -61,14 +61,14 @@ def coaxial_scheme(
     left_out: Container[int] = (),
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialScheme | None:
-    """Return a scheme as a train; None if a component has no symbol and joins three links.
+    """Return a scheme as a train, or `None` for a component without a symbol at three links.
 
     Parameters
     ----------
     sections : mapping of int to HalfSection
-        The devices that are sets, by their places in the scheme.
+        Half-sections of gear sets, by place in the scheme.
     left_out : container of int
-        Devices that are drawn elsewhere.
+        Components that are drawn elsewhere.
     texts : mapping of int to BoxText, optional
         Texts of the boxes on lines.
     """
@@ -87,30 +87,30 @@ def coaxial_scheme(
         planes_of(section) if isinstance(section, BoxSection) else held.planes(section)
         for section in sections.values()
     ]
-    own: list[tuple[TopMeaning, int]] = [
+    connections: list[tuple[TopMeaning, int]] = [
         (TopMeaning(place), next(iter(scheme.devices[place].links))) for place in tops
     ]
-    own += [(TopMeaning(), link) for link in range(len(scheme.links) + 1, held.last + 1)]
+    connections += [(TopMeaning(), link) for link in range(len(scheme.links) + 1, held.last + 1)]
     start, end, further = _ports(scheme)
-    own += [(TopMeaning(port=port), port.link) for port in further]
+    connections += [(TopMeaning(port=port), port.link) for port in further]
     coupled = [_ends(scheme.devices[place]) for place in pairs]
-    train = CoaxialTrain(planes, coupled, [link for _, link in own], start, end)
-    if end and all(len(one.wheels) == 1 for one in planes) and not has_half_section(train):
+    train = CoaxialTrain(planes, coupled, [link for _, link in connections], start, end)
+    if end and all(len(part.wheels) == 1 for part in planes) and not has_half_section(train):
         port = next(p for p in scheme.ports if p.link == end and not p.is_left)
         through = replace(train, tops=[*train.tops, end], end=0)
         if has_half_section(through):
-            train, own = through, [*own, (TopMeaning(port=port), end)]
-    meanings = [meaning for meaning, _ in own]
+            train, connections = through, [*connections, (TopMeaning(port=port), end)]
+    meanings = [meaning for meaning, _ in connections]
     return CoaxialScheme(scheme, train, sections, texts, [*sections], pairs, meanings)
 
 
 def _ends(device: Device) -> tuple[int, int]:
-    one, other = (link for link in dict.fromkeys(device.members.values()) if link)
-    return one, other
+    first, second = (link for link in dict.fromkeys(device.members.values()) if link)
+    return first, second
 
 
 def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
-    """The links that come along the axis and go along it, and all other ports."""
+    """Return the links that enter and leave along the axis, and all other ports."""
     start = next((port for port in scheme.ports if port.is_left), scheme.ports[0])
     outputs = (port for port in scheme.ports if not port.is_left and port.link != start.link)
     end = next(outputs, None)
@@ -120,7 +120,7 @@ def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
 
 
 def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Planes:
-    """Return the links of a set or a box by their numbers."""
+    """Return the links of a set or a box by number."""
     carrier = numbered(section.group.carrier)
     wheels = [
         (
@@ -133,7 +133,7 @@ def planes_of(section: HalfSection, numbered: Callable[[int], int] = int) -> Pla
 
 
 class _HeldMembers:
-    """Numbers for members that stand still: each is a tube of its own, with a support."""
+    """Numbers for fixed members: each is a separate tube with a support."""
 
     def __init__(self, links: int) -> None:
         self.last = links

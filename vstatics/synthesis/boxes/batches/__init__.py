@@ -1,4 +1,4 @@
-"""The search for gearboxes in pieces, and an estimate of its time and results.
+"""Search for gearboxes in pieces, and an estimate of time and results.
 
 `ports` searches one scheme for any input and output, with the `arrays` of the compiled search.
 `cut` divides the schemes into pieces, `found` searches a piece, and `work` defines the jobs of the

@@ -30,7 +30,7 @@ def match_room(targets: int) -> MatchRoom:
 
 @compiled
 def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Return whether each target can have a ratio of its own; store a matching in `chosen`.
+    """Return whether each target can have a separate ratio; store a matching in `chosen`.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     Returns
     -------
     bool
-        Whether each target can have a ratio of its own.
+        Whether each target can have a separate ratio.
 
     Examples
     --------

@@ -37,7 +37,7 @@ the last spread."""
 MOST_CELLS = 200_000
 """Number of cells after which a set of elements is given up."""
 EACH, NONE = -1, -2
-"""Results of `_open_target`: each target has a ratio of its own; some target has no ratio."""
+"""Results of `_open_target`: each target has a separate ratio; some target has no ratio."""
 MORE_FITS = 50
 """Number of fits after a first solution, in search of a better solution."""
 
@@ -159,7 +159,7 @@ def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
 def _open_target(ratios: int, room: CellRoom, top: int) -> int:
     """Return the undecided target with the fewest ratios, or `EACH` or `NONE`.
 
-    `NONE`: not every target can have a ratio of its own, or the chosen gears have no suitable
+    `NONE`: not every target can have a separate ratio, or the chosen gears have no suitable
     combinations of elements.
     """
     scarcest, least = EACH, ratios + 1

@@ -1,5 +1,5 @@
-"""Several axes on paper.
+"""Drawing of several axes.
 
-`links` has links and ports, `marks` the signs of shift elements and springs, `wheels` the wheels
-and sets.
+`links` draws links and ports, `marks` draws stations on a single axis, and `wheels` draws gear
+pairs.
 """

@@ -1,4 +1,4 @@
-"""A figure with the axes of a box in a state, and what is drawn of links: wires, ends, names."""
+"""Figure with the axes of a box in a state, and the drawing of wires, ports and link names."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.contacts import ROAD_RADIUS
 from vstatics.pictures.schemes.axes.letters.labels import DeviceLabel
-from vstatics.pictures.schemes.axes.letters.link_names import NAME_GAP, ends_of, free_names
+from vstatics.pictures.schemes.axes.letters.link_names import END_NAME_GAP, ends_of, free_names
 from vstatics.pictures.schemes.axes.letters.obstacles import obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import (
@@ -26,21 +26,24 @@ from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_
 from vstatics.pictures.schemes.scheme import SchemePort
 
 DOT = 4.2
-"""Where a link branches. [pt]"""
+"""Diameter of the dot at a branch of a link. [pt]"""
 BRIDGE = 3.0
-"""Half the gap of a line where another one passes it. [pt]"""
+"""Half the gap of a line at a crossing. [pt]"""
 
 
 @dataclass(frozen=True)
 class AxesSheet(SchemeInk):
-    """A figure with everything at its place, in a state."""
+    """Figure of a scheme in a state, with all positions."""
 
-    found: AxesPlaces
+    placing: AxesPlaces
     labels: Mapping[int, Sequence[DeviceLabel]]
-    """Names of devices and teeth of their wheels at their places."""
+    """Names of components and tooth numbers with positions."""
 
     def is_used(self, index: int, link: int) -> bool:
-        """Whether torque passes from a link to a device, or leaves by a port, below 0."""
+        """Return True if torque passes between a link and a component.
+
+        A component below 0 stands for a port.
+        """
         if self.state.loaded is None:
             return True
         if index < 0:
@@ -48,67 +51,67 @@ class AxesSheet(SchemeInk):
         return link in self.state.loaded[index]
 
     def line_color(self, index: int, link: int) -> str:
-        """Of what leads from a link to a device, or to a port."""
+        """Return the colour of the line from a link to a component or a port."""
         return self.pen.style.ink if self.is_used(index, link) else self.pen.style.faint
 
     def name(self, index: int) -> None:
-        """The name of a device, if it has one, and teeth of its wheels, if they are shown."""
+        """Write the name of a component, and tooth numbers if shown."""
         is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
         for label in self.labels.get(index, ()):
             look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
             self.text(label.at, label.text, color=self.text_color(index), **look)
 
     def text(self, at: Point, text: str, **look: Any) -> None:
-        """Text over any line, by its middle."""
+        """Write a text centred at a point, above any line."""
         centred(self.pen, at, text, **{"over": True} | look)
 
 
 def draw_links(sheet: AxesSheet) -> None:
-    """The axes, the lines of all links on them, the places where these cross."""
-    found, pen = sheet.found, sheet.pen
-    for axis in dict.fromkeys(found.axis_of(link) for link in sorted(found.spans)):
-        left, right = ends_of(found, axis)
-        y = found.y(axis, 0.0)
+    """Draw the axes, the lines of all links, and crossings."""
+    placing, pen = sheet.placing, sheet.pen
+    for axis in dict.fromkeys(placing.axis_of(link) for link in sorted(placing.spans)):
+        left, right = ends_of(placing, axis)
+        y = placing.y(axis, 0.0)
         look: Look = {"color": pen.style.faint, "linestyle": AXIS_DASHES, "zorder": 1, "width": 0.7}
         pen.line((left - 8, y), (right + 8, y), kind="axis", data={"axis": str(axis + 1)}, **look)
-    lines = link_lines(found)
-    for link, own in lines.items():
-        _draw_link(sheet, link, own)
+    lines = link_lines(placing)
+    for link, wires in lines.items():
+        _draw_link(sheet, link, wires)
     for crossing in crossings(lines):
         _bridge(sheet, crossing)
 
 
-def _draw_link(sheet: AxesSheet, link: int, own: LinkLines) -> None:
-    found, style = sheet.found, sheet.pen.style
-    axis, span = found.axis_of(link), found.spans[link]
+def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
+    placing, style = sheet.placing, sheet.pen.style
+    axis, span = placing.axis_of(link), placing.spans[link]
     pen = sheet.of_link(sheet.scheme.name(link), axis + 1)
     title = sheet.titles.links.get(link, "")
     look: Look = {"solid_capstyle": "projecting", "zorder": 3}
-    for line, is_used in pieces(sheet, link, own.level):
+    for line, is_used in pieces(sheet, link, wires.level):
         color = style.ink if is_used else style.faint
         pen.line(*line, color=color, kind="wire", title=title, **look)
         if span.level > 0:  # the other side of a hollow shaft
-            y = found.y(axis, -span.height)
+            y = placing.y(axis, -span.height)
             pen.line(*((x, y) for x, _ in line), color=color, **look)
-    for device, path in own.upright:
+    for device, path in wires.upright:
         color = sheet.line_color(device, link)
         look["zorder"] = 3.3 if color == style.ink else 3.2
         pen.line(*path, color=color, kind="wire", title=title, **look)
     dots: dict[Point, bool] = {}
-    for device, at in branches(found, link, own):
+    for device, at in branches(placing, link, wires):
         dots[at] = dots.get(at, False) or sheet.line_color(device, link) == style.ink
     for (x, y), is_used in dots.items():
         color = style.ink if is_used else style.faint
         dot: Look = {"width": DOT, "zorder": 3.6, "solid_capstyle": "round", "snap": False}
         pen.line((x, y), (x + 0.1, y), color=color, **dot)
-    if link in found.board.road_wheels:
+    if link in placing.board.road_wheels:
         _road_wheel(sheet, link)
 
 
 def _road_wheel(sheet: AxesSheet, link: int) -> None:
-    """The section of a tyre above and below its axis, and what bears it."""
-    found, style = sheet.found, sheet.pen.style
-    x, y = found.road_end(link), found.y(found.axis_of(link), 0.0)
+    """Draw the section of a tyre above and below the axis, and the support."""
+    placing, style = sheet.placing, sheet.pen.style
+    x, y = placing.road_end(link), placing.y(placing.axis_of(link), 0.0)
     pen = sheet.pen.within("road-wheel", link=sheet.scheme.name(link))
     color = style.faint if link in sheet.state.idle_links else style.ink
     look: Look = {"color": color, "title": sheet.titles.links.get(link, ""), "zorder": 3.4}
@@ -122,17 +125,17 @@ def _road_wheel(sheet: AxesSheet, link: int) -> None:
 
 
 def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment, bool]]:
-    """A line along an axis, in parts by whether torque passes them."""
+    """Yield the parts of a line along an axis, each with True if torque passes."""
     (left, y), (right, _) = line
     if sheet.state.loaded is None:
         yield line, True
         return
     used = [
-        one.x
-        for one in sheet.found.contacts
-        if one.link == link
-        and sheet.is_used(one.device, link)
-        and not (one.kind == "road" and link in sheet.state.idle_links)
+        contact.x
+        for contact in sheet.placing.contacts
+        if contact.link == link
+        and sheet.is_used(contact.device, link)
+        and not (contact.kind == "road" and link in sheet.state.idle_links)
     ]
     low, high = (min(used), max(used)) if used else (right, right)
     for start, end, is_used in ((left, low, False), (low, high, True), (high, right, False)):
@@ -141,33 +144,32 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
 
 
 def _bridge(sheet: AxesSheet, crossing: WireCrossing) -> None:
-    """A gap in the line along the axis where an upright one passes."""
     (x, y), paper = crossing.at, sheet.pen.style.paper
     places = (x - BRIDGE, y), (x + BRIDGE, y)
     sheet.pen.line(*places, kind="crossing", width=3.0, color=paper, zorder=3.1)
 
 
 def draw_ends(sheet: AxesSheet) -> None:
-    """Arrows of the ports with the names of their links, and of others where there is room."""
+    """Draw the ports with link names, and further link names in free places."""
     named: set[int] = set()
     for port in sheet.scheme.ports:
-        span = sheet.found.spans[port.link]
-        way = 1 if port.link in sheet.found.chosen.rightward else -1
+        span = sheet.placing.spans[port.link]
+        way = 1 if port.link in sheet.placing.chosen.rightward else -1
         at = (
             (span.right if way > 0 else span.left),
-            sheet.found.y(sheet.found.axis_of(port.link), sheet.found.port_height(port.link)),
+            sheet.placing.y(sheet.placing.axis_of(port.link), sheet.placing.port_height(port.link)),
         )
         _draw_port(sheet, port, at, way)
         named.add(port.link)
     for link, at, aligned in free_names(
-        sheet.found, sheet.scheme, named, [*obstacles(sheet.found)]
+        sheet.placing, sheet.scheme, named, [*obstacles(sheet.placing)]
     ):
         sheet.text(at, sheet.scheme.name(link), ha=aligned, color=sheet.name_color(link))
 
 
 def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
-    """The arrow goes where power goes, as far as is known."""
+    """Draw an arrow in the direction of the power, as far as known."""
     pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
     x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
     look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}
-    sheet.text((x + way * NAME_GAP, y), sheet.scheme.name(port.link), **look)
+    sheet.text((x + way * END_NAME_GAP, y), sheet.scheme.name(port.link), **look)

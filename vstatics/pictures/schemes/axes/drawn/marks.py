@@ -1,4 +1,4 @@
-"""What stands on one axis: clutches, brakes, springs, drums, boxes, sets, differentials."""
+"""Drawing of stations on a single axis, from clutches to differentials."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
 from vstatics.pictures.schemes.axes.drawn.links import AxesSheet
-from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE, ROOF
+from vstatics.pictures.schemes.axes.letters.obstacles import BOX, BRAKE_HEIGHT, ROOF
 from vstatics.pictures.schemes.axes.stations import CAGE, Station, box_note
 from vstatics.pictures.schemes.axes.wires import sign_height
 from vstatics.pictures.schemes.coaxial.picture import draw_parts
@@ -23,8 +23,8 @@ from vstatics.pictures.schemes.signs import Coupled, draw_coupled
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:
-    """What stands on one axis, with its names."""
-    station = sheet.found.board.stations[number]
+    """Draw a station on a single axis, with names."""
+    station = sheet.placing.board.stations[number]
     draw = {
         "coupling": _coupling,
         "box": _box,
@@ -38,87 +38,87 @@ def draw_station(sheet: AxesSheet, number: int) -> None:
 
 
 def _ends(sheet: AxesSheet, index: int) -> dict[int, float]:
-    """The x of the links of a device."""
-    return {one.link: one.x for one in sheet.found.contacts if one.device == index}
+    return {
+        contact.link: contact.x for contact in sheet.placing.contacts if contact.device == index
+    }
 
 
 def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
-    axis, found = station.axes[0], sheet.found
+    axis, placing = station.axes[0], sheet.placing
     for index in station.devices:
-        own, device = sheet.of_device(index), sheet.scheme.devices[index]
-        y, xs = found.y(axis, sign_height(found, index)), _ends(sheet, index)
+        device_sheet, device = sheet.of_device(index), sheet.scheme.devices[index]
+        y, xs = placing.y(axis, sign_height(placing, index)), _ends(sheet, index)
         first, second = device.members["first"], device.members["second"]
         closed = index in sheet.state.engaged
         ends = (xs[first], y), (xs[second], y)
-        one = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
-        draw_coupled(own.pen, one._replace(title=sheet.said(index)))
-        own.name(index)
+        coupled = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
+        draw_coupled(device_sheet.pen, coupled._replace(title=sheet.said(index)))
+        device_sheet.name(index)
 
 
 def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
-    (index,), axis, found = station.devices, station.axes[0], sheet.found
-    own, device, side = (
+    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    device_sheet, device, side = (
         sheet.of_device(index),
         sheet.scheme.devices[index],
-        sheet.found.board.rows.sides[axis],
+        sheet.placing.board.rows.sides[axis],
     )
-    x, low = found.xs[number], sign_height(found, index)
-    ends = (x, found.y(axis, low)), (x, found.y(axis, low + BRAKE))
+    x, low = placing.xs[number], sign_height(placing, index)
+    ends = (x, placing.y(axis, low)), (x, placing.y(axis, low + BRAKE_HEIGHT))
     is_backward = device.members.get("first") == HOUSING
     drawn = device.sign, *ends, sheet.color(index), index in sheet.state.engaged
-    rest = sheet.rod_color(index), side, sheet.said(index), is_backward
-    draw_coupled(own.pen, Coupled(*drawn, *rest))
-    own.name(index)
+    details = sheet.rod_color(index), side, sheet.said(index), is_backward
+    draw_coupled(device_sheet.pen, Coupled(*drawn, *details))
+    device_sheet.name(index)
 
 
 def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
-    """Packs in one drum, each over the shaft that it drives."""
-    axis, found = station.axes[0], sheet.found
-    low = found.sign_height(axis)
-    roof, common = found.y(axis, low + ROOF), station.links[0]
+    """Draw packs in a common drum, each above the driven shaft."""
+    axis, placing = station.axes[0], sheet.placing
+    low = placing.sign_height(axis)
+    roof, common = placing.y(axis, low + ROOF), station.links[0]
     xs = {index: _ends(sheet, index) for index in station.devices}
-    (start,) = {own[common] for own in xs.values() if common in own}
-    last = max(x for own in xs.values() for x in own.values())
+    (start,) = {ends[common] for ends in xs.values() if common in ends}
+    last = max(x for ends in xs.values() for x in ends.values())
     pen = sheet.of_link(sheet.scheme.name(common), axis + 1)
     loaded = sheet.state.loaded
     is_used = loaded is None or any(common in loaded[index] for index in station.devices)
     color = sheet.pen.style.ink if is_used else sheet.pen.style.faint
     look: Look = {"kind": "wire", "title": sheet.titles.links.get(common, ""), "color": color}
-    pen.line((start, found.y(axis, low)), (start, roof), (last, roof), zorder=3.2, **look)
+    pen.line((start, placing.y(axis, low)), (start, roof), (last, roof), zorder=3.2, **look)
     for index, link in zip(station.devices, station.links[1:], strict=True):
-        own, x = sheet.of_device(index), xs[index][link]
-        ends = (x, roof), (x, found.y(axis, low))
+        device_sheet, x = sheet.of_device(index), xs[index][link]
+        ends = (x, roof), (x, placing.y(axis, low))
         closed, rod = index in sheet.state.engaged, sheet.rod_color(index)
-        one = Coupled("clutch", *ends, sheet.color(index), closed, rod, title=sheet.said(index))
-        draw_coupled(own.pen, one)
-        own.name(index)
+        coupled = Coupled("clutch", *ends, sheet.color(index), closed, rod, title=sheet.said(index))
+        draw_coupled(device_sheet.pen, coupled)
+        device_sheet.name(index)
 
 
 def _box(sheet: AxesSheet, number: int, station: Station) -> None:
-    """A mechanism whose wheels are not known."""
-    (index,), axis, found = station.devices, station.axes[0], sheet.found
-    own, x = sheet.of_device(index), found.xs[number]
-    y = found.y(axis, sign_height(found, index))
-    pen, color = own.pen, sheet.color(index)
+    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    device_sheet, x = sheet.of_device(index), placing.xs[number]
+    y = placing.y(axis, sign_height(placing, index))
+    pen, color = device_sheet.pen, sheet.color(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
     edge = (x - station.half, y - BOX), (2 * station.half, 2 * BOX)
     pen.box(*edge, width=LINE_WIDTH, title=sheet.said(index), **look)
     note = box_note(sheet.scheme.devices[index], pen.style)
-    own.text((x, y), note, size=SMALL, color=sheet.text_color(index), over=False)
-    device, up = sheet.scheme.devices[index], found.board.rows.sides[axis]
-    for contact in found.contacts:
+    device_sheet.text((x, y), note, size=SMALL, color=sheet.text_color(index), over=False)
+    device, up = sheet.scheme.devices[index], placing.board.rows.sides[axis]
+    for contact in placing.contacts:
         for member, link in device.members.items():
             if contact[:3:2] == (link, index) and member in device.labels:  # of a spring
                 at = contact.x + 2.0, y - up * (BOX + 5.0)
-                own.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
-    own.name(index)
+                device_sheet.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
+    device_sheet.name(index)
 
 
 def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
-    """The case with its pinions, and the wheels of the two shafts."""
-    (index,), axis, found = station.devices, station.axes[0], sheet.found
-    own, x = sheet.of_device(index), found.xs[number]
-    y, pen, color = found.y(axis, 0.0), own.pen, sheet.color(index)
+    """Draw the case with pinions, and the gears of the two shafts."""
+    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    device_sheet, x = sheet.of_device(index), placing.xs[number]
+    y, pen, color = placing.y(axis, 0.0), device_sheet.pen, sheet.color(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
     corner = (x - CAGE, y - CAGE)
     pen.box(corner, (2 * CAGE, 2 * CAGE), width=LINE_WIDTH, title=sheet.said(index), **look)
@@ -132,20 +132,19 @@ def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
         lines += [((x - teeth, y + way * 9), (x + teeth, y + way * 9))]
         lines += [((x + up * teeth, y + way * 9), (x + up * 3, y + way * inner)) for up in (-1, 1)]
     pen.lines(lines, color=color, zorder=4.5)
-    own.name(index)
+    device_sheet.name(index)
 
 
 def _set(sheet: AxesSheet, number: int, station: Station) -> None:
-    """A planetary set over its axis."""
-    (index,), axis, found = station.devices, station.axes[0], sheet.found
-    glyph = station.glyphs[found.chosen.ways[number]]
-    own, side = sheet.of_device(index), found.board.rows.sides[axis]
-    left, middle = found.xs[number] - glyph.width / 2, found.sign_height(axis)
+    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    glyph = station.glyphs[placing.chosen.ways[number]]
+    device_sheet, side = sheet.of_device(index), placing.board.rows.sides[axis]
+    left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
 
     def at(x: float, y: float) -> Point:
-        return left + x, found.y(axis, middle + y)
+        return left + x, placing.y(axis, middle + y)
 
-    pen, color = own.pen, sheet.color(index)
+    pen, color = device_sheet.pen, sheet.color(index)
     if index in sheet.state.pieces:
         low, high = sorted(at(*corner) for corner in glyph.wheels)
         low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
@@ -165,27 +164,27 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         dashes = (0, (2.5, 1.5)) if dashed else "-"
         look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
         pen.lines(strokes, color=color, width=thick, zorder=4, **look)
-    own.name(index)
+    device_sheet.name(index)
 
 
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Sets and couplings as a half-section over their axis."""
-    layout, found, axis = station.layout, sheet.found, station.axes[0]
+    """Draw gear sets and couplings as a half-section above the axis."""
+    layout, placing, axis = station.layout, sheet.placing, station.axes[0]
     assert layout is not None  # noqa: S101 - a half-section has one
     left, right = ends_of(layout)
     corner = (
-        found.xs[number] - (left + right) / 2,
-        found.y(axis, 0.0) - layout.places.axis,
+        placing.xs[number] - (left + right) / 2,
+        placing.y(axis, 0.0) - layout.places.axis,
     )
-    own = layout.own.scheme
-    idle = {port for port in own.ports if not _goes_on(sheet, port.link, station)}
+    scheme = layout.coaxial.scheme
+    idle = {port for port in scheme.ports if not _goes_on(sheet, port.link, station)}
     state = replace(sheet.state, idle_ports=idle)
     pen = sheet.pen.panel(corner, sheet.pen.size)
-    draw_parts(SchemeInk(pen, own, state, sheet.titles, axis=axis + 1), layout)
+    draw_parts(SchemeInk(pen, scheme, state, sheet.titles, axis=axis + 1), layout)
 
 
 def _goes_on(sheet: AxesSheet, link: int, station: Station) -> bool:
-    """Whether torque passes from a half-section to a link beside it."""
+    """Return True if torque passes from a half-section to a neighbouring link."""
     others = set(range(len(sheet.scheme.devices))) - set(station.devices)
     ports = {port.link for port in sheet.scheme.ports}
     return (link in ports and sheet.is_used(-1, link)) or any(

@@ -1,4 +1,4 @@
-"""The wheels of pairs: both in one plane, each on its axis."""
+"""Drawing of gear pairs, with both gears in a common plane."""
 
 from __future__ import annotations
 
@@ -15,41 +15,41 @@ from vstatics.pictures.schemes.glyphs import MESH, TOOTH
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:
-    """Both wheels, what is between them, the name over the upper one."""
-    found, station = sheet.found, sheet.found.board.stations[number]
+    """Draw both gears, the parts in between, and the name above the upper gear."""
+    placing, station = sheet.placing, sheet.placing.board.stations[number]
     joint = station.joint
     assert joint is not None  # noqa: S101 - a pair has one
     index = station.devices[0]
-    own = sheet.of_device(index)
-    first, _, second = found.board.radii[number]
-    ys = [found.y(axis, 0.0) for axis in station.axes]
+    device_sheet = sheet.of_device(index)
+    first, _, second = placing.board.radii[number]
+    ys = [placing.y(axis, 0.0) for axis in station.axes]
     toward = 1 if ys[1] > ys[0] else -1
     for place, radius in enumerate((first, second)):
-        _wheel(own, number, place, radius, toward if not place else -toward)
-    _between(own, number)
-    own.name(index)
+        _wheel(device_sheet, number, place, radius, toward if not place else -toward)
+    _between(device_sheet, number)
+    device_sheet.name(index)
 
 
 def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int) -> None:
-    """A wheel on its axis: teeth at both rims, the half of its web that no wire is."""
-    found, station = sheet.found, sheet.found.board.stations[number]
+    """Draw a gear with teeth at both edges, and the half of the web without a wire."""
+    placing, station = sheet.placing, sheet.placing.board.stations[number]
     index, x, axis, link = (
         station.devices[0],
-        found.xs[number],
+        placing.xs[number],
         station.axes[place],
         station.links[place],
     )
     joint, device = station.joint, sheet.scheme.devices[index]
     pen = sheet.pen.within("wheel", mechanism=device.name, link=sheet.scheme.name(link))
     color, said = sheet.line_color(index, link), sheet.said(index)
-    y, side, span = found.y(axis, 0.0), found.board.rows.sides[axis], found.spans[link]
-    hub = span.height if span.level >= 0 else found.bases[axis] + 2
+    y, side, span = placing.y(axis, 0.0), placing.board.rows.sides[axis], placing.spans[link]
+    hub = span.height if span.level >= 0 else placing.bases[axis] + 2
     inner = y - side * hub
-    bell, off = found.board.bell(number, found.chosen.ways[number])
+    bell, off = placing.board.bell(number, placing.chosen.ways[number])
     off = off if bell == place else 0.0
     radius += MESH * bool(off)
     lines: list[Sequence[Point]] = [((x + off, inner), (x + off, y - side * radius))]
-    if off:  # its web above its rim, which stands over the teeth of the pinion
+    if off:  # the web above the teeth of the internal gear, past the teeth of the pinion
         lines.append(((x + off, y + side * (radius - MESH)), (x + off, y + side * radius)))
     pen.lines(lines, color=color, zorder=3.2, title=said, solid_capstyle="butt")
     if joint is not None and joint.kind == "bevel_pair":
@@ -66,12 +66,15 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
 
 
 def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
-    """A bevel wheel: a pinion is a whole cone, narrow at its free end, a large one has a rim."""
-    found, station = sheet.found, sheet.found.board.stations[number]
-    index, x, link = station.devices[0], found.xs[number], station.links[place]
-    radii = found.board.radii[number][::2]
-    pinion = min((0, 1), key=lambda one: radii[one])
-    span, y = found.spans[station.links[pinion]], found.y(station.axes[place], 0.0)
+    """Draw a bevel gear: a pinion as a full cone, a crown gear with a toothed edge.
+
+    The pinion is narrow at the free end.
+    """
+    placing, station = sheet.placing, sheet.placing.board.stations[number]
+    index, x, link = station.devices[0], placing.xs[number], station.links[place]
+    radii = placing.board.radii[number][::2]
+    pinion = min((0, 1), key=lambda place_in_pair: radii[place_in_pair])
+    span, y = placing.spans[station.links[pinion]], placing.y(station.axes[place], 0.0)
     is_pinion, free = place == pinion, 1 if x - span.left >= span.right - x else -1
     wide = -CONE * free * (1 if is_pinion else -1)
     deep = radius if is_pinion else min(radius, CONE_RIM)
@@ -88,11 +91,11 @@ def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
 
 
 def _between(sheet: AxesSheet, number: int) -> None:
-    """An idler, a chain, or a dashed line where the wheels cannot touch."""
-    found, station = sheet.found, sheet.found.board.stations[number]
-    pen, color, x = sheet.pen, sheet.color(station.devices[0]), found.xs[number]
-    first, radius, second = found.board.radii[number]
-    ys = [found.y(axis, 0.0) for axis in station.axes]
+    """Draw an idler, a chain, or a dashed line between gears that are drawn apart."""
+    placing, station = sheet.placing, sheet.placing.board.stations[number]
+    pen, color, x = sheet.pen, sheet.color(station.devices[0]), placing.xs[number]
+    first, radius, second = placing.board.radii[number]
+    ys = [placing.y(axis, 0.0) for axis in station.axes]
     toward = 1 if ys[1] > ys[0] else -1
     low, high = sorted((ys[0] + toward * first, ys[1] - toward * second))
     if station.joint is not None and station.joint.kind in FAR:

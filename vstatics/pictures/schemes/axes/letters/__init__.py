@@ -1,5 +1,5 @@
 """Letters of several axes.
 
-`labels` are those of devices, `link_names` those of links; `obstacles` are what they keep clear
-of, `extent` is how far they reach.
+`labels` places names of components, `link_names` places names of links, `obstacles` lists areas
+without letters, and `extent` is the total size.
 """

@@ -1,4 +1,4 @@
-"""All letters of several axes at their places, and how much paper is needed with them."""
+"""Positions of all letters of several axes, and the necessary size of the paper."""
 
 from __future__ import annotations
 
@@ -16,30 +16,30 @@ from vstatics.pictures.schemes.scheme import Scheme
 
 
 class AxesLetters(NamedTuple):
-    """Names of links and of devices at their places, and what else there is."""
+    """Names of links and components with positions, and the obstacles."""
 
     names: Sequence[Rectangle]
     solid: Sequence[Obstacle]
     labels: Mapping[int, Sequence[DeviceLabel]]
 
     @classmethod
-    def of(cls, found: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
-        """All letters; those of devices only if there is room for all else in a width [pt]."""
-        solid = list(obstacles(found))
-        names = fixed_names(found, scheme, solid)
+    def of(cls, placing: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
+        """Return all letters, names of components only if the remaining parts fit a width [pt]."""
+        solid = list(obstacles(placing))
+        names = fixed_names(placing, scheme, solid)
         bare = cls(names, solid, {})
-        low, high = bare.extent(found)
+        low, high = bare.extent(placing)
         if high[0] - low[0] > wide:
             return bare
-        return bare._replace(labels=device_labels(found, names, solid))
+        return bare._replace(labels=device_labels(placing, names, solid))
 
-    def extent(self, found: AxesPlaces) -> tuple[Point, Point]:
-        """The lower left and the upper right corner with room for all but the head [pt]."""
-        boxes = [*self.names, *(one.box for one in self.solid)]
-        boxes += [one.box for own in self.labels.values() for one in own]
-        for link, span in found.spans.items():
+    def extent(self, placing: AxesPlaces) -> tuple[Point, Point]:
+        """Return the lower left and the upper right corner, without the head [pt]."""
+        boxes = [*self.names, *(item.box for item in self.solid)]
+        boxes += [item.box for labels in self.labels.values() for item in labels]
+        for link, span in placing.spans.items():
             for height in (span.height, -span.height):
-                y = found.y(found.axis_of(link), height)
+                y = placing.y(placing.axis_of(link), height)
                 boxes.append(Rectangle(span.left - 8, y, span.right + 8, y))
         lefts, lows, rights, highs = zip(*boxes, strict=True)
         margin = WIDE_MARGIN

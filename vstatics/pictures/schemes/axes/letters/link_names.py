@@ -1,4 +1,4 @@
-"""Where names of links stand: beside the arrows of ports, and where else there is room."""
+"""Positions of link names, next to the arrows of ports and in free places."""
 
 from __future__ import annotations
 
@@ -11,77 +11,82 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
 
-NAME_GAP = 3.0
-"""From an end to its name. [pt]"""
+END_NAME_GAP = 3.0
+"""Distance from the end of a link to the name. [pt]"""
 
 
-def ends_of(found: AxesPlaces, axis: int) -> tuple[float, float]:
-    """From where to where the links of an axis reach [pt]."""
-    own = [span for link, span in found.spans.items() if found.axis_of(link) == axis]
-    return min(one.left for one in own), max(one.right for one in own)
+def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
+    """Return the leftmost and the rightmost point of the links of an axis [pt]."""
+    spans = [span for link, span in placing.spans.items() if placing.axis_of(link) == axis]
+    return min(span.left for span in spans), max(span.right for span in spans)
 
 
 def free_names(
-    found: AxesPlaces, scheme: Scheme, named: set[int], solid: Sequence[Obstacle]
+    placing: AxesPlaces, scheme: Scheme, named: set[int], solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Names of links that have room at an end of their row, or on the other side of it.
+    """Yield the names of links with room at an end, or on the far side, of the row.
 
     Parameters
     ----------
     named : set of int
-        Links that have names.
+        Links that already have names.
     solid : sequence of Obstacle
-        What names keep clear of.
+        Obstacles that names must not cover.
     """
-    taken = {link for one in found.board.stations if one.layout for link in one.layout.places.names}
+    taken = {
+        link
+        for station in placing.board.stations
+        if station.layout
+        for link in station.layout.places.names
+    }
     has_port = {port.link for port in scheme.ports}
-    for axis, links in enumerate(found.board.axes.axes):
-        own = [link for link in sorted(links) if link in found.spans]
-        if not own:
+    for axis, links in enumerate(placing.board.axes.axes):
+        drawn_links = [link for link in sorted(links) if link in placing.spans]
+        if not drawn_links:
             continue
-        left, right = ends_of(found, axis)
-        for link in own:
+        left, right = ends_of(placing, axis)
+        for link in drawn_links:
             if link in taken:
                 continue
-            span = found.spans[link]
-            y = found.y(axis, span.height)
+            span = placing.spans[link]
+            y = placing.y(axis, span.height)
             if link in named or link in has_port:
                 continue
-            wide, off = found.wide(scheme.name(link)), 10 + NAME_GAP
-            if span.left == left and not _covers(found, solid, (left - off - wide, y), wide):
+            wide, off = placing.wide(scheme.name(link)), 10 + END_NAME_GAP
+            if span.left == left and not _covers(placing, solid, (left - off - wide, y), wide):
                 named.add(link)
                 yield link, (left - off, y), "right"
-            elif span.right == right and not _covers(found, solid, (right + off, y), wide):
+            elif span.right == right and not _covers(placing, solid, (right + off, y), wide):
                 named.add(link)
                 yield link, (right + off, y), "left"
             else:
-                place = _room(found, axis, link, found.wide(scheme.name(link)) + 4)
+                place = _room(placing, axis, link, placing.wide(scheme.name(link)) + 4)
                 if place is not None:
                     named.add(link)
-                    yield link, (place, found.y(axis, -found.bases[axis] - 7.5)), "center"
+                    yield link, (place, placing.y(axis, -placing.bases[axis] - 7.5)), "center"
 
 
-def _covers(found: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
-    """Whether a name, by its left end, would cover a wheel of another axis, or a sign."""
-    (x, y), half = left, 4.0 * found.letters
+def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: float) -> bool:
+    """Return True if a name, by the left end, would cover a foreign gear or a symbol."""
+    (x, y), half = left, 4.0 * placing.letters
     return any(
-        one.box.left < x + wide
-        and x < one.box.right
-        and one.box.low < y + half
-        and y - half < one.box.high
-        for one in solid
+        item.box.left < x + wide
+        and x < item.box.right
+        and item.box.low < y + half
+        and y - half < item.box.high
+        for item in solid
     )
 
 
-def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
-    """The middle of the first gap on the other side of an axis that a name has room in."""
-    span = found.spans[link]
+def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
+    """Return the middle of the first gap on the far side of an axis with room for a name."""
+    span = placing.spans[link]
     if span.level:
         return None
     taken = sorted(
         x
-        for x, one in zip(found.xs, found.board.stations, strict=True)
-        if axis in one.axes and one.kind in ("pair", "differential")
+        for x, station in zip(placing.xs, placing.board.stations, strict=True)
+        if axis in station.axes and station.kind in ("pair", "differential")
     )
     stops = [span.left, *(x for x in taken if span.left < x < span.right), span.right]
     for start, end in pairwise(stops):
@@ -90,21 +95,21 @@ def _room(found: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
     return None
 
 
-def fixed_names(found: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) -> list[Rectangle]:
-    """Of links, with the arrows of ports: what all other names keep clear of."""
-    boxes, tall = [], 5.0 * found.letters
+def fixed_names(placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) -> list[Rectangle]:
+    """Return the boxes of link names, with the arrows of ports."""
+    boxes, tall = [], 5.0 * placing.letters
     for port in scheme.ports:
-        span, axis = found.spans[port.link], found.axis_of(port.link)
-        y, way = found.y(axis, found.port_height(port.link)), -1
-        if port.link in found.chosen.rightward:
+        span, axis = placing.spans[port.link], placing.axis_of(port.link)
+        y, way = placing.y(axis, placing.port_height(port.link)), -1
+        if port.link in placing.chosen.rightward:
             way = 1
         start = span.right if way > 0 else span.left
-        end = start + way * (ARROW + NAME_GAP + found.wide(scheme.name(port.link)))
+        end = start + way * (ARROW + END_NAME_GAP + placing.wide(scheme.name(port.link)))
         boxes.append(Rectangle(min(start, end), y - tall, max(start, end), y + tall))
     for link, (x, y), aligned in free_names(
-        found, scheme, {port.link for port in scheme.ports}, solid
+        placing, scheme, {port.link for port in scheme.ports}, solid
     ):
-        wide = found.wide(scheme.name(link))
+        wide = placing.wide(scheme.name(link))
         left = x - wide * {"right": 1.0, "center": 0.5, "left": 0.0}[aligned]
         boxes.append(Rectangle(left, y - tall, left + wide, y + tall))
     return boxes

@@ -1,4 +1,4 @@
-"""What letters keep clear of: signs, wheels, boxes, the lines of links, each by what it costs."""
+"""Obstacles for letters: symbols, gears, boxes and lines, each with a cost."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from vstatics.pictures.schemes.axes.wires import link_lines, sign_height
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
 
-BRAKE, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
-"""Heights: of a brake and of a drum over the middle of signs, half of a box, of a sign. [pt]"""
+BRAKE_HEIGHT, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
+"""Heights of a brake and a drum above symbols, half heights of a box and a symbol. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
-"""How much teeth of bevel wheels are slanted. [pt]"""
+"""Slant of the teeth of bevel gears. [pt]"""
 CONE_RIM = 9.0
-"""How deep the cone of a large one is drawn. [pt]"""
+"""Depth of the cone of a crown gear. [pt]"""
 HALF_LINE = 1.2
-"""Half of what a line takes, with what is clear beside it. [pt]"""
+"""Half the width of a line with margins. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
-"""What a name costs that covers one, in points by which it may stand away instead."""
+"""Costs of a name on a symbol, on a line, and inside a gear set. [pt of distance]"""
 
 
 class Rectangle(NamedTuple):
-    """By its corners [pt]."""
+    """Rectangle with sides parallel to the axes [pt]."""
 
     left: float
     low: float
@@ -39,53 +39,55 @@ class Rectangle(NamedTuple):
 
 
 class Obstacle(NamedTuple):
-    """What letters should not cover."""
+    """Area that letters should not cover."""
 
     box: Rectangle
     cost: float = ON_SIGN
     device: int = -1
-    """Whose it is, by its place in `Scheme.devices`; -1 of lines."""
+    """Place of the component in `Scheme.devices`, -1 for lines."""
 
 
-def about(one: Point, other: Point, half: float = HALF_LINE) -> Rectangle:
-    """The box about a line."""
-    (x, y), (x2, y2) = one, other
+def about(first: Point, second: Point, half: float = HALF_LINE) -> Rectangle:
+    """Return the box around a line."""
+    (x, y), (x2, y2) = first, second
     return Rectangle(min(x, x2) - half, min(y, y2) - half, max(x, x2) + half, max(y, y2) + half)
 
 
-def obstacles(found: AxesPlaces) -> Iterator[Obstacle]:
-    """All that is drawn of links and of what stands on the axes."""
-    for number, one in enumerate(found.board.stations):
-        if one.joint is not None:
-            yield from _of_pair(found, number, one)
-        elif one.kind == "set":
-            yield from _of_set(found, number, one)
-        elif one.layout is not None:
-            yield from _of_section(one, one.layout, found.xs[number], found.y(one.axes[0], 0.0))
+def obstacles(placing: AxesPlaces) -> Iterator[Obstacle]:
+    """Yield the obstacles of links and stations."""
+    for number, station in enumerate(placing.board.stations):
+        if station.joint is not None:
+            yield from _of_pair(placing, number, station)
+        elif station.kind == "set":
+            yield from _of_set(placing, number, station)
+        elif station.layout is not None:
+            yield from _of_section(
+                station, station.layout, placing.xs[number], placing.y(station.axes[0], 0.0)
+            )
         else:
-            for device in one.devices:
-                box = _box_of(found, number, one, sign_height(found, device))
+            for device in station.devices:
+                box = _box_of(placing, number, station, sign_height(placing, device))
                 yield Obstacle(box, device=device)
-    for link in found.board.road_wheels:
-        x, y = found.road_end(link), found.y(found.axis_of(link), 0.0)
+    for link in placing.board.road_wheels:
+        x, y = placing.road_end(link), placing.y(placing.axis_of(link), 0.0)
         yield Obstacle(about((x, y - ROAD_RADIUS), (x, y + ROAD_RADIUS), 5.5))
-    for link, lines in link_lines(found).items():
-        span, axis = found.spans[link], found.axis_of(link)
+    for link, lines in link_lines(placing).items():
+        span, axis = placing.spans[link], placing.axis_of(link)
         levels = {span.height, -span.height} if span.level > 0 else {span.height}
         for height in levels:
-            y = found.y(axis, height)
+            y = placing.y(axis, height)
             yield Obstacle(about((span.left, y), (span.right, y)), ON_LINE)
         for _, path in lines.upright:
             yield from (Obstacle(about(*piece), ON_LINE) for piece in pairwise(path))
 
 
-def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]:
-    """Webs and rims, and what is between the wheels."""
-    x, radii = found.xs[number], found.board.radii[number]
-    middles = [found.y(own, 0.0) for own in one.axes]
-    bell, off = found.board.bell(number, found.chosen.ways[number])
-    is_far = one.joint is not None and one.joint.kind in FAR
-    is_crossed = one.joint is not None and one.joint.kind in CROSSED
+def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
+    """Yield the obstacles of the webs and teeth of a gear pair, and of an idler or a chain."""
+    x, radii = placing.xs[number], placing.board.radii[number]
+    middles = [placing.y(end, 0.0) for end in station.axes]
+    bell, off = placing.board.bell(number, placing.chosen.ways[number])
+    is_far = station.joint is not None and station.joint.kind in FAR
+    is_crossed = station.joint is not None and station.joint.kind in CROSSED
     for place, (y, radius) in enumerate(zip(middles, radii[::2], strict=True)):
         web = x + (off if place == bell else 0.0)
         yield Obstacle(about((web, y - radius), (web, y + radius)), ON_LINE)
@@ -93,7 +95,7 @@ def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]
             ends = (min(x - WHEEL, web), rim), (max(x + WHEEL, web), rim)
             yield Obstacle(
                 about(*ends, CONE_RIM if is_crossed else 3.5 if off else 2.5),
-                device=one.devices[0],
+                device=station.devices[0],
             )
     yield Obstacle(about((x, middles[0]), (x, middles[1]), 3.5 if is_far else HALF_LINE), ON_LINE)
     if radii[1]:
@@ -103,15 +105,17 @@ def _of_pair(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]
         yield Obstacle(about((x - WHEEL - 2, idler[0]), (x + WHEEL + 2, idler[1]), 2.0))
 
 
-def _of_set(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]:
-    """Its lines, what holds a member, and, dear to a lesser degree, what is between them."""
-    axis, glyph = one.axes[0], one.glyphs[found.chosen.ways[number]]
-    left, middle = found.xs[number] - glyph.width / 2, found.sign_height(axis)
+def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
+    """Yield the lines and supports of a gear set, and the inside at a lower cost."""
+    axis, glyph = station.axes[0], station.glyphs[placing.chosen.ways[number]]
+    left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
 
     def at(x: float, y: float) -> Point:
-        return left + x, found.y(axis, middle + y)
+        return left + x, placing.y(axis, middle + y)
 
-    yield Obstacle(about(at(0, -glyph.half), at(glyph.width, glyph.half)), IN_SET, one.devices[0])
+    yield Obstacle(
+        about(at(0, -glyph.half), at(glyph.width, glyph.half)), IN_SET, station.devices[0]
+    )
     for stroke in glyph.strokes:
         yield from (Obstacle(about(at(*a), at(*b))) for a, b in pairwise(stroke.points))
     for tap in glyph.taps:
@@ -122,10 +126,10 @@ def _of_set(found: AxesPlaces, number: int, one: Station) -> Iterator[Obstacle]:
             yield Obstacle(about(at(tap.x - 9, end), at(tap.x + 9, wall)))
 
 
-def _of_section(one: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
-    """All over its axis, and the names under it."""
-    low, high = x - one.half, x + one.half
-    yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + one.reach[1]))
+def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
+    """Yield the upper part of a half-section as a whole, and the names below the axis."""
+    low, high = x - station.half, x + station.half
+    yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
     for up, at in zip(layout.uprights, layout.places.at, strict=True):
         start = low + at - ends_of(layout)[0]
         for room in rooms_of(layout, up):
@@ -134,13 +138,13 @@ def _of_section(one: Station, layout: CoaxialLayout, x: float, y: float) -> Iter
                 yield Obstacle(Rectangle(start + room.left, under, start + room.right, over))
 
 
-def _box_of(found: AxesPlaces, number: int, one: Station, middle: float) -> Rectangle:
-    x, axis, low, high = found.xs[number], one.axes[0], middle - SIGN, middle + SIGN
-    if one.kind == "differential":
+def _box_of(placing: AxesPlaces, number: int, station: Station, middle: float) -> Rectangle:
+    x, axis, low, high = placing.xs[number], station.axes[0], middle - SIGN, middle + SIGN
+    if station.kind == "differential":
         low, high = -CAGE, CAGE
-    elif one.kind == "brake":
-        low, high = middle, middle + BRAKE + GROUND
-    elif one.kind == "drum":
+    elif station.kind == "brake":
+        low, high = middle, middle + BRAKE_HEIGHT + GROUND
+    elif station.kind == "drum":
         low, high = middle, middle + ROOF
-    half = PACK_PITCH * len(one.devices) / 2 + 2 if one.kind == "drum" else one.half
-    return about((x - half, found.y(axis, low)), (x + half, found.y(axis, high)), 1.0)
+    half = PACK_PITCH * len(station.devices) / 2 + 2 if station.kind == "drum" else station.half
+    return about((x - half, placing.y(axis, low)), (x + half, placing.y(axis, high)), 1.0)

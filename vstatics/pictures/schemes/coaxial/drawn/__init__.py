@@ -1,6 +1,5 @@
-"""Half-sections on paper, drawn with the ink of all schemes.
+"""Drawing of half-sections with the ink of all schemes.
 
-`lines` are the wires of links, `links` their names and the axis, `devices` the signs of sets and
-shift elements, `ports` the arrows of input and output; `chain` is what stands one behind the
-other.
+`lines` are the lines of links, `links` their names and the axis, `devices` the symbols of sets and
+shift elements, `ports` the arrows of input and output; `chain` draws a row of couplings.
 """

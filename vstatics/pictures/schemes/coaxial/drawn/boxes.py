@@ -17,7 +17,7 @@ from vstatics.pictures.schemes.sets import wheel_taps
 BOX_LINE = 1.8
 """Width of the outline of a box [pt]."""
 Written = tuple[Point, str]
-"""A text by its middle."""
+"""Text with the point of the middle."""
 
 
 def draw_box(
@@ -27,7 +27,7 @@ def draw_box(
     at: float,
     is_left: bool,  # noqa: FBT001 - the side at which its link is
 ) -> None:
-    """Draw a box in the row of planets, with supports of its fixed members."""
+    """Draw a box in the row of planets, with the supports of fixed members."""
     (left, right), half, letters = section.faces, section.half, section.letters
     taps = list(wheel_taps(section))
     members: list[Written] = [
@@ -53,9 +53,9 @@ def draw_box(
 
 
 def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """Draw a box on the line between two bars, the names of its members at its edges."""
+    """Draw a box on the line between two bars, with the names of members at the edges."""
     index, y = layout.device(up), layout.middle(up)
-    text, device = layout.own.texts[index], ink.scheme.devices[index]
+    text, device = layout.coaxial.texts[index], ink.scheme.devices[index]
     (wide, high), rise = layout.box_size(up), layout.letters * (LINE + PAD) / 2
     low, top = sorted(up.bars, key=layout.places.heights.__getitem__)
     members = [
@@ -69,7 +69,7 @@ def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float)
 def draw_chain_box(
     ink: SchemeInk, index: int, text: BoxText, at: Point, links: Sequence[int]
 ) -> None:
-    """Draw a box on a level line between two links."""
+    """Draw a box on a horizontal line between two links."""
     (x, y), device = at, ink.scheme.devices[index]
     wide, high = text.on_line(device, is_level=True)
     _outlined(ink, index, ((x - wide / 2, y - high / 2), (x + wide / 2, y + high / 2)))
@@ -89,14 +89,13 @@ def _texts(  # noqa: PLR0913, PLR0917 - what is written, and where
     members: Sequence[Written],
     letters: float,
 ) -> None:
-    """Write the name with the kind or ratio below it, and the names of members."""
     (x, y), lines = middle, text.lines.count("\n")
     note = (x, y - letters * LINE * lines / 2), text.note
     _written(ink, index, text.name, (x, y + letters * LINE / 2), [note, *members])
 
 
 def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
-    """Draw an outline; hatched if the component turns as one piece."""
+    """Draw an outline, hatched if the component rotates as a block."""
     pen, said = ink.of_device(index).pen, ink.said(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": ink.color(index), "joinstyle": "round"}
     edges = corners(*ends[0], *ends[1])
@@ -108,7 +107,6 @@ def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
 def _written(
     ink: SchemeInk, index: int, name: str, middle: Point, others: Sequence[Written]
 ) -> None:
-    """Write the name in bold by the middle of its lines, and other texts."""
     look: Look = {"color": ink.text_color(index), "over": index in ink.state.pieces}
     pen, (x, y) = ink.of_device(index).pen, middle
     lines = name.split("\n")

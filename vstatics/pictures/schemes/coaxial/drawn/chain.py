@@ -1,4 +1,4 @@
-"""A row of couplings one behind the other on the axis."""
+"""Row of couplings in a chain on the axis."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled, half_of
 
 Texts = Mapping[int, BoxText]
-"""Texts of boxes by their places in a scheme."""
-NAME_LETTERS = 11
-"""Longer names are broken at blanks."""
-CHAIN_GAP = 8.0
-"""Between names. [pt]"""
+"""Texts of boxes by place in a scheme."""
+CHAIN_NAME_LETTERS = 11
+"""Length above which names are broken at blanks. [letters]"""
+CHAIN_NAME_GAP = 8.0
+"""Distance between names. [pt]"""
 ABOVE_SIGN, BELOW_SIGN = 12.0, 11.0
-"""From the axis to names of devices above their signs and of links below. [pt]"""
+"""Distances from the axis to the names of components above, and of links below. [pt]"""
 LEAST_PITCH = 32.0
-"""From sign to sign. [pt]"""
+"""Smallest distance between symbols. [pt]"""
 
 
 def _device_name(scheme: Scheme, index: int) -> str:
     device = scheme.devices[index]
-    return pair_name(device, NAME_LETTERS)
+    return pair_name(device, CHAIN_NAME_LETTERS)
 
 
 def _link_name(scheme: Scheme, link: int) -> str:
-    return lines_of(scheme.name(link), NAME_LETTERS)
+    return lines_of(scheme.name(link), CHAIN_NAME_LETTERS)
 
 
 def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
-    """Return the widths of signs with their names, and the heights above the axis [pt]."""
+    """Return the widths of symbols with names, and the heights above the axis [pt]."""
     sizes = []
     for index in chain.devices:
         if index in texts:
@@ -54,47 +54,47 @@ def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
 
 
 def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> list[float]:
-    """Where its signs stand along the axis [pt]."""
+    """Return the positions of the symbols along the axis [pt]."""
     names = [wide for wide, _ in _sizes(scheme, chain, texts)]
     between = [width(_link_name(scheme, link)) for link in chain.links[1:-1]]
-    room = max((long + CHAIN_GAP for long in between), default=0.0)
+    room = max((long + CHAIN_NAME_GAP for long in between), default=0.0)
     pitch = max(LEAST_PITCH, room)
-    found = [max(names[0], LEAST_PITCH) / 2]
-    for one, other in pairwise(names):
-        least = (one + other) / 2 + (room if texts else CHAIN_GAP)
-        found.append(found[-1] + max(pitch, least))
-    return found
+    positions = [max(names[0], LEAST_PITCH) / 2]
+    for left_width, right_width in pairwise(names):
+        least = (left_width + right_width) / 2 + (room if texts else CHAIN_NAME_GAP)
+        positions.append(positions[-1] + max(pitch, least))
+    return positions
 
 
 def chain_extent(
     scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS
 ) -> tuple[Point, Point]:
-    """The lower left and the upper right corner of a row [pt]."""
-    at, own = places_of(scheme, chain, texts), _sizes(scheme, chain, texts)
+    """Return the lower left and the upper right corner of a row [pt]."""
+    at, sizes = places_of(scheme, chain, texts), _sizes(scheme, chain, texts)
     sides = [
         ARROW + PORT_NAME + 1 + width(scheme.name(link)) + WIDE_MARGIN
         for link in (chain.links[0], chain.links[-1])
     ]
-    last = max(own[-1][0], LEAST_PITCH) / 2
-    above = max(high for _, high in own)
-    below = max((height(_link_name(scheme, one)) for one in chain.links[1:-1]), default=0.0)
+    last = max(sizes[-1][0], LEAST_PITCH) / 2
+    above = max(high for _, high in sizes)
+    below = max((height(_link_name(scheme, link)) for link in chain.links[1:-1]), default=0.0)
     low = max(BELOW_SIGN + below, above * bool(texts))
     return (-sides[0], -low - 3), (at[-1] + last + sides[1], above + 3)
 
 
 def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> None:
-    """Signs on the axis with their names above, links with theirs below."""
+    """Draw symbols on the axis, with the names of components above and of links below."""
     scheme, at = ink.scheme, places_of(ink.scheme, chain, texts)
     sizes = _sizes(scheme, chain, texts)
     half = [
         wide / 2 if index in texts else half_of(scheme.devices[index].sign)
         for index, (wide, _) in zip(chain.devices, sizes, strict=True)
     ]
-    end = at[-1] + max(sizes[-1][0], LEAST_PITCH) / 2 + CHAIN_GAP * bool(texts)
+    end = at[-1] + max(sizes[-1][0], LEAST_PITCH) / 2 + CHAIN_NAME_GAP * bool(texts)
     starts = [0.0, *(x + by for x, by in zip(at, half, strict=True))]
     ends = [*(x - by for x, by in zip(at, half, strict=True)), end]
     for link, left, right in zip(chain.links, starts, ends, strict=True):
-        is_used = all(_carries(ink, index) for index in _beside(chain, link))
+        is_used = all(_carries(ink, index) for index in _neighbours(chain, link))
         color = ink.pen.style.ink if is_used else ink.pen.style.faint
         title, pen = ink.titles.links.get(link, ""), ink.of_link(scheme.name(link))
         pen.line((left, 0.0), (right, 0.0), color=color, kind="wire", title=title, zorder=3)
@@ -118,8 +118,7 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
     draw_end(ink, chain.links[-1], (end, 0.0), 1.0)
 
 
-def _beside(chain: CoaxialChain, link: int) -> Iterator[int]:
-    """The devices of a chain that a link joins."""
+def _neighbours(chain: CoaxialChain, link: int) -> Iterator[int]:
     place = list(chain.links).index(link)
     yield from chain.devices[max(place - 1, 0) : place + 1]
 

@@ -1,4 +1,4 @@
-"""Sets, couplings and what stands at the housing in a half-section."""
+"""Drawing of gear sets, couplings, and connections to the housing in a half-section."""
 
 from __future__ import annotations
 
@@ -14,20 +14,26 @@ from vstatics.pictures.schemes.coaxial.drawn.boxes import draw_box, draw_pair_bo
 from vstatics.pictures.schemes.coaxial.drawn.ports import port_arrow
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
-from vstatics.pictures.schemes.coaxial.rooms import BRAKE, SET_NAME, middle_of, pair_name, top_name
+from vstatics.pictures.schemes.coaxial.rooms import (
+    BRAKE_LENGTH,
+    SET_NAME,
+    middle_of,
+    pair_name,
+    top_name,
+)
 from vstatics.pictures.schemes.glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
 from vstatics.pictures.schemes.signs import Coupled, draw_coupled
 
 SIGN_NAME = 12.0
-"""From the middle of a coupling to its name. [pt]"""
+"""Distance from the middle of a coupling to the name. [pt]"""
 TOP_NAME = 8.0
-"""From the housing to the name of what stands there. [pt]"""
+"""Distance from the housing to the name of a component there. [pt]"""
 
 
 def draw_devices(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Everything that stands along the axis but walls of links."""
+    """Draw all components along the axis."""
     draw = {"set": _set, "pair": _pair, "top": _top}
     for up, at in zip(layout.uprights, layout.places.at, strict=True):
         if up.kind in draw:
@@ -35,7 +41,6 @@ def draw_devices(ink: SchemeInk, layout: CoaxialLayout) -> None:
 
 
 def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """Planets and the teeth of suns and rings, with their names."""
     index = layout.device(up)
     section, taps = layout.section(up), list(wheel_taps(layout.section(up)))
     if isinstance(section, BoxSection):
@@ -49,13 +54,15 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
     faces = [(at + tap.x, tap.side * tap.depth) for tap in taps]
     looks.setdefault(TOOTH, []).extend(((x - FACE, y), (x + FACE, y)) for x, y in faces)
     if index in ink.state.pieces:
-        xs, ys = zip(*(p for own in looks.values() for line in own for p in line), strict=True)
+        xs, ys = zip(
+            *(p for strokes in looks.values() for line in strokes for p in line), strict=True
+        )
         lines = hatching((min(xs), min(ys)), (max(xs), max(ys)))
         pen.lines(lines, color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
     look: Look = {"color": ink.color(index), "zorder": 4, "solid_capstyle": "projecting"}
-    for thick, own in looks.items():
+    for thick, strokes in looks.items():
         title = ink.said(index) if thick == LINE_WIDTH else ""
-        pen.lines(own, width=thick, title=title, **look)
+        pen.lines(strokes, width=thick, title=title, **look)
     look = {"color": ink.text_color(index)}
     for (x, y), va, text in wheel_texts(section, taps):
         centred(pen, (at + x, y), text, size=SMALL, ha="left", va=va, over=True, **look)
@@ -64,9 +71,8 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
 
 
 def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """What joins two links."""
     index, heights = layout.device(up), layout.places.heights
-    if index in layout.own.texts:
+    if index in layout.coaxial.texts:
         draw_pair_box(ink, layout, up, at)
         return
     device, pen = ink.scheme.devices[index], ink.of_device(index).pen
@@ -83,9 +89,9 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
 
 
 def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """A brake, a support, a fixed member of a set, or a link that leaves through the housing."""
-    meaning, roof = layout.own.tops[up.index], layout.places.housing
-    ends, name_at = ((at, roof - BRAKE), (at, roof)), (at, roof + TOP_NAME)
+    """Draw a brake, a support, a fixed member, or a link that leaves through the housing."""
+    meaning, roof = layout.coaxial.tops[up.index], layout.places.housing
+    ends, name_at = ((at, roof - BRAKE_LENGTH), (at, roof)), (at, roof + TOP_NAME)
     if meaning.port:
         port_arrow(ink, meaning.port, ends[0], (0.0, 1.0))
         centred(ink.pen, name_at, top_name(layout, up), va="bottom")

@@ -1,4 +1,4 @@
-"""The lines of links in a half-section, where they cross, and where devices meet them."""
+"""Lines of links in a half-section, with crossings and connections to components."""
 
 from __future__ import annotations
 
@@ -10,40 +10,40 @@ from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import Point, Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
-from vstatics.pictures.schemes.coaxial.rooms import BRAKE, ends_of, met_by
+from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, ends_of, met_by
 from vstatics.pictures.schemes.sets import axles, wheel_taps
 
 
 class Wires(NamedTuple):
-    """The lines of links, and where devices meet them."""
+    """Lines of links, and connections to components."""
 
     lines: Mapping[int, Sequence[Segment]]
     met: Sequence[tuple[int, int, Point]]
-    """A link, a device, a place."""
+    """Connections: link, component, point."""
 
     def crossings(self) -> list[Point]:
-        """Where an upright line of a link meets a level one of another."""
-        found: list[Point] = []
-        for one, other in combinations(self.lines, 2):
-            for first in self.lines[one]:
-                for second in self.lines[other]:
+        """Return the points where lines of different links meet."""
+        points: list[Point] = []
+        for first_link, second_link in combinations(self.lines, 2):
+            for first in self.lines[first_link]:
+                for second in self.lines[second_link]:
                     at = meeting(first, second)
-                    if at is not None and at not in found:
-                        found.append(at)
-        return found
+                    if at is not None and at not in points:
+                        points.append(at)
+        return points
 
 
-def meeting(one: Segment, other: Segment) -> Point | None:
-    """Where two level or upright lines have a point in common; None if they have none."""
-    (a, b), (c, d) = one
-    (e, f), (g, h) = other
+def meeting(first: Segment, second: Segment) -> Point | None:
+    """Return a common point of two horizontal or vertical lines, or `None`."""
+    (a, b), (c, d) = first
+    (e, f), (g, h) = second
     left, right = max(a, e), min(c, g)
     low, high = max(b, f), min(d, h)
     return (left, low) if left <= right and low <= high else None
 
 
 def wires_of(layout: CoaxialLayout) -> Wires:
-    """All lines of all links."""
+    """Return all lines of all links."""
     places = layout.places
     lines: list[tuple[int, Segment]] = []
     met: list[tuple[int, int, Point]] = []
@@ -58,14 +58,14 @@ def wires_of(layout: CoaxialLayout) -> Wires:
     for bar, xs in ends.items():
         y = places.heights[bar]
         lines.append((bar.link, ((min(xs), y), (max(xs), y))))
-    own = layout.own.train
-    for link, x, kind in ((own.start, left, "start"), (own.end, right, "end")):
+    train = layout.coaxial.train
+    for link, x, kind in ((train.start, left, "start"), (train.end, right, "end")):
         for up, at in zip(layout.uprights, places.at, strict=True):
             if up.kind == kind:
                 low, high = min(x, at), max(x, at)
                 lines.append((link, ((low, places.axis), (high, places.axis))))
-    kept = [(link, line) for link, line in lines if line[0] != line[1]]
-    return Wires(grouped(kept), met)
+    extended = [(link, line) for link, line in lines if line[0] != line[1]]
+    return Wires(grouped(extended), met)
 
 
 def _upright_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
@@ -84,27 +84,25 @@ def _upright_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
     elif up.kind == "wall":
         yield low.link, ((at, y), (at, places.heights[further[0]]))
     elif up.kind == "top":
-        yield low.link, ((at, y), (at, places.housing - BRAKE))
+        yield low.link, ((at, y), (at, places.housing - BRAKE_LENGTH))
     elif y != places.axis:
         yield low.link, ((at, places.axis), (at, y))
 
 
 def _carrier_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
-    """Pins, arms, and what leads from these to bars."""
     section, heights = layout.section(up), layout.places.heights
-    carrier = layout.own.train.sets[up.index].carrier
+    carrier = layout.coaxial.train.sets[up.index].carrier
     pins, arms = axles(section, is_left=any(up.left), is_right=any(up.right))
     yield from ((carrier, _moved(line, at)) for line in (*pins, *arms))
-    for x, own in ((0.0, up.left), (section.width, up.right)):
+    for x, bars in ((0.0, up.left), (section.width, up.right)):
         arm = [y for line in arms if line[0][0] == x for _, y in line]
-        for bar in own:
+        for bar in bars:
             if bar is not None:
                 ys = [*arm, heights[bar]]
                 yield carrier, ((at + x, min(ys)), (at + x, max(ys)))
 
 
 def _wheel_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
-    """From the bars of suns and rings to their teeth."""
     section, heights = layout.section(up), layout.places.heights
     taps = {(tap.x, tap.side): tap.side * tap.depth for tap in wheel_taps(section)}
     for number, (sun, ring) in enumerate(up.wheels):
@@ -121,11 +119,10 @@ def _moved(line: Segment, by: float) -> Segment:
 
 
 def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, int, Point]]:
-    """Where a device meets its links."""
     places, device = layout.places, layout.device(up)
     if up.kind == "set":
         section = layout.section(up)
-        carrier = layout.own.train.sets[up.index].carrier
+        carrier = layout.coaxial.train.sets[up.index].carrier
         pins, _ = axles(section, is_left=any(up.left), is_right=any(up.right))
         for (x, y), (end, _) in pins:
             yield carrier, device, (at + x, y)
@@ -139,9 +136,9 @@ def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int,
         for bar, side in zip(bars, (-1, 1), strict=True):
             yield bar.link, device, (at, middle + side * layout.half(up))
     elif up.kind == "top" and device >= 0:
-        yield up.bars[0].link, device, (at, places.housing - BRAKE)
+        yield up.bars[0].link, device, (at, places.housing - BRAKE_LENGTH)
 
 
 def crossings_of(layout: CoaxialLayout) -> int:
-    """How often two links cross."""
+    """Return the number of crossings of links."""
     return len(wires_of(layout).crossings())

@@ -1,4 +1,4 @@
-"""Where torque passes the lines of a link."""
+"""Parts of the lines of a link that transmit torque."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from vstatics.pictures.drawing.labels import Point, Segment
 def passed(
     lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
-    """Lines in pieces, and whether torque passes each; the points of those that it passes.
+    """Split lines into pieces with and without torque, and return the points with torque.
 
     Parameters
     ----------
     met : set of Point
-        Where something that carries torque meets the lines.
+        Points where components with torque meet the lines.
 
     >>> passed([((0, 0), (4, 0)), ((2, 0), (2, 3))], {(0, 0), (2, 3)})[0]
     [(((0, 0), (2, 0)), True), (((2, 0), (4, 0)), False), (((2, 0), (2, 3)), True)]
     """
     split = [_split(line, lines, met) for line in lines]
     steps = [step for points in split for step in pairwise(points)]
-    kept = _between(met, steps)
-    runs = [run for along in split for run in _runs(along, kept)]
-    return runs, {at for step in kept for at in step}
+    loaded = _between(met, steps)
+    runs = [run for along in split for run in _runs(along, loaded)]
+    return runs, {at for step in loaded for at in step}
 
 
 def _split(line: Segment, others: Iterable[Segment], ends: Iterable[Point]) -> list[Point]:
-    """The points of a line at which it may branch, in their order."""
+    """Return the points at which a line can branch, in order."""
     points = {*line, *(at for at in ends if _is_on(at, line))}
     is_upright = line[0][0] == line[1][0]
     for other in others:
@@ -46,20 +46,20 @@ def _is_on(at: Point, line: Segment) -> bool:
 
 
 def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
-    """The steps that are left if those that lead to no end are taken away."""
-    kept = {step for step in steps if step[0] != step[1]}
+    """Return the steps between ends, by removing dead ends."""
+    remaining = {step for step in steps if step[0] != step[1]}
     while True:
-        points = [at for step in kept for at in step]
+        points = [at for step in remaining for at in step]
         loose = {at for at in points if points.count(at) == 1} - ends
         if not loose:
-            return kept
-        kept = {step for step in kept if not loose & {*step}}
+            return remaining
+        remaining = {step for step in remaining if not loose & {*step}}
 
 
-def _runs(points: Sequence[Point], kept: set[Segment]) -> Iterator[tuple[Segment, bool]]:
-    """A line in as few pieces as differ in whether torque passes."""
+def _runs(points: Sequence[Point], loaded: set[Segment]) -> Iterator[tuple[Segment, bool]]:
+    """Yield a line in the fewest pieces with equal torque state."""
     start = 0
-    marks = [step in kept for step in pairwise(points)]
+    marks = [step in loaded for step in pairwise(points)]
     for place, mark in enumerate(marks, 1):
         if place == len(marks) or marks[place] != mark:
             yield (points[start], points[place]), mark

@@ -1,4 +1,4 @@
-"""Arrows of ports: input and output, which way their power goes, and what goes on elsewhere."""
+"""Arrows of ports: input and output with the direction of power, and continuations."""
 
 from __future__ import annotations
 
@@ -10,17 +10,20 @@ from vstatics.pictures.schemes.scheme import SchemePort
 
 
 def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Those at both ends of the axis."""
-    (left, right), train = ends_of(layout), layout.own.train
+    """Draw the ports at both ends of the axis."""
+    (left, right), train = ends_of(layout), layout.coaxial.train
     for link, x, way in ((train.start, left, -1.0), (train.end, right, 1.0)):
         if link:
             draw_end(ink, link, (x, layout.places.axis), way)
 
 
 def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
-    """The arrow of a link that leaves along the axis, with its name."""
-    own = [port for port in ink.scheme.ports if port.link == link]
-    port = min(own, key=lambda one: (one in ink.state.idle_ports, one.is_left != (way < 0)))
+    """Draw the arrow and the name of a link that leaves along the axis."""
+    ports = [port for port in ink.scheme.ports if port.link == link]
+    port = min(
+        ports,
+        key=lambda candidate: (candidate in ink.state.idle_ports, candidate.is_left != (way < 0)),
+    )
     port_arrow(ink, port, at, (way, 0.0))
     name = at[0] + way * (ARROW + PORT_NAME), at[1]
     ha = "left" if way > 0 else "right"
@@ -28,7 +31,7 @@ def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
 
 
 def port_arrow(ink: SchemeInk, port: SchemePort, at: Point, way: Point) -> None:
-    """The arrow goes where power goes, as far as is known."""
+    """Draw an arrow in the direction of power, as far as known."""
     color, (x, y), (dx, dy) = ink.end_color([port]), at, way
     if port.is_further:
         end = x + dx * ARROW, y + dy * ARROW

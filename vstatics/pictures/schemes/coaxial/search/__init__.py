@@ -1,6 +1,6 @@
-"""What stands along an axis, from left to right: a search that is the same every time.
+"""Order of components along an axis from left to right, by a deterministic search.
 
-`state` is what there is at a place, `moves` what may come next, of sets `set_moves`; `remainder`
-tells when the remainder cannot be drawn any more, `sweep` searches, `stacked` is the arrangement
-with crossings that always exists.
+`state` is the situation at a place, `moves` the possible next steps, with those of gear sets in
+`set_moves`. `remainder` detects dead ends, `sweep` searches, and `stacked` is the arrangement with
+crossings that always exists.
 """

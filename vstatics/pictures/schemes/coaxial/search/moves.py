@@ -1,4 +1,4 @@
-"""The next thing to the right in a half-section: a coupling, a wall of a link, a set."""
+"""Next steps to the right in a half-section: a coupling, a wall of a link, a gear set."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class Moves(NamedTuple):
-    """All next steps of a train."""
+    """Possible next steps of a train."""
 
     train: CoaxialTrain
     crossing: int = 0
-    """The bits of what may cross bars."""
+    """Bits of the parts that can cross bars."""
     is_ordered: bool = False
-    """Whether sets stand as they are given."""
+    """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
-        """All of a state."""
+        """Yield all steps from a state."""
         yield from self._tops(state)
         yield from self._pairs(state)
         yield from self._walls(state)
         yield from SetMoves(*self).after(state)
 
     def _tops(self, state: SectionState) -> Iterator[Move]:
-        """Links that begin at the housing; those that end there come by themselves."""
+        """Yield links that begin at the housing; links that end there need no step."""
         below, above, done = state
         bars = below + above
         for index, (link, bit) in enumerate(zip(self.train.tops, self.train.top_bits, strict=True)):
@@ -58,7 +58,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), TOP, cost, step)
 
     def _pairs(self, state: SectionState) -> Iterator[Move]:
-        """Couplings of which one link begins, or begins anew, beside the other."""
+        """Yield couplings with a link that begins, or begins again, next to a present link."""
         below, above, done = state
         bars = below + above
         alive = links_of(bars)
@@ -68,11 +68,13 @@ class Moves(NamedTuple):
             if done & bit:
                 continue
             ways: list[tuple[Bars, Bars, int]] = []
-            for one, other in (pair, pair[::-1]):
-                part = fresh(other, bars)
-                if one in alive and part is not None:
-                    again = FOLD * (other in alive)
-                    for low, high, cost in _beside(below, above, one, part, wraps=not again):
+            for first_link, second_link in (pair, pair[::-1]):
+                part = fresh(second_link, bars)
+                if first_link in alive and part is not None:
+                    again = FOLD * (second_link in alive)
+                    for low, high, cost in _adjacent(
+                        below, above, first_link, part, wraps=not again
+                    ):
                         ways.append((low, high, cost + again))
             if self.crossing & bit and alive.issuperset(pair):
                 first, second = ([n for n, b in enumerate(bars) if b >> 3 == x] for x in pair)
@@ -83,7 +85,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
 
     def _walls(self, state: SectionState) -> Iterator[Move]:
-        """Links that pass the row of planets."""
+        """Yield links that pass the row of planets."""
         below, above, done = state
         bars = below + above
         ways = []
@@ -96,10 +98,10 @@ class Moves(NamedTuple):
             yield Move(SectionState(low, high, done), WALL, FOLD, step)
 
 
-def _beside(
+def _adjacent(
     below: Bars, above: Bars, link: int, part: int, *, wraps: bool
 ) -> Iterator[tuple[Bars, Bars, int]]:
-    """All places of a new bar next to those of a link, or between two bars of it."""
+    """Yield all places of a new bar next to the bars of a link, or within a bar."""
     for row, is_low in ((below, True), (above, False)):
         for at, bar in enumerate(row):
             if bar >> 3 != link:

@@ -1,4 +1,4 @@
-"""Whether what is not drawn yet can still be drawn to the right of what is."""
+"""Test whether the remaining components can still be drawn to the right."""
 
 from __future__ import annotations
 
@@ -9,37 +9,42 @@ from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, Coaxia
 
 
 def can_go_on(train: CoaxialTrain, bars: Sequence[int], done: int) -> bool:
-    """Whether no two parts of the rest alternate along the bars, so that they would cross.
+    """Return whether no two parts of the remainder alternate along the bars.
 
-    What is left falls into parts that hang together by links not begun. The bars from the axis
-    to the housing are a line, all of the rest is on one side of it: of two parts, one lies
-    between two neighbouring ends of the other. This is necessary, not sufficient.
+    The remainder consists of parts connected by links that have not begun. The bars from the axis
+    to the housing form a line, and the whole remainder is on one side of it. Of two parts, one
+    must lie between two neighbouring ends of the other, or they would cross. This condition is
+    necessary, but not sufficient.
 
     Parameters
     ----------
     bars : sequence of int
-        From the axis outward: eight times a link, and the number of its part.
+        Bars from the axis outward: eight times a link plus the number of its part.
     """
     parts = list(_parts(train, bars, done))
-    for own in parts:
-        line = sorted(own)
+    for places in parts:
+        line = sorted(places)
         for other in parts:
-            gaps = {bisect(line, place) % len(line) for place in other - own}
+            gaps = {bisect(line, place) % len(line) for place in other - places}
             if len(gaps) > 1:
                 return False
     return True
 
 
 def _parts(train: CoaxialTrain, bars: Sequence[int], done: int) -> Iterator[frozenset[int]]:  # noqa: C901 - what each edge joins
-    """Of each part of the rest, the places of the bars that it ends at."""
+    """Yield the places of the bars at which each part of the remainder ends."""
     places: dict[int, set[int]] = {AXIS: {-1}, HOUSING_VERTEX: {len(bars)}}
     pieces: dict[int, set[int]] = {}
     for place, bar in enumerate(bars):
         places.setdefault(bar >> 3, set()).add(place)
         pieces.setdefault(bar >> 3, set()).add(bar)
-    # a link with several bars that hang together may be met at any of them
-    loose = {link for link, own in pieces.items() if len(own) == 1 and len(places[link]) > 1}
-    ends = {link for link, own in places.items() if len(own) == 1}
+    # A link with several connected bars can be met at any of them.
+    loose = {
+        link
+        for link, bars_of_link in pieces.items()
+        if len(bars_of_link) == 1 and len(places[link]) > 1
+    }
+    ends = {link for link, bars_of_link in places.items() if len(bars_of_link) == 1}
     over: dict[int, int] = {}
 
     def root(link: int) -> int:
@@ -47,20 +52,28 @@ def _parts(train: CoaxialTrain, bars: Sequence[int], done: int) -> Iterator[froz
             link = over[link]
         return link
 
-    met = [(link, own) for link, own in places.items() if link not in loose and link not in ends]
-    found: list[set[int]] = []
-    for bit, one, other in train.edges:
-        if done & bit or one in loose or other in loose:
+    met = [
+        (link, bars_of_link)
+        for link, bars_of_link in places.items()
+        if link not in loose and link not in ends
+    ]
+    single_edges: list[set[int]] = []
+    for bit, first_link, second_link in train.edges:
+        if done & bit or first_link in loose or second_link in loose:
             continue
-        if one in ends and other in ends:
-            found.append(places[one] | places[other])
-        elif one in ends:
-            met.append((other, places[one]))
-        elif other in ends:
-            met.append((one, places[other]))
-        elif (first := root(one)) != (second := root(other)):
+        if first_link in ends and second_link in ends:
+            single_edges.append(places[first_link] | places[second_link])
+        elif first_link in ends:
+            met.append((second_link, places[first_link]))
+        elif second_link in ends:
+            met.append((first_link, places[second_link]))
+        elif (first := root(first_link)) != (second := root(second_link)):
             over[first] = second
     groups: dict[int, set[int]] = {}
-    for link, own in met:
-        groups.setdefault(root(link), set()).update(own)
-    yield from {frozenset(own) for own in (*found, *groups.values()) if len(own) > 1}
+    for link, bars_of_link in met:
+        groups.setdefault(root(link), set()).update(bars_of_link)
+    yield from {
+        frozenset(bars_of_link)
+        for bars_of_link in (*single_edges, *groups.values())
+        if len(bars_of_link) > 1
+    }

@@ -1,4 +1,4 @@
-"""Sets as the next thing to the right: suns below the row of planets, rings above it."""
+"""Gear sets as the next step to the right, with suns below the row of planets and rings above."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 NONE, TAKEN, KEPT, NEW = range(4)
-"""How a carrier is joined to the bar beside it, which ends there, goes on, or begins."""
+"""Connection of a carrier to the adjacent bar: no bar, or a bar that ends, continues or begins."""
 _Plane = tuple[tuple[int, int], tuple[int, int]]
-"""Sun and ring, and their bits."""
+"""Sun and ring of a plane, and the bits of both."""
 
 
 class _Begun(NamedTuple):
-    """A set as far as it is drawn."""
+    """Partly drawn gear set."""
 
     state: SectionState
     cost: int
@@ -41,46 +41,48 @@ def _is_last(row: Bars, link: int) -> bool:
 
 
 def _end_of(row: Bars, carrier: int, joined: set[int]) -> list[int]:
-    """How a carrier may be joined on its right: not, to a bar that is there, to a new one."""
+    """Return the possible connections of a carrier on the right."""
     if not _is_last(row, carrier):
         return [NONE, NEW]
     return [NONE] if row[-1] in joined else [NONE, KEPT]
 
 
 class _LeftArm(NamedTuple):
-    """How a set begins."""
+    """Left end of a gear set."""
 
     before: SectionState
     carrier: int
     bit: int
     joined: set[int]
-    """Bars to which the carrier is joined."""
+    """Bars connected to the carrier."""
     left: tuple[bool, bool]
-    """Whether it is, below and above."""
+    """True for a connection below and above."""
 
 
 class SetMoves(NamedTuple):
-    """All ways to draw the next set of a train."""
+    """Possible ways to draw the next gear set of a train."""
 
     train: CoaxialTrain
     crossing: int
-    """The bits of what may cross bars."""
+    """Bits of the parts that can cross bars."""
     is_ordered: bool
-    """Whether sets stand as they are given."""
+    """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
-        """All of a state."""
+        """Yield all steps from a state."""
         train = self.train
-        for index, (one, bit) in enumerate(zip(train.sets, train.carrier_bits, strict=True)):
+        for index, (planes_of_set, bit) in enumerate(
+            zip(train.sets, train.carrier_bits, strict=True)
+        ):
             if state.done & bit:
                 continue
-            passed = sum(not state.done & other for other in train.carrier_bits[:index])
+            passed = sum(not state.done & earlier for earlier in train.carrier_bits[:index])
             if self.is_ordered and passed:
                 continue
-            planes = list(zip(one.wheels, train.wheel_bits[index], strict=True))
+            planes = list(zip(planes_of_set.wheels, train.wheel_bits[index], strict=True))
             ways = [planes] if len(planes) == 1 else [planes, planes[::-1]]
             for is_turned, way in enumerate(ways):
-                for move in self._set(state, one.carrier, bit, way):
+                for move in self._set(state, planes_of_set.carrier, bit, way):
                     step = move.step._replace(number=index, is_turned=bool(is_turned))
                     cost = move.cost + EXCHANGE * passed
                     yield move._replace(length=SET * len(way), cost=cost, step=step)
@@ -88,7 +90,7 @@ class SetMoves(NamedTuple):
     def _set(
         self, state: SectionState, carrier: int, bit: int, planes: Sequence[_Plane]
     ) -> Iterator[Move]:
-        """A set, its carrier joined to the left and to the right in all ways."""
+        """Yield a gear set with all connections of the carrier to the left and right."""
         below, above, _ = state
         bars = below + above
         part = fresh(carrier, bars)
@@ -118,7 +120,7 @@ class SetMoves(NamedTuple):
                 yield from self._left_behind(at, _LeftArm(state, carrier, bit, joined, left))
 
     def _meshed(self, begun: _Begun, planes: Sequence[_Plane], carrier: int) -> Iterator[_Begun]:
-        """Plane by plane: the sun is the last bar below, the ring the first above."""
+        """Yield the set with further planes: sun on the last bar below, ring on the first above."""
         if not planes:
             yield begun
             return
@@ -128,12 +130,12 @@ class SetMoves(NamedTuple):
             for mirrored, more in self._wheel(above[::-1], low, ring, ring_bit):
                 high = mirrored[::-1]
                 now = SectionState(low, high, done | sun_bit | ring_bit)
-                rest = self._without_ended(now, carrier)
-                step = _Begun(rest, cost + extra + more, (*seen, (low, high)))
+                remaining = self._without_ended(now, carrier)
+                step = _Begun(remaining, cost + extra + more, (*seen, (low, high)))
                 yield from self._meshed(step, planes[1:], carrier)
 
     def _wheel(self, row: Bars, others: Bars, link: int, bit: int) -> Iterator[tuple[Bars, int]]:
-        """The bars with that of a wheel as the last, and what this costs."""
+        """Yield the bars with the bar of a gear at the end, and the cost."""
         if not link or _is_last(row, link):
             yield row, 0
             return
@@ -144,7 +146,7 @@ class SetMoves(NamedTuple):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
 
     def _without_ended(self, state: SectionState, carrier: int) -> SectionState:
-        """Wheels end at their planes where nothing else joins them."""
+        """Remove the bars of gears that nothing else connects."""
         below, above, done = state
         bars = below + above
         masks = self.train.masks
@@ -156,27 +158,29 @@ class SetMoves(NamedTuple):
         return SectionState(low, high, done)
 
     def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:
-        """What is to the right of a set, its carrier joined there in all ways."""
+        """Yield the states to the right of a set, with all connections of the carrier."""
         before, carrier, bit, joined, left = arm
         (below, above, done), cost, seen = begun
         done |= bit
         has_more = bool(self.train.masks[carrier] & ~done)
         ends = [_end_of(row, carrier, joined) for row in (below, above[::-1])]
         for low, high in product(*ends):
-            own = set(joined)
-            own |= {below[-1]} if low == KEPT else set()
-            own |= {above[0]} if high == KEPT else set()
+            carrier_bars = set(joined)
+            carrier_bars |= {below[-1]} if low == KEPT else set()
+            carrier_bars |= {above[0]} if high == KEPT else set()
             if low == high == KEPT and below[-1] == above[0]:
                 continue
-            if not own:
+            if not carrier_bars:
                 part = fresh(carrier, below + above)
                 if part is None or (
                     not (low or high) and (has_more or carrier in links_of(below + above))
                 ):
                     continue
-                own = {part}
-            main = min(own)
-            under, over = (tuple(main if b in own else b for b in row) for row in (below, above))
+                carrier_bars = {part}
+            main = min(carrier_bars)
+            under, over = (
+                tuple(main if b in carrier_bars else b for b in row) for row in (below, above)
+            )
             under += (main,) * (low == NEW)
             over = (main,) * (high == NEW) + over
             bars = [b for b in under + over if b >> 3 == carrier]

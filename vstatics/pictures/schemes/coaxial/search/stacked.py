@@ -1,7 +1,7 @@
-"""An arrangement of any train, with crossings: each link has a level line as long as it is needed.
+"""Arrangement of any train with crossings: a horizontal line for each link, as long as needed.
 
-The search falls back to it where no better arrangement is reached soon. Of what is left, the
-component with the fewest crossings and the fewest new lines is next.
+The search falls back to this arrangement if no better arrangement is found soon. In each step, the
+remaining component with the fewest crossings and the fewest new lines is added.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from vstatics.pictures.schemes.coaxial.search.state import Bars, SectionState, S
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 STACKED_CROSSING = 10
-"""Cost of a crossing, relative to that of a new line."""
+"""Cost of a crossing, relative to the cost of a new line."""
 
 
 class _Stacked(NamedTuple):
-    """The next component."""
+    """Candidate for the next component."""
 
     cost: int
     steps: tuple[SweepStep, ...]
@@ -44,7 +44,7 @@ def stacked(train: CoaxialTrain) -> list[SweepStep]:
 
 
 def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
-    """Return all components that can be next."""
+    """Yield all components that can be next."""
     kinds = (
         (train.carrier_bits, _set),
         (train.pair_bits, _pair),
@@ -57,7 +57,6 @@ def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
 
 
 def _ended(train: CoaxialTrain, below: Bars, above: Bars, done: int) -> SectionState:
-    """Return the lines of links that something else joins."""
     low, high = (
         tuple(bar for bar in row if train.masks[bar >> 3] & ~done) for row in (below, above)
     )
@@ -76,29 +75,31 @@ def _top(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
 
 def _pair(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     below, above, done = state
-    one, other = (8 * link for link in train.pairs[number])
+    first_bar, second_bar = (8 * link for link in train.pairs[number])
     bars = below + above
-    if one not in bars and other in bars:
-        one, other = other, one
-    if one not in bars:
-        above = (one, *above)
+    if first_bar not in bars and second_bar in bars:
+        first_bar, second_bar = second_bar, first_bar
+    if first_bar not in bars:
+        above = (first_bar, *above)
     crossed = 0
-    if other in bars:
-        places = [[n for n, bar in enumerate(bars) if bar == own] for own in (one, other)]
+    if second_bar in bars:
+        places = [
+            [n for n, bar in enumerate(bars) if bar == bar_] for bar_ in (first_bar, second_bar)
+        ]
         crossed = min(abs(a - b) for a in places[0] for b in places[1]) - 1
-    elif one in below:
-        place = below.index(one) + 1
-        below = (*below[:place], other, *below[place:])
+    elif first_bar in below:
+        place = below.index(first_bar) + 1
+        below = (*below[:place], second_bar, *below[place:])
     else:
-        place = above.index(one)
-        above = (*above[:place], other, *above[place:])
+        place = above.index(first_bar)
+        above = (*above[:place], second_bar, *above[place:])
     step = SweepStep("pair", number, [(below, above)])
     after = _ended(train, below, above, done | train.pair_bits[number])
     return _Stacked(STACKED_CROSSING * crossed, (step,), after)
 
 
 def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
-    """Return a set whose wheels and carrier may cross the lines in between."""
+    """Return a gear set whose gears and carrier can cross the lines in between."""
     below, above, done = state
     carrier, wheels = train.sets[number]
     crossed, walls = 0, list[SweepStep]()
@@ -110,7 +111,7 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
                 continue
             row = (*row, bar)
             below, above = (row, above) if is_sun else (below, row[::-1])
-            if bar in others:  # its line is on the other side of the row
+            if bar in others:  # the line is on the other side of the row
                 crossed += others[::-1].index(bar)
                 walls.append(SweepStep("wall", link, [(below, above)]))
     bits = sum(bit for both in train.wheel_bits[number] for bit in both)

@@ -1,7 +1,7 @@
-"""The bars at a place along the axis, and what stands there.
+"""Bars at a place along the axis, and the component there.
 
-A bar is eight times its link, and the number of the part of the link that it belongs to: parts that
-are not joined yet must be, further right.
+A bar is eight times its link plus the number of a part of the link. Separate parts of a link must
+be connected further to the right.
 """
 
 from __future__ import annotations
@@ -11,14 +11,15 @@ from itertools import pairwise
 from typing import NamedTuple
 
 Bars = tuple[int, ...]
+"""Bars from the axis outward."""
 SET, PAIR, TOP, WALL = 3, 2, 1, 1
-"""Lengths along the axis, for the cost of bars."""
+"""Lengths of components along the axis, for the cost of bars."""
 FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
-"""What cost a wall of a link, a further bar of it, a crossing, two sets in another order."""
+"""Costs of a wall, of an additional bar of a link, of a crossing, and of two exchanged sets."""
 
 
 class SectionState(NamedTuple):
-    """The bars at one place along the axis, and what is drawn to the left of it."""
+    """Bars at a place along the axis, and the bits of everything to the left."""
 
     below: Bars
     above: Bars
@@ -26,27 +27,28 @@ class SectionState(NamedTuple):
 
 
 class SweepStep(NamedTuple):
-    """Something that stands at a place along the axis."""
+    """Component at a place along the axis."""
 
     kind: str
     """``top``, ``pair``, ``wall`` or ``set``."""
     number: int
-    """Of the top, the pair or the set; the link of a wall."""
+    """Number of the top, pair or set; link of a wall."""
     bars: Sequence[tuple[Bars, Bars]]
-    """Bars there; of a set at its left arm, at its planes, at its right arm."""
+    """Bars at the component; for a set at the left arm, the planes and the right arm."""
     place: int = -1
-    """Of two neighbours that are joined the lower one's, from the axis; -1 for the nearest."""
+    """Place of the lower of two connected neighbours, from the axis; -1 for the nearest bars."""
     is_turned: bool = False
-    """A set whose planes are drawn from right to left."""
+    """True for a set with planes from right to left."""
     left: tuple[bool, bool] = (False, False)
-    """Whether the arm of a carrier is joined to the last bar below, to the first above."""
+    """True for a left arm to the last bar below, and to the first bar above."""
     right: tuple[bool, bool] = (False, False)
+    """True for a right arm to the last bar below, and to the first bar above."""
     before: tuple[Bars, Bars] | None = None
-    """Bars to the left of it, where it begins some."""
+    """Bars to the left, if the component starts bars."""
 
 
 class Move(NamedTuple):
-    """A step, what comes behind it, and its cost but for the bars."""
+    """Step with the following state, and the cost without bars."""
 
     state: SectionState
     length: int
@@ -55,7 +57,7 @@ class Move(NamedTuple):
 
 
 def links_of(bars: Bars) -> set[int]:
-    """The links that have bars."""
+    """Return the links with bars."""
     return {bar >> 3 for bar in bars}
 
 
@@ -69,8 +71,8 @@ def in_two_parts(bars: Bars) -> set[int]:
 
 
 def fresh(link: int, bars: Bars) -> int | None:
-    """A new part of a link; None if it has two already."""
-    own = {bar for bar in bars if bar >> 3 == link}
-    if len(own) > 1:
+    """Return a new part of a link, or `None` for a link with two parts."""
+    parts = {bar for bar in bars if bar >> 3 == link}
+    if len(parts) > 1:
         return None
-    return 8 * link + (8 * link in own)
+    return 8 * link + (8 * link in parts)

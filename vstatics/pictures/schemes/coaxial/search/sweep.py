@@ -1,7 +1,8 @@
-"""The order along the axis in which things stand, by a search that is the same every time.
+"""Deterministic search for the order of components along the axis.
 
-States are taken by what they cost so far and what they will at least (A*, the rest weighted more
-to be soon at an end). What joins two neighbouring bars stands there at once: this is never worse.
+States are expanded by the past cost plus the estimated remaining cost (A*, with a weight on the
+estimate to reach an end soon). Components that connect neighbouring bars are added at once, which
+is never worse.
 """
 
 from __future__ import annotations
@@ -31,48 +32,48 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class SweepEffort(NamedTuple):
-    """Tries of a search: the weight of the remaining cost, and the number of states."""
+    """Tries of a search, each with the weight of the remaining cost and a number of states."""
 
     planar: Sequence[tuple[float, int]]
-    """Without crossings."""
+    """Tries without crossings."""
     crossing: Sequence[tuple[float, int]]
-    """With crossings of one or two couplings."""
+    """Tries with crossings of few couplings."""
     last: Sequence[tuple[float, int]]
-    """With crossings of all parts that can cross."""
+    """Tries with crossings of all parts that can cross."""
     is_first: bool = False
-    """Whether the first arrangement with crossings serves."""
+    """True to use the first arrangement with crossings."""
 
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
 LAST_TRIES = (1000.0, 400), (100.0, 800)
 FULL = SweepEffort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
 QUICK = SweepEffort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
-"""Effort for one of many diagrams."""
+"""Effort for a diagram among many."""
 BRIEF = SweepEffort(
     ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 400),), is_first=True
 )
-"""Effort for a picture of boxes, of which each case has one."""
-MOST_SETS = 20
+"""Effort for a picture of boxes."""
+MOST_SEARCHED_SETS = 20
 """Number of sets up to which an arrangement is searched for."""
 LAST_SETS = 6
-"""Number of sets above which fewer states with all crossings are tried, as each takes longer."""
+"""Number of sets above which fewer states with all crossings are tried, because of the time."""
 MOST_CROSSING = 2
-"""Couplings of which all choices are tried as those that cross."""
+"""Largest number of crossing couplings in a choice."""
 MOST_CHOICES = 12
-"""Of those, in the order of the train."""
+"""Largest number of choices of crossing couplings, in the order of the train."""
 MOST_FURTHER = 2
-"""Bars at one place beyond one of each link."""
+"""Largest number of additional bars at a place, beyond a single bar of each link."""
 BARS_OF_REST = 2
-"""In the estimate of what the rest will cost."""
+"""Number of bars in the estimate of the remaining cost."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
 
 
 class Swept(NamedTuple):
-    """The steps from left to right, and how they were found."""
+    """Steps of an arrangement from left to right."""
 
     steps: Sequence[SweepStep]
     is_ordered: bool = True
-    """False if sets should stand as they are given, but no way was found."""
+    """False if gear sets should be in the given order but are not."""
 
 
 @lru_cache(maxsize=64)
@@ -82,7 +83,7 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort 
     Parameters
     ----------
     is_ordered : bool
-        Sets stand as they are given, also where this costs crossings, if a way is found soon.
+        True to keep gear sets in the given order, even with crossings, if a way is found soon.
     effort : SweepEffort, optional
         Tries of the search, after which all lines are stacked.
 
@@ -93,19 +94,21 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort 
     >>> [step.kind for step in swept(train).steps]
     ['set', 'top']
     """
-    if len(train.sets) > MOST_SETS:
+    if len(train.sets) > MOST_SEARCHED_SETS:
         return Swept(stacked(train), not is_ordered)
     is_planar = has_half_section(train)
     for ordered in (True, False)[not is_ordered :]:
-        found = _planar(train, effort, is_ordered=ordered) if is_planar else None
-        found = found or _with_crossings(train, effort, is_planar=is_planar, is_ordered=ordered)
-        if found is not None:
-            return Swept(found.steps, ordered or not is_ordered)
+        arrangement = _planar(train, effort, is_ordered=ordered) if is_planar else None
+        arrangement = arrangement or _with_crossings(
+            train, effort, is_planar=is_planar, is_ordered=ordered
+        )
+        if arrangement is not None:
+            return Swept(arrangement.steps, ordered or not is_ordered)
     return Swept(stacked(train), not is_ordered)
 
 
 def _planar(train: CoaxialTrain, effort: SweepEffort, *, is_ordered: bool) -> _FoundSteps | None:
-    """Return the first way without crossings that is found."""
+    """Return the first arrangement without crossings."""
     ways = (
         _SweepSearch(Moves(train, 0, is_ordered), weight).found(most)
         for weight, most in effort.planar
@@ -116,7 +119,7 @@ def _planar(train: CoaxialTrain, effort: SweepEffort, *, is_ordered: bool) -> _F
 def _with_crossings(
     train: CoaxialTrain, effort: SweepEffort, *, is_planar: bool, is_ordered: bool
 ) -> _FoundSteps | None:
-    """Return the best way with as few crossings as can be, else any way."""
+    """Return the best arrangement with few crossings, or any arrangement."""
     tried = (
         _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most)
         for crossing in _crossing(train, is_planar=is_planar)
@@ -134,14 +137,14 @@ def _with_crossings(
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
-    """The bits of what may cross: as few couplings as possible, so that the rest is planar."""
+    """Return the bits of the fewest couplings whose crossing makes the remainder planar."""
     bits = [*train.pair_bits, *train.top_bits]
     for number in range(1, MOST_CROSSING + 1):
         ways = (sum(way) for way in combinations(bits, number))
         fit = (way for way in ways if is_planar or has_half_section(train, way))
-        found = list(islice(fit, MOST_CHOICES))
-        if found:
-            return found
+        choices = list(islice(fit, MOST_CHOICES))
+        if choices:
+            return choices
     return []
 
 
@@ -155,7 +158,7 @@ class _SweepSearch(NamedTuple):
     weight: float
 
     def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - one loop
-        """The steps to the end; None if it is not reached with so many states."""
+        """Return the steps to the end, or `None` if too many states are needed."""
         train, number = self.moves.train, count()
         waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
         best: dict[SectionState, int] = {}
@@ -195,27 +198,27 @@ class _SweepSearch(NamedTuple):
     def _rest(self, done: int) -> int:
         train = self.moves.train
         sets = zip(train.sets, train.carrier_bits, strict=True)
-        value = sum(SET * len(one.wheels) for one, bit in sets if not done & bit)
+        value = sum(SET * len(planes.wheels) for planes, bit in sets if not done & bit)
         return BARS_OF_REST * (value + PAIR * sum(not done & bit for bit in train.pair_bits))
 
     def _settled(
         self, state: SectionState
     ) -> Iterator[tuple[SectionState, tuple[SweepStep, ...], int]]:
-        """A state after all that stands between neighbours; also with fewer bars of a link."""
+        """Yield a state after all connections of neighbours, also with fewer bars of a link."""
         steps: tuple[SweepStep, ...] = ()
         cost = 0
         while True:
             state = self._ended(state)
-            found = self._next(state)
-            if found is None:
+            connection = self._next(state)
+            if connection is None:
                 break
-            state, step, length = found
+            state, step, length = connection
             steps, cost = (*steps, step), cost + length * len(state.below + state.above)
         for below, above in _thinned(state.below, state.above):
             yield SectionState(*_numbered(below, above), state.done), steps, cost
 
     def _ended(self, state: SectionState) -> SectionState:
-        """Without the bars of links that nothing more joins."""
+        """Remove the bars of links without further connections."""
         below, above, done = state
         masks, bars = self.moves.train.masks, below + above
         ended = {bar >> 3 for bar in bars if not masks[bar >> 3] & ~done}
@@ -226,14 +229,20 @@ class _SweepSearch(NamedTuple):
         return SectionState(low, high, done)
 
     def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:
-        """What joins two neighbours, or the outermost bar and the housing."""
+        """Return a connection of two neighbours, or of the outermost bar to the housing."""
         train, (below, above, done) = self.moves.train, state
         bars, here = below + above, [(below, above)]
-        for place, (one, other) in enumerate(pairwise(bars)):
-            if one >> 3 == other >> 3 and one != other:
-                low, high = (tuple(one if b == other else b for b in row) for row in (below, above))
-                return SectionState(low, high, done), SweepStep("wall", one >> 3, here, place), WALL
-            for index, bit in train.couplings.get((one >> 3, other >> 3), ()):
+        for place, (low_bar, high_bar) in enumerate(pairwise(bars)):
+            if low_bar >> 3 == high_bar >> 3 and low_bar != high_bar:
+                low, high = (
+                    tuple(low_bar if b == high_bar else b for b in row) for row in (below, above)
+                )
+                return (
+                    SectionState(low, high, done),
+                    SweepStep("wall", low_bar >> 3, here, place),
+                    WALL,
+                )
+            for index, bit in train.couplings.get((low_bar >> 3, high_bar >> 3), ()):
                 if not done & bit:
                     step = SweepStep("pair", index, here, place)
                     return state._replace(done=done | bit), step, PAIR
@@ -244,15 +253,15 @@ class _SweepSearch(NamedTuple):
 
 
 def _unrolled(trace: _Trace | None) -> list[SweepStep]:
-    found: list[SweepStep] = []
+    all_steps: list[SweepStep] = []
     while trace is not None:
         steps, trace = trace
-        found[:0] = steps
-    return found
+        all_steps[:0] = steps
+    return all_steps
 
 
 def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
-    """All bars, or one only of those that hang together; few links have several."""
+    """Yield all bars, and selections with a single bar of each connected group."""
     bars, low = below + above, len(below)
     links = {bar >> 3 for bar in bars}
     if len(links) == len(bars):
@@ -260,12 +269,12 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
         return
     ways = [tuple(range(len(bars)))]
     for bar in dict.fromkeys(bars):
-        own = [place for place, one in enumerate(bars) if one == bar]
-        if len(own) > 1:
+        group = [place for place, other_bar in enumerate(bars) if other_bar == bar]
+        if len(group) > 1:
             ways += [
-                tuple(place for place in way if place not in own or place == kept)
+                tuple(place for place in way if place not in group or place == chosen)
                 for way in ways
-                for kept in own
+                for chosen in group
             ]
     for way in ways:
         if len(way) - len(links) <= MOST_FURTHER:
@@ -275,7 +284,7 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
 
 
 def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
-    """Parts of links numbered as they come."""
+    """Number the parts of links in order of appearance."""
     names: dict[int, int] = {}
     parts: dict[int, int] = {}
     for bar in below + above:
