@@ -79,8 +79,8 @@ docs/messages.md. Then `make messages` writes the last part of that page."""
 
 def test_every_id_has_a_cause_and_a_cure() -> None:
     told = known_ids()
-    unexplained, unknown = sorted(ids_in_code() - {*told}), sorted({*told} - ids_in_code())
-    assert not unexplained, f"no line for {unexplained}.{HOW_TO_ADD}"
+    lacking, unknown = sorted(ids_in_code() - {*told}), sorted({*told} - ids_in_code())
+    assert not lacking, f"no line for {lacking}.{HOW_TO_ADD}"
     assert not unknown or missing(ANNEXES), (
         f"the code has no message {unknown}: remove their lines.{HOW_TO_ADD}"
     )

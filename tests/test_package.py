@@ -273,8 +273,8 @@ def test_a_part_that_cannot_be_is_told(changes: dict[str, Any], said: str) -> No
 def test_what_speaks_of_one_case_refuses_variants() -> None:
     case = vstatics.load(BOX)
     many: Any = vstatics.solve(case, efficiencies=np.full((2, len(case.mechanisms)), 0.98))
-    functions: list[Any] = [vstatics.summarize, vstatics.flows]
-    for function in [*functions, *([vstatics.plot] if "pictures" in HERE else [])]:
+    drawing: list[Any] = [vstatics.plot] if "pictures" in HERE else []
+    for function in (vstatics.summarize, vstatics.flows, *drawing):
         with pytest.raises(ValueError, match="expected one case"):
             function(many)
 

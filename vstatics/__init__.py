@@ -183,11 +183,13 @@ HIGHER.update(
     explanation_grids="vstatics.core.explain.tables",
     flow_grids="vstatics.core.flow.rows",
     from_dict="vstatics.core.readers",
+    part_numbers="vstatics.core.elements.part_numbers",
     results_html="vstatics.core.summary.pretty",
     summary_grids="vstatics.core.summary.tables",
     to_dataframe="vstatics.core.tables.dataframe",
     to_json="vstatics.core.writers.result_json",
     to_xarray="vstatics.core.tables.dataset",
+    with_part_numbers="vstatics.core.elements.part_numbers",
 )
 """What methods do, in rooms, or modules, of which those of their classes must know nothing."""
 

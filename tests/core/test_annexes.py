@@ -9,21 +9,51 @@ from pathlib import Path
 import pytest
 
 import vstatics
+from tests import commands
+from tests.commands import CASES
 from tests.installed import COMMANDS, NAMES
 from tests.without import removed_with
-from vstatics.core.annexes import annexes
+from vstatics.core.annexes import DOCUMENTS, annexes
 from vstatics.core.cli import main
 
 
 def test_every_name_of_a_record_is_in_its_module() -> None:
     for annex in annexes():
-        for names in (annex.names, annex.methods, annex.types):
+        documents = [kind.functions for kind in annex.documents.values()]
+        schemas = [{one.type: one.module} for one in annex.schemas.values()]
+        for names in (annex.names, annex.methods, annex.types, *documents, *schemas):
             for name, module in names.items():
                 assert module.startswith(f"vstatics.{annex.name}"), name
                 assert hasattr(import_module(module), name), name
         for key, module in annex.keys.items():
             assert module.startswith(f"vstatics.{annex.name}."), key
             assert import_module(module).KEY.shape.name == key
+
+
+def test_documents_belong_to_the_annexes_that_declare_them() -> None:
+    """The core knows them, too, so that it can name an annex that is missing."""
+    declared = {kind: annex.name for annex in annexes() for kind in annex.documents}
+    assert declared.items() <= {kind: annex for kind, (annex, _) in DOCUMENTS.items()}.items()
+
+
+@pytest.mark.parametrize(
+    ("missing", "words", "message"),
+    [
+        ("simulation", ["check"], "scenario belongs to vstatics.simulation, which is not"),
+        ("simulation", ["run"], "scenario belongs to vstatics.simulation, which is not"),
+        ("simulation", ["sweep", "--vary", "duration=1,2"], "scenario belongs to vstatics.sim"),
+        ("torsion", ["sweep", "--vary", "inertias.1=1,2", "--out", "omega"], "omega belongs to"),
+    ],
+)
+def test_a_part_of_a_missing_annex_has_a_plain_message(
+    missing: str, words: list[str], message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    others = tuple(annex for annex in annexes() if annex.name != missing)
+    monkeypatch.setattr("vstatics.core.annexes.annexes", lambda: others)
+    file = "scenarios/tarasik-box" if missing == "simulation" else "tarasik-box"
+    said = commands.vstatics(*words, CASES / f"{file}.yaml")
+    assert said.status == 1
+    assert message in said.err
 
 
 def test_every_command_has_a_place_of_its_own_and_a_module_in_its_annex() -> None:

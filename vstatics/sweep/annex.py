@@ -23,10 +23,8 @@ ANNEX = Annex(
         ),
     },
     methods={
-        "part_numbers": "vstatics.sweep.variants.part_numbers",
         "plot_sweep": "vstatics.sweep.pictures.plotting",
         "plot_written_sweep": "vstatics.sweep.cli.plot",
-        "with_part_numbers": "vstatics.sweep.variants.part_numbers",
     },
     pictures={
         "map": PictureKind(

@@ -12,6 +12,7 @@ from typing import NamedTuple, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
+from vstatics.core.elements.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.extras import higher
 from vstatics.core.model.transmission import Transmission
@@ -38,7 +39,6 @@ from vstatics.sweep.chunk import (
 )
 from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.meanings import OMEGA, PART_NUMBERS, SPREAD, STEP
-from vstatics.sweep.variants.part_numbers import PartNumber, is_assembled, with_part_numbers
 from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number
 

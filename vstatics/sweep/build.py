@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
-from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import IdleConvention, Transmission
@@ -181,9 +180,8 @@ def _check_ratios(
         return
     case = subject
     parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
-    by_teeth = {part.way[1] for part in parts if part.way[0] == "elements" and "teeth" in part.way}
-    drawing = drawing_of(case)
-    names = {one.name for n, one in enumerate(drawing.elements) if n in by_teeth} if drawing else {}
+    keys = [part.keys for part in parts]
+    names = {name for key, name, *below in keys if key == "elements" and "teeth" in below}
     follow = {n for one in case.own_devices if one.name in names for n in one.mechanisms}
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:

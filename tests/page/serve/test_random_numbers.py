@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from tests.page.serve.served import BOX, ServedCase, serving
 from tests.strategies import transmissions
 from vstatics.core import readers
+from vstatics.core.elements.part_numbers import with_part_numbers
 from vstatics.core.model.parts import Damping
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.writers.named import write_json, write_yaml
-from vstatics.sweep.variants.part_numbers import with_part_numbers
 from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import OF_MECHANISM, target
 

@@ -11,7 +11,7 @@ from tests.core.comparison.test_case_changes import CASES
 from vstatics import CaseError
 from vstatics.core import readers
 from vstatics.core.comparison.case_changes import case_changes
-from vstatics.sweep.variants.part_numbers import own_part_number, part_numbers, with_part_numbers
+from vstatics.core.elements.part_numbers import own_part_number, part_numbers, with_part_numbers
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
+from vstatics.core.model.paths import PARTS, by_name, dotted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.tolerances import ATOL, RTOL
 from vstatics.core.writers.named import mapping
@@ -19,8 +20,6 @@ class CaseChange(NamedTuple):
     actual: Any
 
 
-_PARTS = ("shift_elements", "elements", "mechanisms", "springs", "converters")
-"""Mappings of parts whose paths begin with their names."""
 _WORDS = ("name", "description", "source")
 """They change nothing."""
 _SETS = ("engaged", "allow")
@@ -64,11 +63,11 @@ def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
     """The case with its parts under their own names, without what changes nothing."""
     found: dict[str, Any] = {}
     for key, value in case.items():
-        if key in _PARTS:
+        if key in (*PARTS, "converters"):
             for name, part in value.items():
                 found[name] = {"links": part} if isinstance(part, list) else part
         elif key == "inertias":
-            found |= {f"{link}.inertia": inertia for link, inertia in value.items()}
+            found |= {dotted(by_name((key, str(link)))): inertia for link, inertia in value.items()}
         elif key == "links" and isinstance(value, list):
             found[key] = {name: name for name in value}
         elif key not in _WORDS:
@@ -89,7 +88,7 @@ def _changes(
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
             yield from _changes((*way, str(number)), here, there, atol, rtol)
     else:
-        yield CaseChange(".".join(way), expected, actual)
+        yield CaseChange(dotted(way), expected, actual)
 
 
 def _are_numbered(actual: Any, expected: Any) -> bool:

@@ -12,7 +12,8 @@ This room is for cases that are drawn as gear sets instead of given as three-lin
 in YAML and JSON, `group` gives exact ratios of planets on a carrier, `lower` converts gear sets to
 three-link mechanisms, and `drawing` makes a transmission of them. `checks` and `teeth` report
 impossible and doubtful gear sets; `planet_inertia` gives the motion of planet masses, and
-`planet_bodies` the inertias of links that replace them, for vibration and motion.
+`planet_bodies` the inertias of links that replace them, for vibration and motion. `part_numbers`
+lists the numbers of gear sets and other parts by their paths.
 """
 
 from vstatics.core.elements.drawing import Drawing, transmission

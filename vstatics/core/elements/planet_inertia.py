@@ -13,7 +13,7 @@ from vstatics.core.model.parts import HOUSING
 
 
 class PlanetInertia(NamedTuple):
-    """Inertia of all planets of a name: kinetic energy is half the inertia times speed squared.
+    """Combined inertia of equal planets: kinetic energy is half the inertia times speed squared.
 
     Parameters
     ----------

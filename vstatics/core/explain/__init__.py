@@ -1,6 +1,7 @@
 """A gear explained: its matrix, its equations with their solution, the formula of its ratio.
 
-A result and the index of a gear go in; data comes out, which `text` writes and `answer` tells.
+`explain_gear` returns data from results and the number of a gear; `text` and `answer` write the
+data.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])

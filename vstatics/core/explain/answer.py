@@ -1,4 +1,4 @@
-"""What `vstatics explain` answers."""
+"""Answer of `vstatics explain`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.core.tables.answer import document
 
 @document("vstatics-explanation")
 class ExplanationAnswer(NamedTuple):
-    """Gears of a case explained, by its name."""
+    """Explanations of the gears of a case, with the name of the case."""
 
     case: str
     gears: Sequence[Explanation]

@@ -1,4 +1,4 @@
-"""Which links of a gear turn together because they are joined, not by coincidence."""
+"""Links of a gear that rotate together by structure, not by coincidence of the ratios."""
 
 from __future__ import annotations
 
@@ -15,36 +15,37 @@ from vstatics.core.numerics.elimination import RIGHT, Equation
 from vstatics.core.statics import matrix
 
 GOLDEN = 0.6180339887498949
+"""Golden ratio minus 1, which spreads the shifts of ratios evenly."""
 SHIFTED = 0.05
-"""Ratios are shifted by up to this part to tell structure from coincidence."""
+"""Largest relative shift of ratios, to distinguish structure from coincidence."""
 
 
 class Structure(NamedTuple):
-    """The bodies of a gear, and the mechanisms and springs that its speeds need."""
+    """Bodies of a gear, and the mechanisms and springs that determine the speeds."""
 
     body: Sequence[int]
-    """By link, the housing first: the first of the links that it turns with."""
+    """First link of each link's body, by link number, the housing first."""
     needed: Sequence[int]
-    """Indices of mechanisms whose equations the others do not imply."""
+    """Indices of mechanisms with independent equations."""
     springs: Sequence[int]
-    """Indices of springs of which this is true."""
+    """Indices of springs with independent equations."""
 
 
 class OwnLinks(NamedTuple):
-    """A case whose planets are no links: the speeds are the same, losses are not."""
+    """Case whose planets are not links; speeds are unchanged, but not losses."""
 
     case: Transmission
     parts: Sequence[DrawnPart]
-    """What its elements are then, and its mechanisms."""
+    """Gear sets with the resulting mechanisms, and given mechanisms."""
     variators: Collection[str] = ()
-    """Names of pairs that stand for variators."""
+    """Names of gear pairs that represent variators."""
 
     def is_fixed(self, number: int) -> bool:
-        """Whether a mechanism, by its index, has a ratio that is no matter of teeth.
+        """Return whether a mechanism, by index, has a ratio that does not depend on teeth.
 
-        So it is of a shaft, and of a symmetrical differential, whose ratio is -1; a group of
-        planets comes to -1 by its teeth. A ratio of 1 counts too: the third link does not act then.
-        That of a variator is set, and by chance the one or the other.
+        Such mechanisms are shafts, and symmetrical differentials of ratio -1, but not groups of
+        planets with that ratio. A ratio of 1 counts as well, as the third link then has no effect.
+        The ratio of a variator is adjustable, so it never counts.
         """
         mechanism = self.case.mechanisms[number]
         if mechanism.name in self.variators:
@@ -57,7 +58,7 @@ class OwnLinks(NamedTuple):
 
 
 def as_solved(case: Transmission) -> Transmission:
-    """The case, without its drawing where mechanisms of elements were replaced alone.
+    """Return the case, without a drawing if ratios differ from the drawn teeth.
 
     >>> from vstatics import example, solve
     >>> case = example("simpson")
@@ -66,16 +67,19 @@ def as_solved(case: Transmission) -> Transmission:
     """
     drawn = [lowered.mechanism for part in parts_of(case) for lowered in part.lowered]
     drawn[case.own_mechanisms] = case.mechanisms[case.own_mechanisms]
-    alike = [one.ratio for one in drawn] == [one.ratio for one in case.mechanisms]
+    alike = [mechanism.ratio for mechanism in drawn] == [
+        mechanism.ratio for mechanism in case.mechanisms
+    ]
     return case if alike else replace(case, drawing=None)
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
-    """The case on its own links, its elements reduced to mechanisms between their wheels."""
+    """Return the case without links of planets; gear sets become mechanisms of central gears."""
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))
-    given = case.mechanisms[case.own_mechanisms]  # pairs for variators, too, not those drawn
+    # these include the pairs for variators, which the drawing does not have
+    given = case.mechanisms[case.own_mechanisms]
     reduced = parts(replace(drawing, mechanisms=given, losses="reduced"))
     plain = replace(
         case,
@@ -87,20 +91,20 @@ def on_own_links(case: Transmission) -> OwnLinks:
     return OwnLinks(plain, reduced)
 
 
-def structure(own: OwnLinks, gear: Gear) -> Structure:
-    """The bodies of a gear: links whose speeds are one whatever the ratios are.
+def structure(on_links: OwnLinks, gear: Gear) -> Structure:
+    """Return the bodies of a gear: links with equal speeds for any ratios.
 
-    Two links are one body if the equations of mechanisms, springs and engaged elements leave
-    no other difference than 0, also with all ratios a little shifted.
+    Two links are one body if the equations of mechanisms, springs and engaged shift elements make
+    their speed difference 0, also with all ratios slightly shifted.
 
     Parameters
     ----------
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        The gear with the freewheels that hold among the engaged shift elements.
 
     Examples
     --------
-    The brake holds link 2; nothing else turns together.
+    The brake holds link 2; no other links rotate together.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2), ShiftElement(1, 2)],
@@ -108,27 +112,35 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
     >>> [structure(on_own_links(case), gear).body for gear in case.gears]
     [[0, 1, 0, 3], [0, 1, 1, 1]]
     """
-    case = own.case
+    case = on_links.case
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     devices = matrix.always_loaded(case, gear)
     first = len(case.shift_elements) + len(ratios)
     mechanisms = [device for device in devices if device < first]
     numbers = _independent(_rows(case, gear, ratios), len(mechanisms))
     shifted = [
-        ratio if own.is_fixed(number) else ratio * (1 + SHIFTED * ((number + 1) * GOLDEN % 1))
+        ratio if on_links.is_fixed(number) else ratio * (1 + SHIFTED * ((number + 1) * GOLDEN % 1))
         for number, ratio in enumerate(ratios)
     ]
     rows = _rows(case, gear, shifted)
-    pairs = [(one, other) for one in range(case.links + 1) for other in range(one)]
+    pairs = [
+        (first_link, second_link)
+        for first_link in range(case.links + 1)
+        for second_link in range(first_link)
+    ]
     sums = [
-        {link - 1: factor for link, factor in ((one, 1.0), (other, -1.0)) if link != HOUSING}
-        for one, other in pairs
+        {
+            link - 1: factor
+            for link, factor in ((first_link, 1.0), (second_link, -1.0))
+            if link != HOUSING
+        }
+        for first_link, second_link in pairs
     ]
     solution = elimination.solve([rows[number] for number in numbers], case.links, sums)
     body = list(range(case.links + 1))
-    for (one, other), value in zip(pairs, solution.values[case.links :], strict=True):
+    for (first_link, second_link), value in zip(pairs, solution.values[case.links :], strict=True):
         if value == 0:
-            body[one] = min(body[one], body[other])
+            body[first_link] = min(body[first_link], body[second_link])
     involved = [devices[number] for number in numbers if number < len(devices)]
     return Structure(
         body,
@@ -138,19 +150,19 @@ def structure(own: OwnLinks, gear: Gear) -> Structure:
 
 
 def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equation]:
-    """Equations of mechanisms, then of springs, then of engaged elements."""
+    """Return the equations of mechanisms, then springs, then engaged shift elements."""
     plain = gear._replace(speeds={})
     rows = matrix.speed_rows(case, plain, matrix.columns(case, ratios))[:-1]
     return [{column: value for column, value in row.items() if column != RIGHT} for row in rows]
 
 
 def _independent(rows: Sequence[Equation], mechanisms: int) -> list[int]:
-    """Numbers of rows that do not imply one another; a mechanism is left out first."""
+    """Return the numbers of independent rows; mechanisms are left out first."""
     numbers = list(range(len(rows)))
     while True:
-        found = next(elimination.dependencies([rows[number] for number in numbers]), None)
-        if found is None:
+        dependency = next(elimination.dependencies([rows[number] for number in numbers]), None)
+        if dependency is None:
             return numbers
-        involved = [numbers[place] for place in found[0]]
+        involved = [numbers[place] for place in dependency[0]]
         last = max(involved, key=lambda number: (number < mechanisms, number))
         numbers.remove(last)

@@ -1,4 +1,4 @@
-"""A case with other numbers, drawn at random: teeth that can be assembled, ratios near its own."""
+"""Random numbers for a case: teeth that can be assembled, ratios near the given ratios."""
 
 from __future__ import annotations
 
@@ -23,55 +23,55 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 
 FARTHEST = 0.25
-"""By such a part a ratio changes at most."""
+"""Largest relative change of a ratio."""
 
 
 def drawn(results: Results, seed: int) -> Results:
-    """Results of the case with other numbers, where elements have the margins of the given case.
+    """Return results with other numbers and unchanged torque margins of shift elements.
 
-    Capacities are those of the given ratios: with others an element would carry too much.
+    Capacities are scaled with the torques, because otherwise a shift element could be overloaded.
     """
-    made = solve(drawn_numbers(results.case, seed))
-    if not any(one.capacity for one in results.case.shift_elements):
-        return made
+    other_results = solve(drawn_numbers(results.case, seed))
+    if not any(element.capacity for element in results.case.shift_elements):
+        return other_results
     with np.errstate(all="ignore"):
-        factors = (_largest(made) / _largest(results)).tolist()
+        factors = (_largest(other_results) / _largest(results)).tolist()
     elements = [
-        _with_capacity(one, factor)
-        for one, factor in zip(made.case.shift_elements, factors, strict=True)
+        _with_capacity(element, factor)
+        for element, factor in zip(other_results.case.shift_elements, factors, strict=True)
     ]
-    return solve(made.case.replace(shift_elements=elements))
+    return solve(other_results.case.replace(shift_elements=elements))
 
 
 def _largest(results: Results) -> Floats:
-    """What each shift element carries at most, of all gears."""
+    """Return the largest torque of each shift element over all gears."""
     load = results.case.load
     torques, carrying = carried_torques(results, load.torque_size if load else 0.0)
     largest: Floats = np.where(carrying, torques, 0.0).max(axis=0)
     return largest
 
 
-def _with_capacity(one: ShiftElement, factor: float) -> ShiftElement:
-    """An element whose capacity is that times as large, with its third digit rounded up."""
-    own = one.capacity
-    if own is None or not 0 < factor < math.inf:
-        return one
-    exact = factor * (own.given if isinstance(own, OfLoad) else own)
+def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
+    """Return a shift element with the capacity times a factor, rounded up to three digits."""
+    given = element.capacity
+    if given is None or not 0 < factor < math.inf:
+        return element
+    exact = factor * (given.given if isinstance(given, OfLoad) else given)
     places = 2 - math.floor(math.log10(exact))
     capacity = float(f"{exact:.3g}")
     if capacity < exact:
         capacity = round(capacity + 10.0**-places, places)
-    if isinstance(own, OfLoad):
-        return one._replace(capacity=OfLoad(capacity, own.whole))
-    return one._replace(capacity=capacity)
+    if isinstance(given, OfLoad):
+        return element._replace(capacity=OfLoad(capacity, given.whole))
+    return element._replace(capacity=capacity)
 
 
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
-    """The same structure with other teeth, and other ratios of what has none.
+    """Return the case with other teeth, and other ratios of parts without teeth.
 
-    Ratios of 1 and -1 stay, as shafts and reversing wheels have them. Speed ratios of variators
-    and converters are drawn for each gear. Seeds one after the other give other teeth each, until
-    all that fit have been given.
+    Ratios of 1 and -1, as of shafts and reversing gears, are not changed. Speed ratios of variators
+    and converters are drawn for each gear. Successive seeds give different teeth until all fitting
+    teeth are used.
 
     Examples
     --------
@@ -84,32 +84,34 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     random = Random(seed)  # noqa: S311 - for exercises
     drawing = drawing_of(case)
     if not isinstance(drawing, Drawing):
-        mechanisms = [_with_ratio(one, random) for one in case.mechanisms]
+        mechanisms = [_with_ratio(part, random) for part in case.mechanisms]
         return case.replace(mechanisms=mechanisms, gears=_gears(case, random))
-    elements = [_with_sizes(one, place, seed) for place, one in enumerate(drawing.elements)]
-    own = [_with_ratio(one, random) for one in drawing.mechanisms]
-    made = replace(drawing, elements=elements, mechanisms=own)
-    return case.replace(drawing=made, gears=_gears(case, random))
+    elements = [_with_sizes(part, place, seed) for place, part in enumerate(drawing.elements)]
+    given_mechanisms = [_with_ratio(part, random) for part in drawing.mechanisms]
+    other_drawing = replace(drawing, elements=elements, mechanisms=given_mechanisms)
+    return case.replace(drawing=other_drawing, gears=_gears(case, random))
 
 
-def unchanged(case: Transmission, made: Transmission) -> list[str]:
-    """Names of elements and mechanisms that keep ratios other than 1 and -1, as no others fit."""
-    before, after = ([one.ratio for one in each.mechanisms] for each in (case, made))
+def unchanged(case: Transmission, changed: Transmission) -> list[str]:
+    """Return the names of gear sets and mechanisms with unchanged ratios, as no other fits.
+
+    Ratios of 1 and -1 do not count.
+    """
+    before, after = ([part.ratio for part in each.mechanisms] for each in (case, changed))
     return [
-        one.name
-        for one in case.own_devices
-        if all(before[n] == after[n] and abs(before[n]) not in (0, 1) for n in one.mechanisms)
+        part.name
+        for part in case.own_devices
+        if all(before[n] == after[n] and abs(before[n]) not in (0, 1) for n in part.mechanisms)
     ]
 
 
 def _gears(case: Transmission, random: Random) -> list[Gear]:
-    """The gears with other speed ratios of their own."""
-    own = case.mechanisms[case.own_mechanisms]
+    given_mechanisms = case.mechanisms[case.own_mechanisms]
     gears = []
     for gear in case.gears:
         ratios = {
-            number: _speed_ratio(own[number - 1].kind, ratio, random)
-            if number <= len(own)  # else of one of the converters
+            number: _speed_ratio(given_mechanisms[number - 1].kind, ratio, random)
+            if number <= len(given_mechanisms)  # larger numbers belong to converters
             else ratio
             for number, ratio in gear.speed_ratios.items()
         }
@@ -118,7 +120,7 @@ def _gears(case: Transmission, random: Random) -> list[Gear]:
 
 
 def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
-    """One near it; of a converter a lower one, as the highest ones have no torque to speak of."""
+    """Return a speed ratio nearby; lower for a converter, whose torque vanishes at the highest."""
     return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)
 
 
@@ -126,25 +128,28 @@ def _near(number: float, random: Random, least: float = -FARTHEST, most: float =
     return float(f"{number * (1 + random.uniform(least, most)):.3g}")
 
 
-def _with_ratio(one: Mechanism, random: Random) -> Mechanism:
-    if one.kind:
-        return one._replace(ratio=_speed_ratio(one.kind, one.ratio, random))
-    if abs(one.ratio) == 1:
-        return one
-    drawn = _near(one.ratio, random)
-    if (abs(drawn) > 1) != (abs(one.ratio) > 1):  # what is reduced stays so
-        drawn = float(f"{2 * one.ratio - drawn:.3g}")
-    return one._replace(ratio=drawn)
+def _with_ratio(mechanism: Mechanism, random: Random) -> Mechanism:
+    if mechanism.kind:
+        return mechanism._replace(ratio=_speed_ratio(mechanism.kind, mechanism.ratio, random))
+    if abs(mechanism.ratio) == 1:
+        return mechanism
+    drawn = _near(mechanism.ratio, random)
+    if (abs(drawn) > 1) != (abs(mechanism.ratio) > 1):  # a reduction remains a reduction
+        drawn = float(f"{2 * mechanism.ratio - drawn:.3g}")
+    return mechanism._replace(ratio=drawn)
 
 
 def _with_sizes(element: Element, place: int, seed: int) -> Element:
-    """An element with other teeth, or other diameters or ratios where it has such."""
-    random = Random(f"{seed} {place}")  # noqa: S311 - equal elements are not drawn alike
+    """Return a gear set with other teeth, diameters or ratios."""
+    random = Random(f"{seed} {place}")  # noqa: S311 - equal gear sets get different numbers
     if element.kind == "belt":
-        half = FARTHEST / 2  # of each, so that the ratio changes by as much as others
-        teeth = {name: _near(own, random, -half, half) for name, own in element.teeth.items()}
+        # both diameters change, so that the ratio changes as much as other ratios
+        half = FARTHEST / 2
+        teeth = {
+            name: _near(diameter, random, -half, half) for name, diameter in element.teeth.items()
+        }
         return replace(element, teeth=teeth)
-    if element.ratios:  # of both suns: 1 < -large < small
+    if element.ratios:  # the ratios of both suns fulfil 1 < -large < small
         large = 1 + _near(-element.ratios["large_sun"] - 1, random)
         more = _near(element.ratios["small_sun"] + element.ratios["large_sun"], random)
         ratios = {"small_sun": round(large + more, 6), "large_sun": round(-large, 6)}
@@ -153,30 +158,32 @@ def _with_sizes(element: Element, place: int, seed: int) -> Element:
 
 
 def _with_teeth(element: Element, place: int, seed: int) -> Element:
-    """Another one of all that fit for each seed, until none is left; then the first ones again."""
-    order = Random(place)  # noqa: S311 - equal elements are not drawn alike
+    """Return a gear set with other fitting teeth for each seed, repeated when all are used."""
+    order = Random(place)  # noqa: S311 - equal gear sets get different numbers
     others = (
-        one for teeth in fitting(element, order) if (one := _changed(element, teeth)) != element
+        changed
+        for teeth in fitting(element, order)
+        if (changed := _changed(element, teeth)) != element
     )
-    found = list(islice(others, min(seed, sys.maxsize - 1) + 1))
-    return found[seed % len(found)] if found else element
+    choices = list(islice(others, min(seed, sys.maxsize - 1) + 1))
+    return choices[seed % len(choices)] if choices else element
 
 
 def _changed(element: Element, teeth: Teeth) -> Element:
-    """An element with other teeth: by the index of a wheel, or the name of a rim or wheel."""
+    """Return a gear set with other teeth, by index of a gear or name of a rim or gear."""
     if element.rims:
         wheels = [
-            one._replace(teeth=teeth.get(index, one.teeth))
-            for index, one in enumerate(element.wheels)
+            wheel._replace(teeth=teeth.get(index, wheel.teeth))
+            for index, wheel in enumerate(element.wheels)
         ]
         rims = {
-            planet: {rim: teeth.get(rim, count) for rim, count in own.items()}
-            for planet, own in element.rims.items()
+            planet: {rim: teeth.get(rim, count) for rim, count in rims_of_planet.items()}
+            for planet, rims_of_planet in element.rims.items()
         }
         return replace(element, wheels=wheels, rims=rims)
     members = dict[object, str]()
     if any(isinstance(key, int) for key in teeth):
-        members |= {index: one.member for index, one in enumerate(group_of(element).wheels)}
+        members |= {index: wheel.member for index, wheel in enumerate(group_of(element).wheels)}
     named = {members.get(key, key): count for key, count in teeth.items()}
-    kept = {name: named.get(name, count) for name, count in element.teeth.items()}
-    return replace(element, teeth=kept)
+    sizes = {name: named.get(name, count) for name, count in element.teeth.items()}
+    return replace(element, teeth=sizes)

@@ -1,8 +1,8 @@
-"""The speed and the torque equations of a gear, written out.
+"""Speed and torque equations of a gear, written out with names.
 
-Source: figures 3 and 4 of Algin, Schematization and calculation of mobile machine
-presented as multibody system. The rows are those of `vstatics.core.statics.matrix`; here they have
-names, and what each coefficient is made of.
+Source: figures 3 and 4 of Algin, Schematization and calculation of mobile machine presented as
+multibody system. The rows are those of `vstatics.core.statics.matrix`, with names and with
+coefficients in symbols.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from vstatics.core.statics.torques import Torques
 def speed_system(
     case: Transmission, gear: Gear, names: Names, matrix: Floats, speeds: Sequence[float]
 ) -> System:
-    """The speed equations of a gear (figure 3).
+    """Return the speed equations of a gear (figure 3).
 
     Parameters
     ----------
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        The gear with the freewheels that hold among the engaged shift elements.
     matrix : ndarray, shape (links, devices)
         Structural-distribution matrix. [-]
     speeds : sequence of float
-        By link. [-]
+        Speed of each link. [-]
     """
     devices = [*always_loaded(case, gear), *(number - 1 for number in gear.engaged)]
     rows: list[tuple[list[Term], float]] = [
@@ -59,7 +59,7 @@ def speed_system(
     return System(equations, dict(zip(names.speeds[1:], speeds, strict=True)))
 
 
-def torque_system(  # noqa: PLR0913 - all of them make the equations
+def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
     case: Transmission,
     gear: Gear,
     names: Names,
@@ -68,10 +68,10 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
     *,
     drag: Mapping[int, float],
 ) -> System:
-    """The equilibrium of each link of a gear (figure 4); parameters as of `speed_system`.
+    """Return the equilibrium of each link of a gear (figure 4).
 
-    Matrix and torques are both without losses or both with them; `drag` is link -> external
-    torque of drag [-].
+    Parameters are those of `speed_system`. Matrix and torques are both without or both with losses;
+    `drag` contains the external torques of drag by link [-].
     """
     rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
     values: dict[str, float] = {}
@@ -95,7 +95,7 @@ def torque_system(  # noqa: PLR0913 - all of them make the equations
 
 
 def _column(case: Transmission, device: int, names: Names) -> Iterator[tuple[int, str]]:
-    """Links of a device, the housing apart, each with its coefficient in symbols."""
+    """Return the links of a device without the housing, with coefficients in symbols."""
     elements = case.shift_elements
     number = device - len(elements)
     if number < 0:

@@ -1,4 +1,4 @@
-"""A gear as an exercise: its numbers left blank, and the same with numbers."""
+"""A gear as an exercise: blanks for its numbers, and the solution."""
 
 from __future__ import annotations
 
@@ -23,36 +23,38 @@ from vstatics.core.texts import Language, speaking, tr
 from vstatics.core.writers import result_json
 
 ASKED = ("W", "WSAT", "WFRI", "ratio", "AMLG", "IX", "AMLGP", "losses", "ETA")
-"""Tables whose numbers are asked for, in the order in which they are calculated."""
+"""Tables with blanks, in the order of calculation."""
 IN_UNITS = {"AMLG": "AMLG_Nm", "AMLGP": "AMLGP_Nm", "losses": "losses_kW"}
-"""Tables that have numbers where torques and powers relate to nothing."""
+"""Tables that replace relative torques and powers in gears without an input torque."""
 MORE = ("power_balance",)
-"""One that is asked for, too, where these have less than `LEAST` numbers."""
+"""Table with further blanks if other tables have fewer than `LEAST`."""
 LEAST = 10
+"""Number of blanks below which a worksheet gets further blanks."""
 NAMES = {"ratio": "ratio", "ETA": "efficiency", "power_balance": "power balance"}
-"""What the only number of a table is called."""
+"""Name of the number in tables with a single number."""
 LINE = "____"
+"""Text of a blank."""
 SheetForm = Literal["text", "markdown", "latex"]
 
 
 class Blank(NamedTuple):
-    """A number that is asked for."""
+    """Number that the exercise asks for."""
 
     number: int
-    """From 1."""
+    """Number of the blank, from 1."""
     table: str
-    """Its key in the JSON of a result."""
+    """Key of the table in the JSON of a result."""
     row: str | None
-    """Of the table; None where it has one number for each gear."""
+    """Row of the table; null for a table with a single number for each gear."""
     value: Known
-    """As it is there."""
+    """Value as in the JSON of a result."""
 
 
 class SolvedExercise(NamedTuple):
-    """What an exercise has been solved to."""
+    """Solution of an exercise."""
 
     case: Mapping[str, Any]
-    """As a file has it, so that it can be run."""
+    """Case as in a file, ready to run."""
     gear: str
     seed: int | None
     blanks: Sequence[Blank]
@@ -60,28 +62,29 @@ class SolvedExercise(NamedTuple):
 
 @refusing()
 def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> GearExercise:
-    """A gear whose numbers are asked for: with blanks, and with its solution.
+    """Return a gear as an exercise, with blanks and with the solution.
 
     Parameters
     ----------
     results : Results
-        Of one case.
+        Results of a single case.
     gear : int or str
-        Its number from 1, or its name.
+        Number of the gear from 1, or its name.
     seed : int, optional
-        With other teeth, which can be assembled, ratios, and capacities of the same margins; the
-        same of the same number, which is 0 or more.
+        Seed, 0 or more, for other teeth that can be assembled, other ratios, and capacities of
+        equal margins. Default: the numbers of the case.
 
     Returns
     -------
     GearExercise
-        `blanks` with their numbers as in the JSON of a result; `worksheet` and `solution` write
-        it as text, Markdown or LaTeX; `document` is the solution as plain data.
+        Exercise with the `blanks` and their values as in the JSON of a result; `worksheet` and
+        `solution` write it as text, Markdown or LaTeX; `document` returns the solution as plain
+        data.
 
     Raises
     ------
     ValueError
-        If there is no such gear, the seed is below 0, or the results are of arrays of variants.
+        If the gear does not exist, the seed is below 0, or the results are arrays of variants.
     CaseError
         If the gear has no numbers.
 
@@ -104,79 +107,80 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
 
 
 class GearExercise(NamedTuple):
-    """A gear whose numbers are asked for."""
+    """Gear as an exercise, with blanks and solution."""
 
     results: Results
     place: int
-    """Of the gear, from 0."""
+    """Index of the gear."""
     seed: int | None
-    """By which its numbers were drawn."""
+    """Seed of the random numbers."""
     asked: Sequence[Table]
-    """The tables that have a blank."""
+    """Tables with at least one blank."""
     blanks: Sequence[Blank]
     unchanged: Sequence[str] = ()
-    """What keeps its numbers, although others were drawn."""
+    """Names of parts with unchanged numbers in spite of the seed."""
 
     @property
     def gear(self) -> str:
-        """Its name."""
+        """Name of the gear."""
         return self.results.case.gears[self.place].name
 
     def titles(self, file: str = "") -> list[str]:
-        """What stands over it: the case, or its file; the seed finds sheet and solution."""
-        kept = tr("; as before: {names}", names=", ".join(self.unchanged)) if self.unchanged else ""
-        seed = "" if self.seed is None else f" (--seed {self.seed}{kept})"
+        """Return the title, with the name or file of the case, and the seed of the numbers."""
+        as_before = (
+            tr("; as before: {names}", names=", ".join(self.unchanged)) if self.unchanged else ""
+        )
+        seed = "" if self.seed is None else f" (--seed {self.seed}{as_before})"
         return [f"{self.results.case.name or file}{seed}"]
 
     @refusing()
     def worksheet(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
-        """The exercise with blanks, as text, Markdown or LaTeX."""
+        """Return the exercise with blanks, as text, Markdown or LaTeX."""
         return self._written(form, lang, solved=False)
 
     @refusing()
     def solution(self, form: SheetForm = "text", *, lang: Language = "en") -> str:
-        """The same with its numbers."""
+        """Return the exercise with numbers, as text, Markdown or LaTeX."""
         return self._written(form, lang, solved=True)
 
     def _written(self, form: SheetForm, lang: Language, *, solved: bool) -> str:
         writer = import_module(f"vstatics.core.tables.{form}")
         with speaking(lang):
-            made: str = writer.write(self.titles(), grids(self, solved=solved))
-        return made
+            document: str = writer.write(self.titles(), grids(self, solved=solved))
+        return document
 
     def __repr__(self) -> str:
-        """Of which gear, and how many blanks; not all its results."""
+        """Return a short description: gear and number of blanks."""
         seed = "" if self.seed is None else f", seed {self.seed}"
         return f"<GearExercise {self.gear!r}: {len(self.blanks)} blanks{seed}>"
 
     def _repr_html_(self) -> str:
-        """The exercise with blanks, for a notebook."""
         return shown(grids(self, solved=False))
 
     def document(self) -> dict[str, Any]:
-        """The solution as plain data; `case` is a case that can be run."""
+        """Return the solution as plain data, in which `case` can be run."""
         case = result_json.document(self.results)["case"]
         solved = SolvedExercise(case, self.gear, self.seed, self.blanks)
-        made: dict[str, Any] = plain_data(solved)
-        return made
+        data: dict[str, Any] = plain_data(solved)
+        return data
 
 
 def worksheet(
     results: Results, index: int, seed: int | None = None, unchanged: Sequence[str] = ()
 ) -> GearExercise:
-    """The exercise of a gear of one case.
+    """Return the exercise of a gear of a single case.
 
-    Given speeds are not asked for, nor signs that are told; nor what the scheme makes 0, unless
-    there is little else.
+    Given speeds and given signs have no blanks. Numbers that are always 0 in the layout only have
+    blanks if there are few others.
 
     Parameters
     ----------
     index : int
-        Of the gear, from 0.
+        Index of the gear.
     seed : int, optional
-        By which numbers of the case were drawn.
+        Seed of the random numbers in the case.
     unchanged : sequence of str
-        What kept its numbers then.
+        Names of parts with unchanged numbers in spite of the seed.
 
     Raises
     ------
@@ -191,26 +195,26 @@ def worksheet(
     >>> made.blanks[1]
     Blank(number=2, table='W', row='3', value=0.2857142857142857)
     """
-    by_key = {one.quantity.key: one for one in tables(results)}
+    by_key = {item.quantity.key: item for item in tables(results)}
     case = results.case
     no_torque = not case.input_torque(case.gears[index])
     if results.locked[index]:  # no sign agrees with the losses
         del by_key["IX"]
     wanted = [by_key[key] for key in asked_keys(no_torque=no_torque) if key in by_key]
-    found = list(_blanks(results, index, wanted, telling=True))
-    if len(found) < LEAST:
+    blanks = list(_blanks(results, index, wanted, telling=True))
+    if len(blanks) < LEAST:
         wanted += [by_key[key] for key in MORE if not no_torque]
-        found = list(_blanks(results, index, wanted, telling=False))
-    if not found:
+        blanks = list(_blanks(results, index, wanted, telling=False))
+    if not blanks:
         gear = case.gears[index].name
         raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
-    keys = {one.table for one in found}
-    asked = [one for one in wanted if one.quantity.key in keys]
-    return GearExercise(results, index, seed, asked, found, unchanged)
+    keys = {item.table for item in blanks}
+    asked = [item for item in wanted if item.quantity.key in keys]
+    return GearExercise(results, index, seed, asked, blanks, unchanged)
 
 
 def asked_keys(*, no_torque: bool) -> Iterator[str]:
-    """Those of `ASKED`; of a gear without torque at its input such as do not relate to it."""
+    """Yield the keys of `ASKED`, replaced in a gear without an input torque."""
     for key in ASKED:
         yield IN_UNITS.get(key, key) if no_torque else key
 
@@ -218,35 +222,42 @@ def asked_keys(*, no_torque: bool) -> Iterator[str]:
 def _blanks(
     results: Results, index: int, wanted: Sequence[Table], *, telling: bool
 ) -> Iterator[Blank]:
-    """The numbers of a gear that are not given; those alone that tell something, if so."""
+    """Yield blanks for the numbers of a gear that are not given.
+
+    With `telling`, numbers that are always 0 in the layout are left out.
+    """
     case, number = results.case, 0
     gear, signs = case.gears[index], told_signs(results.gear_at(index))
     speeds = [case.gear_input(gear), *(n for n, v in gear.speeds.items() if isinstance(v, float))]
-    told = {"W": {case.link_name(link) for link in speeds}}
-    told["IX"] = {one.name for one, is_told in zip(case.mechanisms, signs, strict=True) if is_told}
-    for one in wanted:
-        zero = structural_zeros(one, results)[:, index].tolist()
-        key = one.quantity.key
-        for row, value, is_zero in zip(one.rows, one.values[:, index].tolist(), zero, strict=True):
-            if math.isnan(value) or row in told.get(key, ()) or (telling and is_zero):
+    given_rows = {"W": {case.link_name(link) for link in speeds}}
+    given_rows["IX"] = {
+        item.name for item, is_given in zip(case.mechanisms, signs, strict=True) if is_given
+    }
+    for item in wanted:
+        zero = structural_zeros(item, results)[:, index].tolist()
+        key = item.quantity.key
+        for row, value, is_zero in zip(
+            item.rows, item.values[:, index].tolist(), zero, strict=True
+        ):
+            if math.isnan(value) or row in given_rows.get(key, ()) or (telling and is_zero):
                 continue
             number += 1
-            is_one = one.quantity.rows == "one"
-            yield Blank(number, key, None if is_one else row, one.quantity.kind(value))
+            is_one = item.quantity.rows == "one"
+            yield Blank(number, key, None if is_one else row, item.quantity.kind(value))
 
 
 def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
-    """What is given of the case, then the tables with their blanks.
+    """Yield the given data of the case, then the tables with their blanks.
 
     Parameters
     ----------
     solved : bool
-        Whether the numbers stand in them.
+        True to show the numbers.
     """
     yield from given(sheet.results, sheet.place)
-    for one in sheet.asked:
-        own = [blank for blank in sheet.blanks if blank.table == one.quantity.key]
-        yield _asked(one.quantity, own, solved=solved)
+    for table in sheet.asked:
+        blanks = [blank for blank in sheet.blanks if blank.table == table.quantity.key]
+        yield _asked(table.quantity, blanks, solved=solved)
 
 
 def _asked(quantity: Quantity, blanks: Sequence[Blank], *, solved: bool) -> Grid:

@@ -1,4 +1,4 @@
-"""Everything that explains one gear, as data."""
+"""Explanation of a gear as data."""
 
 from __future__ import annotations
 
@@ -34,93 +34,92 @@ from vstatics.core.tables.html import shown
 
 
 class Together(NamedTuple):
-    """Links that turn as one body, whatever the ratios are."""
+    """Links that rotate together for any ratios."""
 
     links: Sequence[str]
     stands: bool
-    """The housing is one of them."""
+    """True if the links are joined to the housing."""
     elements: Sequence[str]
-    """The engaged elements that join them, and springs that are shafts."""
+    """Engaged shift elements, and springs that are shafts, between the links."""
 
 
 class Explanation(NamedTuple):
-    """A gear explained."""
+    """Explanation of a gear: matrix, equations, solution and formula."""
 
     gear: str
     engaged: Sequence[str]
-    """Shift elements that are engaged."""
+    """Engaged shift elements, without freewheels."""
     holding: Sequence[str]
     """Freewheels that hold."""
     not_engaged: Sequence[str]
     rows: Sequence[str]
-    """Links, planets too where losses are calculated at meshes."""
+    """Links, including planets if losses are calculated at meshes."""
     columns: Sequence[str]
-    """Devices that can carry torque: engaged elements, mechanisms and springs."""
+    """Devices that can carry torque: engaged shift elements, mechanisms and springs."""
     matrix: Annotated[Floats, Words(schema(Sequence[Sequence[Known]]))]
-    """(rows, columns): their structural-distribution matrix. [-]"""
+    """Structural-distribution matrix, (rows, columns). [-]"""
     speeds: System
     torques: System | None
-    """None where a gear is tied up, or its freewheels in conflict."""
+    """Torque equations; absent if tied up or in a freewheel conflict."""
     signs: Sequence[PowerSign]
     lossy: System | None
-    """With losses; None where there is no such solution."""
+    """Torque equations with losses; absent if no solution exists."""
     input_torque: Known
-    """What torques are relative to: 1, or 0 where the load gives none, and they are in N*m."""
+    """Reference of torques: 1, or 0 for a load without torque, where torques are in N*m."""
     coasts: bool
-    """Power enters at the output, and the units of torque and power are negative."""
+    """True if power enters at the output, so that units of torque and power are negative."""
     together: Sequence[Together]
     one_piece: Sequence[str]
-    """Elements, or mechanisms, that turn as one piece."""
+    """Gear sets or mechanisms that rotate as a block."""
     standing: Sequence[str]
-    """Elements, or mechanisms, all of whose links stand."""
+    """Gear sets or mechanisms at rest."""
     input: str
-    """The speed of the input, as the equations call it."""
+    """Symbol of the input speed."""
     output: str
-    """That of the output."""
+    """Symbol of the output speed."""
     formula: RatioFormula | None
     reason: str
-    """Why there is no formula, or nothing."""
+    """Reason for a missing formula, or empty."""
     ratio: float
-    """[-]"""
+    """Ratio ``w_input/w_output``. [-]"""
     efficiency: float
-    """[-]"""
+    """Efficiency of the gear. [-]"""
     messages: Sequence[str]
-    """What was noticed in this gear."""
+    """Messages about the gear."""
     balance: Sometimes[MachineBalance] = None
-    """Of machines and a battery, where the gear has one."""
+    """Balance of electric machines and battery, if given for the gear."""
     tried: Sometimes[Sequence[TriedSigns]] = None
-    """Signs and why none agrees, where friction locks the gear."""
+    """Sets of signs with the contradiction of each, for a self-locking gear."""
 
     def __repr__(self) -> str:
-        """Of which gear, its ratio; not all its equations."""
-        told = f" = {self.formula.text}" if self.formula else ""
-        return f"<Explanation {self.gear!r}: ratio {self.ratio:.4g}{told}>"
+        """Return a short description: gear, ratio and formula."""
+        formula = f" = {self.formula.text}" if self.formula else ""
+        return f"<Explanation {self.gear!r}: ratio {self.ratio:.4g}{formula}>"
 
     def _repr_html_(self) -> str:
-        """Its matrix, equations, solution and ratio, for a notebook."""
         return shown(higher("explanation_grids")([self]))
 
 
 @refusing()
 def explain_gear(results: Results, gear: int | str) -> Explanation:
-    """Explain a gear: its matrix, its equations and their solution, its ratio as a formula.
+    """Explain a gear by matrix, equations, solution, and the ratio as a formula.
 
     Parameters
     ----------
     results : Results
-        Of one case.
+        Results of a single case.
     gear : int or str
-        Its number from 1, or its name.
+        Number of the gear from 1, or its name.
 
     Returns
     -------
     Explanation
-        Matrix, speeds [-], torques [-], shares and the formula of the ratio, by names.
+        Matrix, speeds [-], torques [-], signs and the formula of the ratio, by names.
 
     Raises
     ------
     ValueError
-        If there is no such gear, or the results are of arrays of variants.
+        If the gear does not exist, or the results are arrays of variants.
 
     Examples
     --------
@@ -134,7 +133,9 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     multibody system, figures 3 and 4.
     """
     expect_one_case(results, "explain_gear")
-    variators = {one.name: one.kind for one in results.case.mechanisms if one.kind}
+    variators = {
+        mechanism.name: mechanism.kind for mechanism in results.case.mechanisms if mechanism.kind
+    }
     if variators:
         results = solve(_pairs(results.case, results.case.gear_number(gear) - 1))
     number = results.case.gear_number(gear) - 1
@@ -146,12 +147,12 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     loaded = loaded_devices(case, actual)
     torques, lossy = _torques(state, names, matrix)
     fault = FAULTS.get(state.status, "")
-    own = on_own_links(case)._replace(variators=variators)
-    bodies = None if fault else structure(own, actual)
-    together = list(_together(own, actual, bodies)) if bodies else []
-    one_piece, standing = _pieces(own, bodies) if bodies else ([], [])
-    symbols = symbols_of(case, names, own)
-    ratio, reason = _formula(state, names, symbols, own, bodies) if bodies else (None, fault)
+    on_links = on_own_links(case)._replace(variators=variators)
+    bodies = None if fault else structure(on_links, actual)
+    together = list(_together(on_links, actual, bodies)) if bodies else []
+    one_piece, standing = _pieces(on_links, bodies) if bodies else ([], [])
+    symbols = symbols_of(case, names, on_links)
+    ratio, reason = _formula(state, names, symbols, on_links, bodies) if bodies else (None, fault)
     return Explanation(
         gear=actual.name,
         engaged=[elements[n - 1] for n in actual.engaged if n not in state.holding],
@@ -186,16 +187,19 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
 
 
 def _pairs(case: Transmission, place: int) -> Transmission:
-    """The case with pairs for the variators of a gear, whose equations are those of pairs."""
+    """Return the case with gear pairs instead of variators, which have the equations of pairs."""
     gear = case.gears[place]
     if pairs := case.as_pairs(gear):
         return pairs
     ratios = case.gear_ratios(gear)
     name, what = next(
-        (one.name, "is a converter" if one.kind == "converter" else "has the speed ratio 0")
-        for place, (one, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
+        (
+            mechanism.name,
+            "is a converter" if mechanism.kind == "converter" else "has the speed ratio 0",
+        )
+        for place, (mechanism, ratio) in enumerate(zip(case.mechanisms, ratios, strict=True))
         if place not in case.bypassed(gear)
-        and (one.kind == "converter" or (one.kind and not ratio))
+        and (mechanism.kind == "converter" or (mechanism.kind and not ratio))
     )
     raise CaseError(
         "E279",
@@ -208,63 +212,66 @@ FAULTS = {
     CONFLICT: "the freewheels are in conflict",
     TIED_UP: f"the gear is {TIED_UP.english}",
 }
-"""Why a gear has no solution at all."""
+"""Reason for the missing solution, by status."""
 
 
 def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | None, System | None]:
-    """The torque equations without losses and with them."""
     if state.status in FAULTS:
         return None, None
     ideal = torque_system(state.case, state.gear, names, matrix, state.torques, drag={})
     ratios = list(map(plain, state.lossy_ratios))
-    if any(not one.has_power for one in state.statuses) or np.isnan(ratios).any():
+    if any(not status.has_power for status in state.statuses) or np.isnan(ratios).any():
         return ideal, None
     matrix = distribution_matrix(state.case, ratios) + 0.0
     dragging = {link: plain(torque) for link, torque in state.drag.external.items()}
     signs = signs_of(state)
-    names = names.with_losses([one.sign for one in signs], [one.efficiency for one in signs])
+    names = names.with_losses(
+        [status.sign for status in signs], [status.efficiency for status in signs]
+    )
     lossy = torque_system(state.case, state.gear, names, matrix, state.lossy_torques, drag=dragging)
     return ideal, lossy
 
 
 def _formula(
-    state: GearState, names: Names, symbols: Sequence[Symbol], own: OwnLinks, bodies: Structure
+    state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
-    """The formula, which gives what is calculated, or why there is none."""
+    """Return the formula if the calculated ratio is reproduced, else the reason."""
     try:
-        ratio = formula(own, state.gear, names, symbols, bodies)
+        ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
         return None, str(none)
-    output = state.speeds[own.case.gear_output(state.gear) - 1]
+    output = state.speeds[on_links.case.gear_output(state.gear) - 1]
     calculated = plain(state.ratio if ratio.left == "i" else output)
     if not math.isclose(ratio.value, calculated, rel_tol=SAME_FORMULA, abs_tol=ROUNDED_NUMBER):
         return None, "the mechanisms happen to have ratios at which the gear has none"
     return ratio, ""
 
 
-def _together(own: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
-    """Bodies of more than one link, what stands first."""
-    case = own.case
+def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Together]:
+    """Yield bodies of more than one link, links at rest first."""
+    case = on_links.case
     elements = [case.shift_elements[number - 1] for number in gear.engaged]
     for body in dict.fromkeys(bodies.body):
         links = [link for link, other in enumerate(bodies.body) if other == body]
         if len(links) > 1:
             names = [case.link_name(link) for link in links if link != HOUSING]
-            engaged = [one.name for one in elements if bodies.body[one.first] == body]
+            engaged = [element.name for element in elements if bodies.body[element.first] == body]
             for spring in case.springs:
                 shaft = ends(spring.twist)
                 engaged += [spring.name] * (shaft is not None and bodies.body[shaft[0]] == body)
             yield Together(names, body == HOUSING, engaged)
 
 
-def _pieces(own: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
-    """Names of elements, or mechanisms, that turn as one piece, and of those that stand.
+def _pieces(on_links: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
+    """Return the names of parts that rotate as a block, and of parts at rest.
 
-    What is joined to the housing for good turns as one piece only when it stands.
+    Parts with permanent links to the housing only rotate as a block at rest.
     """
     one_piece, standing = [], []
-    for part in own.parts:
-        bodies = {structure.body[link] for one in part.lowered for link in one.mechanism.links}
+    for part in on_links.parts:
+        bodies = {
+            structure.body[link] for lowered in part.lowered for link in lowered.mechanism.links
+        }
         if bodies == {HOUSING}:
             standing.append(part.name)
         elif len(bodies) == 1:

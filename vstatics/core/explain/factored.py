@@ -1,9 +1,8 @@
-"""A fraction of polynomials as one writes it by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
+"""Fractions of polynomials as written by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
 
-Of several equal forms the shortest is taken: in factors, term by term, and 1 and the rest.
-Polynomials are those of `sympy.polys`, with whole coefficients.
-
-Factors of polynomials, each with the sign in which it looks best.
+Of several equal forms the shortest is chosen: factors, single terms, or 1 and a remainder.
+Polynomials are those of `sympy.polys`, with integer coefficients. Each factor gets the sign that
+reads best.
 """
 
 from __future__ import annotations
@@ -12,26 +11,26 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 Fraction = Any
-"""`sympy.polys.fields.FracElement`"""
+"""Fraction of polynomials, `sympy.polys.fields.FracElement`."""
 
 
 class Notation(NamedTuple):
-    """How symbols, products and powers are written."""
+    """Notation of symbols, products and powers."""
 
     symbols: Sequence[str]
     times: str = " "
     power: str = "^"
     joined: str = ""
-    """Between two brackets."""
+    """Text between two brackets."""
 
 
 def python(count: int) -> Notation:
-    """An expression that Python and SymPy read; its symbols are u1, u2, ..."""
+    """Return the notation of Python and SymPy, with symbols u1, u2 and so on."""
     return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
 
 
 class _Written(NamedTuple):
-    """An expression, and whether it needs brackets as a factor, as a divisor."""
+    """Expression as text, and whether brackets are needed in a product or quotient."""
 
     text: str
     is_sum: bool = False
@@ -47,7 +46,7 @@ class _Written(NamedTuple):
 
 
 def fraction(value: Fraction, notation: Notation) -> str:
-    """The shortest form of a fraction of polynomials.
+    """Return the shortest form of a fraction of polynomials.
 
     Examples
     --------
@@ -62,8 +61,9 @@ def fraction(value: Fraction, notation: Notation) -> str:
     '(1 - 1/u)(1 - v)'
     """
     if len(factored(value.numer).factors) > 1:
-        return _in_factors(value, notation).text  # a product is to be seen as one
-    measure = Notation(["u"] * len(notation.symbols))  # names do not decide on the form
+        return _in_factors(value, notation).text  # a product should remain visible
+    # the length of names must not affect the form
+    measure = Notation(["u"] * len(notation.symbols))
     measured, texts = (
         [form.text for form in (write(value, how) for write in _FORMS) if form is not None]
         for how in (measure, notation)
@@ -72,7 +72,7 @@ def fraction(value: Fraction, notation: Notation) -> str:
 
 
 def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Notation) -> str:
-    """A sum of unknowns with fractions of polynomials as coefficients, over one divisor.
+    """Return a sum of unknowns with fractions of polynomials as coefficients, over one divisor.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
         sign, text = _signed(whole, notation)
         term = unknown if text.text == "1" else f"{text.factor}{notation.times}{unknown}"
         terms.append((sign, term))
-    terms.sort(key=lambda one: one[0] == "-")
+    terms.sort(key=lambda signed_term: signed_term[0] == "-")
     written = "".join(f" {sign} {term}" for sign, term in terms)
     written = written.removeprefix(" + ") if terms[0][0] == "+" else f"-{written[3:]}"
     positive = below._replace(number=abs(below.number))
@@ -103,16 +103,16 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
 
 
 def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
-    """The sign of a polynomial, as far as it can't be taken into a factor, and the rest."""
-    found = factored(polynomial)
-    if found.number < 0:
-        found, _ = _turned(found, Factored(1, []))
-    rest = _product(found._replace(number=abs(found.number)), notation)
-    return ("-" if found.number < 0 else "+"), rest
+    """Return the sign of a polynomial that no factor can absorb, and the remaining product."""
+    product = factored(polynomial)
+    if product.number < 0:
+        product, _ = _turned(product, Factored(1, []))
+    text = _product(product._replace(number=abs(product.number)), notation)
+    return ("-" if product.number < 0 else "+"), text
 
 
 def _in_factors(value: Fraction, notation: Notation) -> _Written:
-    """Numerator and denominator, each in factors; ``(u - 1)/u`` within is ``1 - 1/u``."""
+    """Return numerator and denominator in factors; ``(u - 1)/u`` within becomes ``1 - 1/u``."""
     above, below = factored(value.numer), factored(value.denom)
     above, below, inverse = _inverse(above, below)
     if above.number * below.number < 0:
@@ -128,32 +128,35 @@ def _quotient(
     notation: Notation,
     inverse: Sequence[tuple[Polynomial, int]] = (),
 ) -> _Written:
-    """One product over another, without their signs."""
     top = _product(above._replace(number=abs(above.number)), notation, inverse)
     over = _product(below._replace(number=abs(below.number)), notation)
     return top if over.text == "1" else _Written(f"{top.factor}/{over.divisor}", is_product=True)
 
 
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
-    """What is left without factors ``1 - 1/u``, and these: the symbol and the power of each."""
+    """Return the fraction without factors ``1 - 1/u``, and the symbols and powers of these."""
     inverse: Powers = []
     top, bottom, number = [], below.factors, above.number
     for factor, power in above.factors:
-        symbol = 1 - factor  # a factor stands as 1 - u, not as u - 1
-        given = next((have for one, have in bottom if one == symbol and len(one) == 1), 0)
+        symbol = 1 - factor  # a factor is stored as 1 - u, not as u - 1
+        given = next(
+            (have for candidate, have in bottom if candidate == symbol and len(candidate) == 1), 0
+        )
         common = min(power, given)
         if common:
             inverse.append((symbol, common))
             number *= (-1) ** common
-            bottom = [(one, have - common * (one == symbol)) for one, have in bottom]
+            bottom = [
+                (candidate, have - common * (candidate == symbol)) for candidate, have in bottom
+            ]
         if power > common:
             top.append((factor, power - common))
-    rest = [(factor, power) for factor, power in bottom if power]
-    return Factored(number, top), below._replace(factors=rest), inverse
+    remaining = [(factor, power) for factor, power in bottom if power]
+    return Factored(number, top), below._replace(factors=remaining), inverse
 
 
 def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
-    """A minus taken into a factor that looks as well with it, if there is one."""
+    """Return the fraction with a minus absorbed by a factor, if equally readable."""
     for part in (below, above):
         for place, (factor, power) in enumerate(part.factors):
             if power % 2 and balance(factor) == 0 and len(factor) > 1:
@@ -165,24 +168,24 @@ def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
 
 
 def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
-    """Each term of the numerator over a denominator of one term."""
+    """Return each term of the numerator over a denominator of a single term."""
     if len(value.denom) > 1 or len(value.numer) < 2:
         return None
     field = value.parent()
     text = ""
     for term in _ordered(value.numer):
-        one = _in_factors(field(term) / field(value.denom), notation).text
-        minus = one.startswith("-")
-        text += f" {'-' if minus else '+'} {one.lstrip('-')}" if text else one
+        quotient = _in_factors(field(term) / field(value.denom), notation).text
+        minus = quotient.startswith("-")
+        text += f" {'-' if minus else '+'} {quotient.lstrip('-')}" if text else quotient
     return _Written(text, is_sum=True)
 
 
 def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
-    """1 plus or minus what is left, in factors."""
-    rest = value - 1
-    if not rest or len(rest.numer) == len(value.numer) == 1:
+    """Return 1 plus or minus the remainder, in factors."""
+    remainder = value - 1
+    if not remainder or len(remainder.numer) == len(value.numer) == 1:
         return None
-    above, below = factored(rest.numer), factored(rest.denom)
+    above, below = factored(remainder.numer), factored(remainder.denom)
     sign = "-" if above.number * below.number < 0 else "+"
     return _Written(f"1 {sign} {_quotient(above, below, notation).factor}", is_sum=True)
 
@@ -191,7 +194,7 @@ _FORMS = (_in_factors, _by_terms, _one_and_rest)
 
 
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
-    """Its terms: those above 0 first, and of each kind the short ones first."""
+    """Return the terms of a polynomial, positive terms first, then short terms first."""
     terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
     ring = polynomial.ring
     return [ring({powers: factor}) for powers, factor in terms]
@@ -200,9 +203,9 @@ def _ordered(polynomial: Polynomial) -> list[Polynomial]:
 def _product(
     product: Factored, notation: Notation, inverse: Sequence[tuple[Polynomial, int]] = ()
 ) -> _Written:
-    """A product, single symbols before sums, in the order of the symbols.
+    """Return a product, single symbols before sums, in the order of the symbols.
 
-    `inverse` has the symbols u of further factors ``1 - 1/u``, each with its power.
+    `inverse` contains the symbols u of further factors ``1 - 1/u`` with their powers.
     """
     factors = [
         (len(factor) > 1, _position(factor), _sum(factor, notation), power)
@@ -226,13 +229,12 @@ def _product(
 
 
 def _position(polynomial: Polynomial) -> tuple[int, ...]:
-    """Which symbols occur, for an order of factors."""
+    """Return the indices of the symbols that occur, for the order of factors."""
     occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
     return tuple(sorted(occurring))
 
 
 def _sum(polynomial: Polynomial, notation: Notation) -> str:
-    """A polynomial term by term."""
     text = ""
     for term in _ordered(polynomial):
         [(powers, factor)] = term.terms()
@@ -250,24 +252,24 @@ def _sum(polynomial: Polynomial, notation: Notation) -> str:
 
 
 Polynomial = Any
-"""`sympy.polys.rings.PolyElement`, with whole coefficients."""
+"""Polynomial with integer coefficients, `sympy.polys.rings.PolyElement`."""
 
 Powers = list[tuple[Polynomial, int]]
-"""Factors, each with its power."""
+"""Factors with powers."""
 
 
 class Factored(NamedTuple):
-    """A polynomial: a whole number times powers of factors."""
+    """Polynomial as an integer times powers of factors."""
 
     number: int
     factors: Powers
 
 
 def factored(polynomial: Polynomial) -> Factored:
-    """Factors with the sign in which they look best."""
-    number, rest = polynomial.primitive()
+    """Return the factors of a polynomial, each with the sign that reads best."""
+    number, primitive = polynomial.primitive()
     factors = []
-    for factor, power in _factors(rest):
+    for factor, power in _factors(primitive):
         if factor.is_ground:
             number *= factor.LC**power
             continue
@@ -278,31 +280,33 @@ def factored(polynomial: Polynomial) -> Factored:
 
 
 def _factors(polynomial: Polynomial) -> Powers:
-    """Factors of a polynomial whose coefficients have none in common.
+    """Return the factors of a polynomial whose coefficients have no common factor.
 
-    Where a symbol occurs in the first power only, as ``a + b u``, the greatest common factor
-    of a and b is one, and what is left can't be divided. SymPy's own way takes long where
-    there are many symbols.
+    If a symbol only occurs in the first power, as in ``a + b u``, the greatest common divisor of a
+    and b is a factor, and the quotient is irreducible. SymPy's factorisation is slow for many
+    symbols.
     """
     if polynomial.is_ground:
         return [(polynomial, 1)]
-    powers = [max(one) for one in zip(*polynomial.monoms(), strict=True)]
+    powers = [max(exponents) for exponents in zip(*polynomial.monoms(), strict=True)]
     if 1 not in powers:
-        constant, found = polynomial.factor_list()
-        return [(polynomial.ring(constant), 1), *found]
+        constant, factors = polynomial.factor_list()
+        return [(polynomial.ring(constant), 1), *factors]
     place = powers.index(1)
     ring = polynomial.ring
     symbol = ring.gens[place]
-    with_it = ring({one: factor for one, factor in polynomial.terms() if one[place]})
+    with_it = ring(
+        {exponents: factor for exponents, factor in polynomial.terms() if exponents[place]}
+    )
     common = with_it.quo(symbol).gcd(polynomial - with_it)
     return [(polynomial.quo(common), 1), *_factors(common)]
 
 
 def balance(polynomial: Polynomial) -> int:
-    """Terms above 0 less those below 0."""
+    """Return the number of positive terms minus the number of negative terms."""
     return sum(1 if factor > 0 else -1 for _, factor in polynomial.terms())
 
 
 def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
-    """How well it looks: more terms above 0; else the constant is above 0, else the first term."""
+    """Return a rank of readability: positive terms, then a positive constant or first term."""
     return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

@@ -1,4 +1,4 @@
-"""The ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy."""
+"""Ratio of a gear as a formula in the ratios of its mechanisms; needs SymPy."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmissio
 from vstatics.core.tables.answer import Flat, told
 
 FOLLOWS = "there is no formula, as the speed of link {link} is given by that of {other}"
-"""Why a gear with tied speeds has none."""
+"""Reason for the missing formula of a gear with dependent speeds."""
 SHARED = ("u", "v")
-"""Symbols for ratios that several mechanisms have."""
+"""Symbols of ratios that several mechanisms have."""
 
 
 class Symbol(NamedTuple):
-    """The ratio of a mechanism in a formula."""
+    """Ratio of a mechanism in a formula."""
 
     name: str
     meaning: str
-    """The mechanism, or the members of an element."""
+    """Name of the mechanism, or members of a gear set."""
     value: float
-    """[-]"""
+    """Value of the ratio. [-]"""
 
 
 class NumberedSymbol(NamedTuple):
-    """A symbol as the expression calls it."""
+    """Symbol with the name in the expression."""
 
     symbol: str
     meant: Flat[Symbol]
 
 
 class NumberedSpeed(NamedTuple):
-    """A given speed as the expression calls it."""
+    """Given speed with the name in the expression."""
 
     symbol: str
     name: str
@@ -57,48 +57,53 @@ class NumberedSpeed(NamedTuple):
     shared_text="shared_text",
 )
 class RatioFormula(NamedTuple):
-    """A formula in symbols, and what it gives."""
+    """Formula in symbols, with the value."""
 
     left: str
-    """What it is a formula of: ``i``, or the speed of the output."""
+    """Left side of the formula: ``i``, or the symbol of the output speed."""
     text: str
     expression: str
-    """The same as Python and SymPy read it; symbols are u1, u2, ... in their order, then the
-    given speeds w1, w2, ..."""
+    """Formula as an expression of Python and SymPy.
+
+    Symbols are u1, u2 and so on in their order, given speeds are w1, w2 and so on.
+    """
     symbols: Sequence[Symbol]
     speeds: Mapping[str, float]
-    """The given speeds that it speaks of; none in a formula of the ratio. [-]"""
+    """Given speeds in the formula; empty in a formula of the ratio. [-]"""
     value: float
-    """[-]"""
+    """Value of the formula. [-]"""
     shared: Mapping[str, Sequence[str]]
-    """New symbol -> those of the same value that it stands for in `shared_text`."""
+    """Symbols of equal value, by the symbol that replaces them in `shared_text`."""
     shared_text: str
-    """Shorter, as some ratios are the same; may be nothing."""
+    """Shorter formula for equal ratios, or empty."""
 
     @property
     def numbered_symbols(self) -> list[NumberedSymbol]:
-        """What stands for u1, u2, ..."""
-        return [NumberedSymbol(f"u{n}", one) for n, one in enumerate(self.symbols, 1)]
+        """Symbols with the names u1, u2 and so on."""
+        return [NumberedSymbol(f"u{n}", symbol) for n, symbol in enumerate(self.symbols, 1)]
 
     @property
     def numbered_speeds(self) -> list[NumberedSpeed]:
-        """What stands for w1, w2, ..."""
-        return [NumberedSpeed(f"w{n}", *one) for n, one in enumerate(self.speeds.items(), 1)]
+        """Given speeds with the names w1, w2 and so on."""
+        return [NumberedSpeed(f"w{n}", *item) for n, item in enumerate(self.speeds.items(), 1)]
 
 
-def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
-    """Symbols for the mechanisms between own links: those of the equations, or between wheels.
+def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Symbol]:
+    """Return the symbols of the mechanisms between a case's own links.
+
+    Mechanisms of the equations keep their symbols; mechanisms between central gears get new
+    symbols.
 
     Parameters
     ----------
     case : Transmission
-        As it is calculated, planets among its links.
-    own : OwnLinks
-        The same on its own links.
+        Case as calculated, with planets among the links.
+    on_links : OwnLinks
+        Case on its own links.
     """
     symbols: list[Symbol] = []
     number, wheels = 0, 0
-    for part, reduced in zip(parts_of(case), own.parts, strict=True):
+    for part, reduced in zip(parts_of(case), on_links.parts, strict=True):
         for place, lowered in enumerate(reduced.lowered):
             if part.planet_links:
                 wheels += 1
@@ -113,29 +118,29 @@ def symbols_of(case: Transmission, names: Names, own: OwnLinks) -> list[Symbol]:
 
 
 def formula(
-    own: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
+    on_links: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
 ) -> RatioFormula:
-    """The formula of a gear's ratio; where several speeds are given, of its output speed.
+    """Return the formula of a gear's ratio, or of the output speed if several speeds are given.
 
     Parameters
     ----------
-    own : OwnLinks
-        The case, without planets among its links.
+    on_links : OwnLinks
+        Case without planets among the links.
     gear : Gear
-        With the freewheels that hold among the engaged elements.
+        The gear with the freewheels that hold among the engaged shift elements.
     symbols : sequence of Symbol
-        By mechanism.
+        Symbol of each mechanism.
 
     Raises
     ------
     NoFormula
-        If SymPy is not installed, the output speed is not determined or 0, or the formula
-        would be too long.
+        If SymPy is not installed, the output speed is indeterminate or 0, or the formula would be
+        too long.
     """
     reason = missing("formula", "the formula")
     if reason:
         raise NoFormula(reason)
-    case = own.case
+    case = on_links.case
     given: dict[int, str] = {}
     numbers: dict[str, float] = {}
     for link, speed in {case.gear_input(gear): 1.0, **gear.speeds}.items():
@@ -149,26 +154,26 @@ def formula(
     output = case.gear_output(gear)
     if structure.body[output] == HOUSING:
         raise NoFormula("the output is held: there is no ratio")
-    parts = shares(own, structure, given, structure.body[output])
+    parts = shares(on_links, structure, given, structure.body[output])
     if not parts:
         raise NoFormula("the output stands still: there is no ratio")
     speeds = {given[body]: numbers[given[body]] for body in parts}
     if not gear.speeds or list(speeds) == [names.speeds[case.gear_input(gear)]]:
-        return _of_ratio(1 / next(iter(parts.values())), symbols, own.variators)
+        return _of_ratio(1 / next(iter(parts.values())), symbols, on_links.variators)
     return _of_speed(names.speeds[output], list(parts.values()), speeds, symbols)
 
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str]) -> RatioFormula:
-    kept, [renamed] = _in_occurring([ratio], symbols)
-    text = factored.fraction(renamed, factored.Notation([one.name for one in kept]))
-    shared, shorter = _shared(renamed, kept, variators)
+    occurring, [renamed] = _in_occurring([ratio], symbols)
+    text = factored.fraction(renamed, factored.Notation([symbol.name for symbol in occurring]))
+    shared, shorter = _shared(renamed, occurring, variators)
     return RatioFormula(
         left="i",
         text=text,
-        expression=factored.fraction(renamed, factored.python(len(kept))),
-        symbols=kept,
+        expression=factored.fraction(renamed, factored.python(len(occurring))),
+        symbols=occurring,
         speeds={},
-        value=_value(renamed, kept),
+        value=_value(renamed, occurring),
         shared=shared,
         shared_text=shorter if len(shorter) < len(text) else "",
     )
@@ -177,17 +182,17 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str])
 def _of_speed(
     output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
 ) -> RatioFormula:
-    kept, renamed = _in_occurring(shares, symbols)
-    notation = factored.Notation([one.name for one in kept])
+    occurring, renamed = _in_occurring(shares, symbols)
+    notation = factored.Notation([symbol.name for symbol in occurring])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
     numbers = zip(renamed, speeds.values(), strict=True)
     return RatioFormula(
         left=output,
         text=factored.weighted(renamed, list(speeds), notation),
-        expression=factored.weighted(renamed, unknowns, factored.python(len(kept))),
-        symbols=kept,
+        expression=factored.weighted(renamed, unknowns, factored.python(len(occurring))),
+        symbols=occurring,
         speeds=speeds,
-        value=math.fsum(_value(share, kept) * speed for share, speed in numbers),
+        value=math.fsum(_value(share, occurring) * speed for share, speed in numbers),
         shared={},
         shared_text="",
     )
@@ -196,18 +201,20 @@ def _of_speed(
 def _in_occurring(
     values: Sequence[Any], symbols: Sequence[Symbol]
 ) -> tuple[list[Symbol], list[Any]]:
-    """The symbols that occur in fractions of polynomials, and the fractions in these alone."""
+    """Return the occurring symbols, and the fractions in terms of the occurring symbols."""
     polynomials = [part for value in values for part in (value.numer, value.denom)]
     terms = [powers for part in polynomials for powers in part.monoms()]
     occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})
     places = {number: place for place, number in enumerate(occurring)}
-    return [symbols[number] for number in occurring], [_in_symbols(one, places) for one in values]
+    return [symbols[number] for number in occurring], [
+        _in_symbols(unmapped, places) for unmapped in values
+    ]
 
 
 def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
-    """The fraction in other symbols: number of the old -> number of the new one.
+    """Return a fraction in other symbols, from a mapping of old to new numbers.
 
-    None if its denominator becomes 0 where two symbols become one.
+    The result is None if the denominator becomes 0 because two symbols become one.
     """
     from sympy import ZZ
     from sympy.polys.fields import field
@@ -223,7 +230,7 @@ def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
                 if power:
                     new[places[old]] += power
             terms[tuple(new)] += factor
-        return fractions.ring({one: factor for one, factor in terms.items() if factor})
+        return fractions.ring({exponents: factor for exponents, factor in terms.items() if factor})
 
     below = image(value.denom)
     return fractions(image(value.numer)) / fractions(below) if below else None
@@ -232,7 +239,7 @@ def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
 def _shared(
     value: Any, symbols: Sequence[Symbol], variators: Collection[str]
 ) -> tuple[dict[str, list[str]], str]:
-    """The formula where symbols of the same value are one; that of a variator is so by chance."""
+    """Return the formula with common symbols for ratios of equal value, except of variators."""
     by_value: dict[float, list[int]] = {}
     for number, symbol in enumerate(symbols):
         if symbol.meaning not in variators:
@@ -244,22 +251,21 @@ def _shared(
     letter_of = {number: letter for letter, numbers in letters.items() for number in numbers}
     written = [letter_of.get(number, symbols[number].name) for number in range(len(symbols))]
     new = list(dict.fromkeys(written))
-    one = _in_symbols(value, {number: new.index(name) for number, name in enumerate(written)})
-    if one is None:
+    merged = _in_symbols(value, {number: new.index(name) for number, name in enumerate(written)})
+    if merged is None:
         return {}, ""
     stands_for = {letter: [symbols[n].name for n in numbers] for letter, numbers in letters.items()}
-    return stands_for, factored.fraction(one, factored.Notation(new))
+    return stands_for, factored.fraction(merged, factored.Notation(new))
 
 
 def _value(value: Any, symbols: Sequence[Symbol]) -> float:
-    """The number that a fraction of polynomials is at the values of its symbols."""
     values = [Fraction(symbol.value) for symbol in symbols]
 
     def at(polynomial: Any) -> Fraction:
         total = Fraction(0)
         for powers, factor in polynomial.terms():
             pairs = zip(values, powers, strict=False)
-            total += math.prod((one**power for one, power in pairs), start=Fraction(int(factor)))
+            total += math.prod((base**power for base, power in pairs), start=Fraction(int(factor)))
         return total
 
     divisor = at(value.denom)

@@ -1,7 +1,7 @@
-"""What the numbers of a gear follow from: all that solving reads of its case, as tables.
+"""Given data of a gear: everything of the case that determines its numbers, as tables.
 
-An exercise can be solved from these alone, so what solving reads stands here. What it does not
-read is listed in `UNREAD`; a key that is in neither shows itself among the rest.
+An exercise can be solved from these tables alone. Keys that do not affect the solution are listed
+in `UNREAD`; a key that is in no list appears in the last table.
 """
 
 from __future__ import annotations
@@ -43,16 +43,16 @@ _SHOWN = frozenset(
         "balance",
     )
 )
-"""Keys of a case or a gear whose numbers stand in tables of their own; losses as they act."""
+"""Keys of a case or a gear with separate tables."""
 
 
 def given(results: Results, place: int) -> Iterator[Grid]:
-    """What is given of a gear: its parts, how they are joined, what acts; and how signs count.
+    """Yield the given data of a gear: parts, connections, loads, and conventions.
 
     Parameters
     ----------
     place : int
-        Of the gear, from 0.
+        Index of the gear.
 
     Examples
     --------
@@ -63,12 +63,12 @@ def given(results: Results, place: int) -> Iterator[Grid]:
     """
     case, state = results.case, results.gear_at(place)
     gear = case.gears[place]
-    names = [one.name for one in case.shift_elements]
+    names = [item.name for item in case.shift_elements]
     holding = [names[number - 1] for number in state.holding]
-    said = engaged([names[number - 1] for number in gear.engaged], holding)
-    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=said), (), ())
+    engaged_text = engaged([names[number - 1] for number in gear.engaged], holding)
+    yield Grid(tr("Gear {gear}: {engaged}", gear=gear.name, engaged=engaged_text), (), ())
     data = mapping(case)
-    made = (
+    tables = (
         elements(case, data.get("elements", {})),
         mechanisms(case, gear),
         losses(case),
@@ -79,12 +79,12 @@ def given(results: Results, place: int) -> Iterator[Grid]:
         _rest({**data, **data["gears"][gear.name]}),
         _idle(state),
     )
-    yield from (one for one in made if one.rows)
-    yield from (Grid(one, (), (), prose=typeset.prose(one)) for one in _conventions(gear, state))
+    yield from (item for item in tables if item.rows)
+    yield from (Grid(item, (), (), prose=typeset.prose(item)) for item in _conventions(gear, state))
 
 
 def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
-    """How speeds and torques of a gear are counted, in words."""
+    """Yield the conventions of speeds and torques of a gear, in words."""
     case, drawing = state.case, drawing_of(state.case)
     if case.input_torque(state.gear):
         yield tr(
@@ -100,7 +100,7 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
     )
     if state.calculable:
         yield from _rules_of_losses(state)
-    if any(one.is_plain(one.ratio) and one.planet_ratio is None for one in case.mechanisms):
+    if any(item.is_plain(item.ratio) and item.planet_ratio is None for item in case.mechanisms):
         yield tr("The ratio first link to planet of a plain set is (u + 1)/2.")
     if any(map(fills_a_gap, drawing.elements if drawing else ())):
         yield tr("A planet between a sun and a ring has (ring - sun)/2 teeth where none are given.")
@@ -112,21 +112,24 @@ def _conventions(gear: Gear, state: GearState) -> Iterator[str]:
             "The torque that balances machines and battery is found with losses; it stands in the "
             "torques without losses, too."
         )
-    yield from (f"{tr(one.english)}: {tr(one.meaning)}" for one in state.statuses)
+    yield from (f"{tr(item.english)}: {tr(item.meaning)}" for item in state.statuses)
     if case.coasts(state.gear) and state.calculable:
         yield tr("Coasting: power enters at the output.")
 
 
 def _rules_of_losses(state: GearState) -> Iterator[str]:
-    """How mechanisms with losses, variators, converters and drag act."""
+    """Yield the rules for mechanisms with losses, variators, converters and drag."""
     case = state.case
-    if any(one.efficiency != 1 or one.back_efficiency is not None for one in case.mechanisms):
+    if any(
+        mechanism.efficiency != 1 or mechanism.back_efficiency is not None
+        for mechanism in case.mechanisms
+    ):
         drags = bool(state.drag.links or state.drag.elements)
         yield f"{tr('Torques with losses')}: {rule(coasts=case.coasts(state.gear), drags=drags)}"
-    if any(one.back_efficiency is not None for one in case.mechanisms):
+    if any(mechanism.back_efficiency is not None for mechanism in case.mechanisms):
         yield tr("With x = -1 it is u/b, where an efficiency backward b is given.")
     bypassed = case.bypassed(state.gear)
-    kinds = {one.kind for n, one in enumerate(case.mechanisms) if n not in bypassed}
+    kinds = {mechanism.kind for n, mechanism in enumerate(case.mechanisms) if n not in bypassed}
     if "variator" in kinds:
         yield tr(
             "A variator of the speed ratio w_second/w_first has the inverse of it as u; with the "
@@ -141,8 +144,12 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
     if bypassed:
         names = ", ".join(case.mechanisms[n].name for n in sorted(bypassed))
         yield tr("Bypassed by a lock-up clutch, without torque: {names}.", names=names)
-    efficiencies = (n for one in case.mechanisms for n in (one.efficiency, one.back_efficiency))
-    if any(isinstance(one, Law) for one in efficiencies):
+    efficiencies = (
+        n
+        for mechanism in case.mechanisms
+        for n in (mechanism.efficiency, mechanism.back_efficiency)
+    )
+    if any(isinstance(mechanism, Law) for mechanism in efficiencies):
         yield tr(
             "An efficiency over speed is over that of the first link against the third, one over "
             "torque over the torque on the first link with losses; both without sign, straight "
@@ -153,7 +160,8 @@ def _rules_of_losses(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of an open shift element against each other; it "
             "acts in the torques with losses only."
         )
-    gear = case.gears[case.gear_number(state.gear.name) - 1]  # that of the state has no laws
+    # the gear of the state has numbers instead of laws
+    gear = case.gears[case.gear_number(state.gear.name) - 1]
     by_part = case.gear_drag(gear), case.gear_open_drag(gear)
     if any(isinstance(drag, Law) for drags in by_part for drag in drags.values()):
         yield tr(
@@ -172,15 +180,14 @@ def _ports(case: Transmission, gear: Gear) -> Grid:
 
 
 def _acting(case: Transmission, gear: Gear) -> Grid:
-    """Speeds and torques that are given, drag, and what is told of the load."""
     entry = case.gear_input(gear)
     rows: list[tuple[int, str, Value]] = [
         (entry, "speed", cell_of(1.0)),
         (entry, "torque", cell_of(case.input_torque(gear))),
     ]
     for link, speed in gear.speeds.items():
-        told = case.speed_text(speed) if not isinstance(speed, float) else cell_of(speed)
-        rows.append((link, "speed", told))
+        speed_cell = case.speed_text(speed) if not isinstance(speed, float) else cell_of(speed)
+        rows.append((link, "speed", speed_cell))
     rows += [(link, "torque", cell_of(torque)) for link, torque in gear.torques.items()]
     rows += [(link, "drag", cell_of(drag)) for link, drag in case.gear_drag(gear).items()]
     load = case.gear_load(gear)
@@ -204,7 +211,6 @@ def _acting(case: Transmission, gear: Gear) -> Grid:
 
 
 def _rest(data: Mapping[str, Any]) -> Grid:
-    """Any other key of the case or the gear."""
     rows = [
         (in_words(key), data_text(value))
         for key, value in data.items()
@@ -214,9 +220,9 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Signs that no power without losses decides: by a convention, or by the losses."""
-    found = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
-    rows = [(one.name, whole(plain(sign))) for one, sign, is_told in found if is_told]
+    """Return the table of signs that follow from a convention, or from the losses."""
+    signs = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
+    rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
     title = "Signs of idle mechanisms"
     if any(state.search.turned):
         title = "Signs that power without losses does not tell"
@@ -224,7 +230,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Of which mechanisms the sign is told, as the rule for it does not give it."""
+    """Return for each mechanism whether the sign is given, as not determined by the rule."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

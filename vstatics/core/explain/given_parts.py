@@ -1,4 +1,4 @@
-"""What is given of the parts of a case, as tables: what solving reads of each."""
+"""Given data of the parts of a case, as tables."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ UNREAD = frozenset(
         *("converters", "planet", *KEYS),
     )
 )
-"""Keys of a case and of its parts that no blank depends on; other gears do not count, either."""
+"""Keys of a case and its parts on which no blank depends, other gears included."""
 _TOLD = frozenset(
     (
         *("kind", "teeth", "diameters", "planets", "suns", "rings", "rims", "meshes"),
         *("efficiency", "back_efficiency", "mesh_efficiency"),
     )
 )
-"""Keys of an element that have columns of their own, or a table as losses have."""
+"""Keys of a gear set with separate columns or tables."""
 _OVER = {"speed": "speed, rad/s", "torque": "torque, N*m"}
 
 
 def cell_of(value: Any) -> Value:
-    """A number with all the digits that a calculation wants, or a law with all its points."""
+    """Return a number with the digits that a calculation needs, or a law with all points."""
     if value is None or isinstance(value, str):
         return value or NOTHING
     if isinstance(value, Law):
@@ -50,52 +50,57 @@ def cell_of(value: Any) -> Value:
 
 
 def link_text(case: Transmission, link: int) -> str:
-    """A link by its name."""
+    """Return the name of a link, or the word for the housing."""
     return case.link_name(link) if link else tr("housing")
 
 
 def in_words(name: str) -> str:
-    """A key or member of this program, in the language that is spoken."""
+    """Return a key or member in the current language."""
     return tr(name.replace("_", " "))
 
 
 def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """Drawn elements, their teeth, and what else is told of them."""
+    """Return the table of drawn gear sets with teeth and further data."""
     drawing = drawing_of(case)
     rows: list[Values] = []
-    for one in drawing.elements if drawing else ():
-        links = [f"{in_words(name)} {link_text(case, link)}" for name, link in one.members.items()]
-        links += [f"{wheel.member} {link_text(case, wheel.link)}" for wheel in _own_wheels(one)]
+    for element in drawing.elements if drawing else ():
+        links = [
+            f"{in_words(name)} {link_text(case, link)}" for name, link in element.members.items()
+        ]
+        links += [
+            f"{wheel.member} {link_text(case, wheel.link)}"
+            for wheel in _wheels_without_member(element)
+        ]
         more = "; ".join(
             f"{in_words(key)}: {data_text(value)}"
-            for key, value in data[one.name].items()
-            if key not in {*one.members, *_TOLD, *UNREAD}
+            for key, value in data[element.name].items()
+            if key not in {*element.members, *_TOLD, *UNREAD}
         )
-        teeth = ", ".join(_teeth(one))
-        row = one.name, word(one.kind.replace("_", " ")), ", ".join(links), teeth
-        rows.append((*row, one.planets or "", more))
+        teeth = ", ".join(_teeth(element))
+        row = element.name, word(element.kind.replace("_", " ")), ", ".join(links), teeth
+        rows.append((*row, element.planets or "", more))
     headings = ["element", "kind", "links", "teeth", "planets", "given"]
     more_columns = ("teeth", "planets", "given")
     return grid_of("Elements", headings, rows, key="elements", optional=more_columns)
 
 
 def fills_a_gap(element: Element) -> bool:
-    """Whether one of several kinds of planets has its teeth by the sun and the ring around it."""
+    """Return whether teeth of some planets, of several kinds, follow from the sun and ring."""
     if not isinstance(element.shape, Planetary) or element.rims:
         return False
     planets = group_of(element).planets
-    found = {rim: teeth for rims in planets.values() for rim, teeth in rims.items()}
-    return len(found) > 1 and any(
-        teeth and rim not in element.teeth for rim, teeth in found.items()
+    teeth_by_rim = {rim: teeth for rims in planets.values() for rim, teeth in rims.items()}
+    return len(teeth_by_rim) > 1 and any(
+        teeth and rim not in element.teeth for rim, teeth in teeth_by_rim.items()
     )
 
 
-def _own_wheels(element: Element) -> Sequence[Any]:
-    return [one for one in element.wheels if one.member not in element.members]
+def _wheels_without_member(element: Element) -> Sequence[Any]:
+    return [wheel for wheel in element.wheels if wheel.member not in element.members]
 
 
 def _teeth(element: Element) -> Iterator[str]:
-    """Teeth of wheels and rims; of a group also what meshes with what."""
+    """Yield the teeth of gears and rims; for a group also the pairs in mesh."""
     front = f"{tr('diameters')}: " if getattr(element.shape, "size", "") == "diameters" else ""
     for name, count in element.teeth.items():
         yield f"{front}{in_words(name)} {count:g}"
@@ -104,57 +109,58 @@ def _teeth(element: Element) -> Iterator[str]:
         kind = tr("ring" if wheel.internal else "sun")
         yield f"{kind} {wheel.member} {wheel.teeth} ({wheel.rim})"
     for planet, rims in element.rims.items():
-        own = ", ".join(f"{rim} {count}" for rim, count in rims.items())
-        yield f"{planet}: {own}"
-    for one, other in element.meshes:
-        yield f"{one} - {other}"
+        sizes = ", ".join(f"{rim} {count}" for rim, count in rims.items())
+        yield f"{planet}: {sizes}"
+    for rim, partner in element.meshes:
+        yield f"{rim} - {partner}"
 
 
 def data_text(value: Any) -> str:
-    """Plain data in words.
+    """Return plain data in words.
 
     >>> data_text({"large_sun": -2.0, "rest": [1, 2]})
     'large_sun -2, rest (1, 2)'
     """
     if isinstance(value, Mapping):
-        return ", ".join(f"{key} {data_text(one)}" for key, one in value.items())
+        return ", ".join(f"{key} {data_text(item)}" for key, item in value.items())
     if isinstance(value, Sequence) and not isinstance(value, str):
         return f"({', '.join(map(data_text, value))})"
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def mechanisms(case: Transmission, gear: Gear) -> Grid:
-    """Those that the case gives as such; of a variator its speed ratio in the gear."""
+    """Return the table of given mechanisms, with the speed ratios of variators in the gear."""
     ratios = case.gear_ratios(gear)[case.own_mechanisms.start :]
     rows = [
         (
-            one.name,
-            word(one.kind),
-            *(link_text(case, link) for link in (one.first, one.second)),
-            link_text(case, one.third) if one.third or one.is_set else NOTHING,
-            *(cell_of(x) for x in ((None, ratio) if one.kind else (ratio, None))),
-            cell_of(one.planet_ratio),
-            _points(one),
+            mechanism.name,
+            word(mechanism.kind),
+            *(link_text(case, link) for link in (mechanism.first, mechanism.second)),
+            link_text(case, mechanism.third) if mechanism.third or mechanism.is_set else NOTHING,
+            *(cell_of(x) for x in ((None, ratio) if mechanism.kind else (ratio, None))),
+            cell_of(mechanism.planet_ratio),
+            _points(mechanism),
         )
-        for one, ratio in zip(case.mechanisms[case.own_mechanisms.start :], ratios, strict=True)
+        for mechanism, ratio in zip(
+            case.mechanisms[case.own_mechanisms.start :], ratios, strict=True
+        )
     ]
     optional = ("kind", "speed ratio", "planet ratio", "points")
     headings = ["mechanism", "kind", "first", "second", "third", "ratio", *optional[1:]]
     return grid_of("Mechanisms", headings, rows, key="mechanisms", optional=optional)
 
 
-def _points(one: Mechanism) -> str:
-    """Of a converter: speed ratio and torque ratio."""
-    points = ", ".join(f"({i:.6g}, {k:.6g})" for i, k, *_ in one.points)
+def _points(mechanism: Mechanism) -> str:
+    points = ", ".join(f"({i:.6g}, {k:.6g})" for i, k, *_ in mechanism.points)
     return f"({tr('speed ratio')}, K): {points}" if points else ""
 
 
 def losses(case: Transmission) -> Grid:
-    """The efficiency of each mechanism that is solved: as a case gives it, or by its default."""
+    """Return the table of efficiencies of all mechanisms in the solution, defaults included."""
     rows: list[Values] = []
     for part in parts_of(case):
         for mechanism, members in part.lowered:
-            if mechanism.kind == "converter":  # loses by its points
+            if mechanism.kind == "converter":  # the loss of a converter follows from its points
                 continue
             between = " - ".join(map(in_words, filter(None, members[:2]))) if part.element else ""
             back = mechanism.back_efficiency
@@ -165,22 +171,22 @@ def losses(case: Transmission) -> Grid:
     return grid_of("Losses, third link held", headings, rows, key="losses", optional=optional)
 
 
-def kind_of(one: ShiftElement) -> Cell:
-    """The kind of a shift element, in words."""
-    kind = one.kind or ("brake" if HOUSING in one.links else "clutch")
+def kind_of(element: ShiftElement) -> Cell:
+    """Return the kind of a shift element in words."""
+    kind = element.kind or ("brake" if HOUSING in element.links else "clutch")
     return word(kind.replace("_", " "))
 
 
 def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Grid:
-    """Those that are open may drag; freewheels that hold are engaged."""
+    """Return the table of shift elements: open ones can drag; freewheels that hold are engaged."""
     rows, drags = [], case.gear_open_drag(gear)
-    for number, one in enumerate(case.shift_elements, 1):
-        on, off = ("holds", "overruns") if one.is_freewheel else ("engaged", "open")
+    for number, element in enumerate(case.shift_elements, 1):
+        on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "open")
         rows.append(
             (
-                one.name,
-                kind_of(one),
-                *(link_text(case, link) for link in one.links),
+                element.name,
+                kind_of(element),
+                *(link_text(case, link) for link in element.links),
                 word(on if number in engaged else off),
                 cell_of(drag) if (drag := drags[number]) and number not in engaged else "",
             )
@@ -190,17 +196,17 @@ def shift_elements(case: Transmission, gear: Gear, engaged: Sequence[int]) -> Gr
 
 
 def springs(case: Transmission) -> Grid:
-    """The twists of springs, in which speeds and torques follow one another."""
-    rows = ((one.name, twist_text(case, one)) for one in case.springs)
+    """Return the table of springs with twists."""
+    rows = ((spring.name, twist_text(case, spring)) for spring in case.springs)
     return grid_of("Springs", ["spring", "twist"], rows, key="springs")
 
 
 def twist_text(case: Transmission, spring: Spring) -> str:
-    """The twist of a spring as a sum: ``engine - disc``; of one link alone its name."""
+    """Return the twist of a spring as a sum, such as ``engine - disc``."""
     shaft = ends(spring.twist)
-    said = ""
+    text = ""
     for link, part in spring.form.items():
         size = "" if shaft or abs(part) == 1 else f"{abs(part):.6g} "
-        sign = ("-" if part < 0 else "+") if said else "-" * (part < 0)
-        said += f"{f' {sign} ' if said else sign}{size}{case.link_name(link)}"
-    return said
+        sign = ("-" if part < 0 else "+") if text else "-" * (part < 0)
+        text += f"{f' {sign} ' if text else sign}{size}{case.link_name(link)}"
+    return text

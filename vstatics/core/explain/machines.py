@@ -1,4 +1,4 @@
-"""The balance of the machines of a gear with their battery, written out."""
+"""Power balance of the electric machines of a gear with their battery."""
 
 from __future__ import annotations
 
@@ -12,40 +12,41 @@ from vstatics.core.tables.answer import Known
 
 
 class MachineShare(NamedTuple):
-    """What a machine has of its link, and gives the battery."""
+    """Power of an electric machine from the link, and to the battery."""
 
     link: str
     power_kW: Known  # noqa: N815 - as `port_powers_kW`
-    """What the link gives its machine, with losses."""
+    """Power from the link to the machine, with losses."""
     efficiency: Known
     battery_kW: Known  # noqa: N815
-    """What the battery gets of it, above 0, or gives for it."""
+    """Power to the battery, negative if the battery supplies the machine."""
 
 
 MACHINES = (
     "Machines and battery: P = -torque x speed is what a link gives to its machine, with losses; "
     "the battery gets P eta, or gives P/eta where P is below 0"
 )
+"""Rule of the balance, as a sentence for worksheets."""
 
 
 class MachineBalance(NamedTuple):
-    """Machines and their battery, and the torque that balances them."""
+    """Electric machines and battery, and the torque that balances the powers."""
 
     link: str
-    """Whose torque is found."""
+    """Link with the balancing torque."""
     torque: Known
-    """On this link; torques without losses take it, too. [-], [N*m] where the input has none"""
+    """Balancing torque, also in torques without losses; N*m if the input has no torque. [-]"""
     shares: Sequence[MachineShare]
     battery_kW: Known  # noqa: N815
-    """What the battery is to get."""
+    """Required power to the battery."""
 
 
 def machine_balance(results: Results, number: int) -> MachineBalance | None:
-    """The balance of a gear, by its index; None where it has none, or no torque does it.
+    """Return the balance of a gear by index, if given and solved.
 
     Examples
     --------
-    What the generator on link 3 gives at .9 the motor on link 4 takes at .8.
+    The generator on link 3 has an efficiency of 0.9, the motor on link 4 of 0.8.
 
     >>> from vstatics import Gear, Load, Mechanism, Transmission, solve
     >>> from vstatics.core.model.parts import BatteryBalance
@@ -66,7 +67,7 @@ def machine_balance(results: Results, number: int) -> MachineBalance | None:
         power = float(powers[link - 1])
         given = float(battery_power(power, efficiency))
         shares.append(MachineShare(case.link_name(link), power, efficiency, given))
-    if any(math.isnan(one.power_kW) for one in shares):
+    if any(math.isnan(share.power_kW) for share in shares):
         return None
     assert results.points is not None  # noqa: S101 - a case with a balance has them
     link = sought_link(gear, results.points.gears[number])

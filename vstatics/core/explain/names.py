@@ -1,4 +1,4 @@
-"""How equations call speeds, torques and ratios."""
+"""Symbols of speeds, torques and ratios in equations."""
 
 from __future__ import annotations
 
@@ -10,24 +10,25 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.result_arrays import OUTPUT
 
 SIMPLE = re.compile(r"\w+")
+"""Pattern of names that need no brackets."""
 
 
 class Names(NamedTuple):
-    """The symbols of a case."""
+    """Symbols of a case."""
 
     speeds: Sequence[str]
-    """By link, the housing first."""
+    """Speed of each link, the housing first."""
     torques: Sequence[str]
-    """By device, then the output torque."""
+    """Torque of each device, then the output torque."""
     holding: Sequence[str]
-    """By link, the housing first: the torque that holds a given speed."""
+    """Torque that holds a given speed, for each link, the housing first."""
     ratios: Sequence[str]
-    """By mechanism."""
+    """Basic ratio of each mechanism."""
     efficiencies: Sequence[str]
-    """By mechanism."""
+    """Efficiency of each mechanism."""
 
     def with_losses(self, signs: Sequence[float], efficiencies: Sequence[float]) -> Names:
-        """The same with ``u eta^x`` in place of each u.
+        """Return the symbols with ``u eta^x`` instead of each u.
 
         >>> Names([], [], [], ["u1", "u2"], ["eta1", "eta2"]).with_losses([1, -1], [0.9, 0.8])[3]
         ['u1 eta1', 'u2/eta2']
@@ -45,10 +46,10 @@ class Names(NamedTuple):
 
 
 def names_of(case: Transmission) -> Names:
-    """The symbols of a case: ``w_`` and a link, ``M_`` a device, ``u_``, ``eta_`` a mechanism.
+    """Return the symbols of a case: ``w_`` link, ``M_`` device, ``u_`` and ``eta_`` mechanism.
 
-    A name that is more than a word stands in brackets; such a mechanism has its number
-    instead, as its name would hide the equation.
+    A name that is not a single word is in brackets. A mechanism with such a name has its number
+    instead, because the name would make the equation hard to read.
 
     Examples
     --------
@@ -60,8 +61,10 @@ def names_of(case: Transmission) -> Names:
     """
     elements = [element.name for element in case.shift_elements]
     mechanisms = [
-        f"_{one.name}" if SIMPLE.fullmatch(one.name) and one.name not in elements else str(number)
-        for number, one in enumerate(case.mechanisms, 1)
+        f"_{mechanism.name}"
+        if SIMPLE.fullmatch(mechanism.name) and mechanism.name not in elements
+        else str(number)
+        for number, mechanism in enumerate(case.mechanisms, 1)
     ]
     return Names(
         ["0", *(f"w{subscript(name)}" for name in case.link_names)],
@@ -78,5 +81,5 @@ def names_of(case: Transmission) -> Names:
 
 
 def subscript(name: str) -> str:
-    """A name behind a letter."""
+    """Return a name as the subscript of a symbol."""
     return f"_{name}" if SIMPLE.fullmatch(name) else f"[{name}]"

@@ -1,4 +1,4 @@
-"""The sign of each mechanism's power flow in a gear, and why it is that one."""
+"""Sign of each mechanism's power flow in a gear, and the reason for it."""
 
 from __future__ import annotations
 
@@ -19,34 +19,36 @@ from vstatics.core.texts import tr
 
 
 class PowerSign(NamedTuple):
-    """A mechanism with losses: ``ratio x efficiency**sign`` stands in place of its ratio."""
+    """Mechanism with losses, whose ratio is replaced by ``ratio x efficiency**sign``."""
 
     mechanism: str
     torque: float
-    """On the first link, without losses, but with drag. [-]"""
+    """Torque on the first link, without losses, but with drag. [-]"""
     motion: float
-    """Speed of the first link against the third. [-]"""
+    """Speed of the first link minus the third. [-]"""
     power: float
-    """Their product: what enters by the first link, seen from the third; below 0 where it enters
-    when coasting, as the unit of power is then. [-]"""
+    """Power that enters by the first link, seen from the third: torque times motion. [-]
+
+    When coasting the unit of power is negative, so an entering power is below 0.
+    """
     sign: float
-    """+1, -1 or 0; NaN where it is open."""
+    """+1, -1 or 0; NaN if indeterminate."""
     ratio: float
-    """[-]"""
+    """Basic ratio. [-]"""
     efficiency: float
-    """That of this direction of power. [-]"""
+    """Efficiency for the direction of power. [-]"""
     lossy_ratio: float
-    """[-]"""
+    """Ratio with losses. [-]"""
     why: str
 
     @property
     def told(self) -> str:
-        """Why, in the language that is spoken."""
+        """Reason for the sign, in the current language."""
         return "".join(tr(part) for part in re.split(r"([,;] )", self.why))
 
 
 def signs_of(state: GearState) -> list[PowerSign]:
-    """The signs of a gear, by mechanism: equation (5) of docs/method.md."""
+    """Return the signs of a gear by equation (5) of docs/method.md."""
     case = state.case
     speeds = [0.0, *map(plain, state.speeds)]
     torques = map(plain, state.ideal.torques_with_drag.on_first_link[case.among_devices])
@@ -73,24 +75,24 @@ def signs_of(state: GearState) -> list[PowerSign]:
 
 
 MOST_TRIED = 3
-"""Of more mechanisms there are too many sets of signs to look at."""
+"""Number of mechanisms above which sets of signs are too many to show."""
 
 
 class TriedSigns(NamedTuple):
-    """Signs that do not agree with the power that flows by them."""
+    """Signs that contradict the resulting power flow."""
 
     signs: Mapping[str, float]
-    """By mechanism."""
+    """Sign of each mechanism."""
     lossy_ratios: Mapping[str, float]
-    """By mechanism: u eta^x. [-]"""
+    """Ratio of each mechanism with losses, u eta^x. [-]"""
     output_torque: Known
-    """What the output would give to the load. [-]"""
+    """Resulting torque of the output on the load. [-]"""
     against: str
-    """The mechanism by which power flows the other way; empty where it enters at the output."""
+    """Mechanism with reversed power flow; empty if power enters at the output."""
 
 
 def tried_signs(state: GearState) -> list[TriedSigns]:
-    """All signs of a gear that is locked by friction, each with what speaks against them.
+    """Return all sets of signs of a self-locking gear, with the contradiction of each.
 
     Examples
     --------
@@ -100,16 +102,16 @@ def tried_signs(state: GearState) -> list[TriedSigns]:
     >>> [(*one.signs.values(), round(one.output_torque, 4), one.against) for one in tried]
     [(-1.0, -0.0153, ''), (1.0, 0.0249, 'D1')]
     """
-    ideal, names = state.ideal, [one.name for one in state.case.mechanisms]
+    ideal, names = state.ideal, [item.name for item in state.case.mechanisms]
     efficiencies = ideal.variant.efficiencies
     moving = zip(efficiencies, ideal.speeds.relative_speeds, strict=True)
-    free = [place for place, (own, speed) in enumerate(moving) if own.lossy and speed]
+    free = [place for place, (efficiency, speed) in enumerate(moving) if efficiency.lossy and speed]
     if not state.search.locked or len(free) > MOST_TRIED:
         return []
     tried = []
-    for own in product((-1.0, 1.0), repeat=len(free)):
+    for efficiency in product((-1.0, 1.0), repeat=len(free)):
         signs = list(state.signs)
-        for place, x in zip(free, own, strict=True):
+        for place, x in zip(free, efficiency, strict=True):
             signs[place] = x
         lossy = torques_for_signs(ideal, tuple(signs))
         ratios = lossy_ratios(ideal.variant.ratios, efficiencies, signs)
@@ -122,11 +124,11 @@ def tried_signs(state: GearState) -> list[TriedSigns]:
                 next(against, ""),
             )
         )
-    return [one for one in tried if not math.isnan(one.output_torque)]
+    return [item for item in tried if not math.isnan(item.output_torque)]
 
 
 def _why(state: GearState, place: int, motion: float, power: float) -> str:
-    """The reason for a sign, in words."""
+    """Return the reason for a sign, in words."""
     case, sign = state.case, state.signs[place]
     mechanism = case.mechanisms[place]
     if mechanism.efficiency == 1 and mechanism.back_efficiency in (None, 1):
@@ -140,7 +142,7 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
         )
         if sign == 0:
             return why
-        # of the convention: +1 without torque, else the sign of the ratio; see docs/method.md
+        # The convention is +1 without torque, else the sign of the ratio; see docs/method.md.
         chosen = (1.0, math.copysign(1, mechanism.ratio))[: 2 if motion == 0 else 1]
         by_convention = case.idle == "published" and sign in chosen
         by = "convention `published`" if by_convention else "flow with losses"

@@ -12,32 +12,34 @@ from vstatics.core.tables.numbers import short
 from vstatics.core.texts import tr
 
 EQUATION_WIDTH = 80
+"""Width of a line, in characters."""
 INDENT = "  "
+"""Indentation of a line."""
 
 
 class Term(NamedTuple):
-    """A coefficient and its unknown."""
+    """Coefficient and unknown of an equation."""
 
     unknown: str
     symbol: str
-    """The coefficient in symbols: ``1``, ``-u_P1``, ``u_P1/eta_P1 - 1``, ``u_P1 eta_P1 - 1``."""
+    """Coefficient in symbols, such as ``1``, ``-u_P1`` or ``u_P1 eta_P1 - 1``."""
     coefficient: float
-    """[-]"""
+    """Value of the coefficient. [-]"""
 
 
 @told("of", "symbols", "numbers", "terms", "right")
 class Equation(NamedTuple):
-    """``sum(coefficient x unknown) = right``."""
+    """Linear equation, ``sum(coefficient x unknown) = right``."""
 
     of: str
-    """The device, the link or the condition that it stands for."""
+    """Device, link or condition of the equation."""
     terms: Sequence[Term]
     right: float
-    """[-]"""
+    """Right-hand side. [-]"""
 
     @property
     def label(self) -> str:
-        """What it is of, in the language that is spoken."""
+        """Name of the device, link or condition, in the current language."""
         name = self.of.removeprefix(GIVEN_SPEED)
         if name != self.of:
             return tr("the given speed of link {name}", name=name)
@@ -45,26 +47,26 @@ class Equation(NamedTuple):
 
     @property
     def symbols(self) -> str:
-        """The equation in symbols."""
+        """Equation in symbols."""
         return " ".join(in_symbols(self))
 
     @property
     def numbers(self) -> str:
-        """The equation in numbers."""
+        """Equation in numbers."""
         return " ".join(in_numbers(self))
 
 
 @defined("system")
 class System(NamedTuple):
-    """Equations and what they determine."""
+    """Equations with the solution."""
 
     equations: Sequence[Equation]
     values: Mapping[str, float]
-    """Unknown -> its value, NaN where it is not determined. [-]"""
+    """Value of each unknown, NaN if indeterminate. [-]"""
 
 
 def in_symbols(equation: Equation) -> list[str]:
-    """The terms and the right side of an equation: names, and what coefficients are made of.
+    """Return the terms and the right-hand side of an equation in symbols.
 
     Examples
     --------
@@ -81,7 +83,7 @@ def in_symbols(equation: Equation) -> list[str]:
 
 
 def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
-    """The same with numbers; `digits` as of `short`."""
+    """Return the terms and the right-hand side in numbers, with `digits` as in `short`."""
     shown = partial(short, digits=digits)
     terms = [(shown(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
     return _sum(terms, equation.right, digits)
@@ -99,7 +101,7 @@ def _sum(terms: Iterable[tuple[str, str]], right: float, digits: int | None = No
 
 
 def filled(parts: Iterable[str], front: str) -> Iterator[str]:
-    """A sum in lines, broken before a sign."""
+    """Yield a sum in lines, broken before a sign."""
     line, started = front, False
     for part in parts:
         if started and len(line) + 1 + len(part) > EQUATION_WIDTH:
@@ -111,7 +113,7 @@ def filled(parts: Iterable[str], front: str) -> Iterator[str]:
 
 
 def listed(texts: Iterable[str], front: str) -> Iterator[str]:
-    """Short texts in lines, two blanks between them."""
+    """Yield short texts in lines, separated by two blanks."""
     line = front
     for text in texts:
         if line.strip() and len(line) + len(text) > EQUATION_WIDTH:

@@ -1,4 +1,4 @@
-"""Explanations as tables: the matrix, the equations, their solution, signs and ratio."""
+"""Explanations as tables: matrix, equations, solution, signs and ratio."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.texts import tr
 
 
 def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
-    """The tables of gears; those of a gear share a sheet.
+    """Yield the tables of gears; the tables of a gear share a sheet.
 
     Examples
     --------
@@ -24,36 +24,46 @@ def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
     >>> [table.title.partition(": ")[2] for table in tables]
     ['matrix', 'equations', 'solution', 'power signs', 'ratio']
     """
-    for one in explained:
-        for grid in _grids(one):
+    for explanation in explained:
+        for grid in _grids(explanation):
             if grid.rows:
-                gear = tr("Gear {gear}", gear=one.gear)
-                title = tr("Gear {gear}: {what}", gear=one.gear, what=tr(grid.title))
+                gear = tr("Gear {gear}", gear=explanation.gear)
+                title = tr("Gear {gear}: {what}", gear=explanation.gear, what=tr(grid.title))
                 yield grid._replace(title=title, group=gear)
 
 
-def _grids(one: Explanation) -> Iterator[Grid]:
-    yield from (matrix(one), _equations(one), _solution(one), _signs(one), _tried(one))
-    yield _machines(one)
-    yield _ratio(one)
+def _grids(explanation: Explanation) -> Iterator[Grid]:
+    yield from (
+        matrix(explanation),
+        _equations(explanation),
+        _solution(explanation),
+        _signs(explanation),
+        _tried(explanation),
+    )
+    yield _machines(explanation)
+    yield _ratio(explanation)
 
 
-def matrix(one: Explanation) -> Grid:
-    """The structural-distribution matrix of what can carry torque."""
-    columns = (Column(name, over="device") for name in one.columns)
-    rows = zip(one.rows, one.matrix.tolist(), strict=True)
+def matrix(explanation: Explanation) -> Grid:
+    """Return the structural-distribution matrix of devices that can carry torque."""
+    columns = (Column(name, over="device") for name in explanation.columns)
+    rows = zip(explanation.rows, explanation.matrix.tolist(), strict=True)
     return grid_of("matrix", ("link", *columns), ((name, *row) for name, row in rows))
 
 
-def _systems(one: Explanation) -> Iterator[tuple[str, System]]:
-    named = ("speeds", one.speeds), ("torques", one.torques), ("torques with losses", one.lossy)
+def _systems(explanation: Explanation) -> Iterator[tuple[str, System]]:
+    named = (
+        ("speeds", explanation.speeds),
+        ("torques", explanation.torques),
+        ("torques with losses", explanation.lossy),
+    )
     return ((name, system) for name, system in named if system is not None)
 
 
-def _equations(one: Explanation) -> Grid:
+def _equations(explanation: Explanation) -> Grid:
     rows: list[Values] = [
         [word(name), equation.label, *(_typeset(equation, how) for how in (in_symbols, in_numbers))]
-        for name, system in _systems(one)
+        for name, system in _systems(explanation)
         for equation in system.equations
     ]
     return grid_of("equations", ["of", "equation of", "in symbols", "in numbers"], rows)
@@ -67,56 +77,62 @@ def _symbol(name: str) -> Cell:
     return Cell(name, math=typeset.symbol(name))
 
 
-def _solution(one: Explanation) -> Grid:
+def _solution(explanation: Explanation) -> Grid:
     rows = [
         (word(name), _symbol(unknown), value)
-        for name, system in _systems(one)
+        for name, system in _systems(explanation)
         for unknown, value in system.values.items()
     ]
     return grid_of("solution", ["of", "unknown", "value"], rows)
 
 
-def _signs(one: Explanation) -> Grid:
+def _signs(explanation: Explanation) -> Grid:
     headings = "torque", "motion", "power", "sign", "ratio", "efficiency", "ratio with losses"
-    rows = [(*sign[:4], whole(sign.sign), *sign[5:-1], sign.told) for sign in one.signs]
+    rows = [(*sign[:4], whole(sign.sign), *sign[5:-1], sign.told) for sign in explanation.signs]
     return grid_of("power signs", ["mechanism", *headings, "why"], rows)
 
 
-def _tried(one: Explanation) -> Grid:
-    """All signs of a gear that is locked by friction."""
+def _tried(explanation: Explanation) -> Grid:
+    """Return all sets of signs of a self-locking gear."""
     rows: list[Values] = [
         (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
-        for tried in one.tried or ()
+        for tried in explanation.tried or ()
         for name, sign in tried.signs.items()
     ]
     headings = ["mechanism", "sign", "ratio with losses", "Mx", "but"]
     return grid_of("signs that do not agree", headings, rows)
 
 
-def _machines(one: Explanation) -> Grid:
-    """What each machine gives the battery, and what that is to get."""
+def _machines(explanation: Explanation) -> Grid:
+    """Return the power of each machine to the battery, and the required power."""
     rows: list[Values] = []
-    if one.balance is not None:
-        rows = [tuple(share) for share in one.balance.shares]
-        rows.append((word("battery"), None, None, one.balance.battery_kW))
+    if explanation.balance is not None:
+        rows = [tuple(share) for share in explanation.balance.shares]
+        rows.append((word("battery"), None, None, explanation.balance.battery_kW))
     headings = "link", "to its machine, kW", "efficiency", "to the battery, kW"
     return grid_of("machines and battery", headings, rows)
 
 
-def _ratio(one: Explanation) -> Grid:
-    """The formula, then the values of its symbols."""
-    ends = [typeset.symbol(name) for name in (one.input, one.output)]
-    ratio = Cell(f"{one.input}/{one.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}")
+def _ratio(explanation: Explanation) -> Grid:
+    """Return the formula and the values of the symbols."""
+    ends = [typeset.symbol(name) for name in (explanation.input, explanation.output)]
+    ratio = Cell(
+        f"{explanation.input}/{explanation.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}"
+    )
     rows: list[Values] = [
-        (Cell("i", math="i"), Cell(reason(one.reason)) if one.reason else ratio, one.ratio)
+        (
+            Cell("i", math="i"),
+            Cell(reason(explanation.reason)) if explanation.reason else ratio,
+            explanation.ratio,
+        )
     ]
-    if one.formula is not None:
-        right = Cell(one.formula.text, math=typeset.formula(one.formula))
-        rows.append((_symbol(one.formula.left), right, one.formula.value))
+    if explanation.formula is not None:
+        right = Cell(explanation.formula.text, math=typeset.formula(explanation.formula))
+        rows.append((_symbol(explanation.formula.left), right, explanation.formula.value))
         rows += (
             (_symbol(each.name), symbol_meaning(each.meaning), each.value)
-            for each in one.formula.symbols
+            for each in explanation.formula.symbols
         )
-        speeds = one.formula.speeds.items()
+        speeds = explanation.formula.speeds.items()
         rows += ((_symbol(name), word("given"), speed) for name, speed in speeds)
     return grid_of("ratio", ["symbol", "is", "value"], rows)

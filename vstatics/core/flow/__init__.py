@@ -1,6 +1,6 @@
-"""Where the power goes in a gear: what is lost, what is shared, what circulates.
+"""Power flow of a gear: losses, split power and recirculating power.
 
-Results go in; `power` makes the flow of each gear, `power_flow` says what it has, `text` and
+`power` calculates the flow of each gear from results, `power_flow` holds the flow, `text` and
 `answer` write it.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
@@ -10,5 +10,5 @@ Results go in; `power` makes the flow of each gear, `power_flow` says what it ha
 >>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
 (0.02, 'in 1.000 - out .980 - lost .020 = .000')
 
-`circulation` finds loops of any graph, `graph_cycles` the edges that are on some.
+`circulation` finds loops of any graph, `graph_cycles` the edges on cycles.
 """

@@ -1,4 +1,4 @@
-"""What `vstatics flow` answers."""
+"""Answer of `vstatics flow`."""
 
 from __future__ import annotations
 
@@ -24,11 +24,12 @@ CONVENTIONS = {
     "by_convention": "what turns as one piece, and whose part of the power no statics decides",
     "null": "does not exist, or is not determined",
 }
+"""Meaning of the numbers of an answer, by key."""
 
 
 @document("vstatics-flow")
 class FlowAnswer(NamedTuple):
-    """The power of gears of a case, by its name."""
+    """Power flow of the gears of a case, with the name of the case."""
 
     conventions: Annotated[Mapping[str, str], Words(object_of(dict.fromkeys(CONVENTIONS, TEXT)))]
     case: str

@@ -1,9 +1,9 @@
-"""Power that circulates: directed cycles of a graph of power, cancelled one by one.
+"""Recirculating power: directed cycles of a power graph, removed one by one.
 
-A flow on a graph can be taken apart into paths from where it enters to where it leaves,
-and cycles (Ahuja, Magnanti and Orlin, Network Flows, 1993, theorem 3.5). What goes
-around in the cycles is no part of what is transmitted. Which cycles they are need not
-be unique; here the shortest is taken first, of several the one with the most power.
+A flow on a graph can be decomposed into paths from sources to sinks, and cycles (Ahuja, Magnanti
+and Orlin, Network Flows, 1993, theorem 3.5). Power in cycles is not transmitted. The decomposition
+need not be unique; here the shortest cycle is removed first, among equally long cycles the cycle
+with the most power.
 """
 
 from __future__ import annotations
@@ -18,89 +18,90 @@ from vstatics.core.tables.answer import told
 from vstatics.core.texts import translated
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
-"""An element is a shift element; a mechanism may be a drawn element."""
+"""Kind of a node: an element is a shift element; a mechanism can be a drawn gear set."""
 
 
 class Node(NamedTuple):
-    """Something that power goes through, comes from or goes to."""
+    """Node of the power graph: a link, a device, a port or drag."""
 
     kind: NodeKind
     number: int
-    """Of its kind, from 1; of a port and of drag that of the link."""
+    """Number among the nodes of the kind, from 1; number of the link for ports and drag."""
     name: str
 
     def __str__(self) -> str:
-        """The name alone."""
+        """Return the name."""
         return self.name
 
 
 @told(from_="source", to="target", power="power")
 class Edge(NamedTuple):
-    """Power from one node to another, above 0."""
+    """Power from one node to the next, above 0."""
 
     source: Node
     target: Node
     power: float
-    """Relative to the power at the input link. [-]"""
+    """Power relative to the power at the input link. [-]"""
 
 
 class CommonLinks(NamedTuple):
-    """Two mechanisms that may be one set with shared planets, by what they have in common."""
+    """Two mechanisms that can be parts of a set with shared planets, and the common links."""
 
     first: str
     second: str
     links: tuple[str, ...]
-    """Two at least."""
+    """Names of the common links, two at least."""
 
 
 @told("power", "nodes", "note")
 class Loop(NamedTuple):
-    """Nodes in the order in which power goes around, each once, and how much."""
+    """Cycle of power: nodes in the direction of power, each once, and the recirculating power."""
 
     nodes: tuple[Node, ...]
     power: float
-    """[-]"""
+    """Recirculating power. [-]"""
     shared: tuple[CommonLinks, ...] = ()
-    """Where the loop may not be in the metal: the mechanisms that it runs through."""
+    """Common links of the mechanisms, for a loop that can be an artefact of the model."""
 
     @property
     def note(self) -> str:
-        """The same in words; nothing of a loop that is real."""
+        """Note that a loop can be an artefact of the model; empty for a real loop."""
         return self.told(partial(translated, language="en"))
 
     def told(self, text: Callable[..., str]) -> str:
-        """The note in a language, by what gives its texts."""
-        said = [
+        """Return the note in a language, from the function that translates texts."""
+        reasons = [
             text(
                 "{first} and {second} share {links}",
-                first=one.first,
-                second=one.second,
+                first=common.first,
+                second=common.second,
                 links=text(
-                    "{names} and {last}", names=", ".join(one.links[:-1]), last=one.links[-1]
+                    "{names} and {last}", names=", ".join(common.links[:-1]), last=common.links[-1]
                 ),
             )
-            for one in self.shared
+            for common in self.shared
         ]
-        return text("may not be in the metal: {why}", why=", ".join(said)) if said else ""
+        return text("may not be in the metal: {why}", why=", ".join(reasons)) if reasons else ""
 
 
 class Cancelled(NamedTuple):
-    """A graph of power without cycles, and the cycles that it had."""
+    """Power graph without cycles, and the removed cycles."""
 
     edges: tuple[Edge, ...]
     loops: tuple[Loop, ...]
 
 
 def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
-    """Take directed cycles away, one after another, each by its least power.
+    """Remove directed cycles in turn, each by the smallest power along the cycle.
 
     Parameters
     ----------
     edges : sequence of Edge
-        One at most from one node to another.
+        Edges, at most one from a node to another.
     order : sequence of Node
-        A loop begins with the first of its nodes in this order, and of cycles alike in
-        length and power that of the earlier node goes first. Else the order of `edges`.
+        Order of nodes. A loop begins with its first node in this order, and among cycles of equal
+        length and power the cycle of the earlier node is removed first. Default: the order in
+        `edges`.
 
     Examples
     --------
@@ -119,7 +120,7 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
     ends = (node for edge in edges for node in edge[:2])
     nodes = list(dict.fromkeys([*order, *ends]))
     loops = []
-    while loop := _first(powers, nodes):
+    while loop := _shortest_cycle(powers, nodes):
         for pair in zip(loop.nodes, [*loop.nodes[1:], loop.nodes[0]], strict=True):
             powers[pair] -= loop.power
             if powers[pair] <= least:
@@ -129,41 +130,44 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
     return Cancelled(tuple(Edge(*pair, power) for pair, power in powers.items()), tuple(loops))
 
 
-def _first(powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]) -> Loop | None:
-    """The shortest cycle; of several that with the most power, then the first."""
+def _shortest_cycle(
+    powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
+) -> Loop | None:
+    """Return the shortest cycle with the most power; of equal cycles the first."""
     following: dict[Node, list[tuple[Node, float]]] = {}
     for (source, target), power in _without_ends(powers).items():
         following.setdefault(source, []).append((target, power))
     best: Loop | None = None
     for node in (node for node in nodes if node in following):
-        found = _through(node, following)
-        if found is not None and (best is None or _is_before(found, best)):
-            best = found
+        cycle = _shortest_cycle_through(node, following)
+        if cycle is not None and (best is None or _is_before(cycle, best)):
+            best = cycle
     return best
 
 
 def _without_ends(
     powers: Mapping[tuple[Node, Node], float],
 ) -> Mapping[tuple[Node, Node], float]:
-    """The edges without those that no cycle can have: nothing comes before or after them."""
+    """Return the edges without dead ends, which cannot be on a cycle."""
     while True:
         sources = {source for source, _ in powers}
         targets = {target for _, target in powers}
-        kept = {pair: p for pair, p in powers.items() if pair[0] in targets and pair[1] in sources}
-        if len(kept) == len(powers):
-            return kept
-        powers = kept
+        inner = {pair: p for pair, p in powers.items() if pair[0] in targets and pair[1] in sources}
+        if len(inner) == len(powers):
+            return inner
+        powers = inner
 
 
-def _is_before(one: Loop, other: Loop) -> bool:
-    """Whether a cycle is to be cancelled before another that was found earlier."""
-    if len(one.nodes) != len(other.nodes):
-        return len(one.nodes) < len(other.nodes)
-    return one.power > other.power * (1 + CYCLE)
+def _is_before(cycle: Loop, earlier: Loop) -> bool:
+    if len(cycle.nodes) != len(earlier.nodes):
+        return len(cycle.nodes) < len(earlier.nodes)
+    return cycle.power > earlier.power * (1 + CYCLE)
 
 
-def _through(start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]) -> Loop | None:
-    """The shortest cycle through a node, of several that with the most power."""
+def _shortest_cycle_through(
+    start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]
+) -> Loop | None:
+    """Return the shortest cycle through a node; among equally short cycles the strongest."""
     layer = {start: Loop((start,), math.inf)}
     seen = {start}
     while layer:

@@ -1,9 +1,9 @@
-"""Cycles of an undirected graph: which of its edges are on one.
+"""Edges on cycles of an undirected graph.
 
-An edge is on a cycle unless it is a bridge, without which its ends are no longer joined.
-A bridge is found in one walk over the graph (Tarjan, A note on finding the bridges of a
-graph, Information Processing Letters 2, 1974): no edge but itself leads back from what
-the walk found behind it.
+An edge is on a cycle unless it is a bridge, whose removal separates its ends. Bridges are found in
+a single walk over the graph (Tarjan, A note on finding the bridges of a graph, Information
+Processing Letters 2, 1974): no other edge leads back from the nodes that the walk found behind a
+bridge.
 """
 
 from __future__ import annotations
@@ -15,58 +15,58 @@ _Node = TypeVar("_Node", bound=Hashable)
 
 
 def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _Node]]:
-    """The edges that are no bridges.
+    """Return the edges that are not bridges.
 
     Parameters
     ----------
     edges : iterable of pairs of nodes
-        Each once, from either end; of different nodes.
+        Each edge once, in any direction, between different nodes.
 
     Examples
     --------
-    Two triangles, which one edge joins.
+    Two triangles, joined by one edge.
 
     >>> edges = [(1, 2), (2, 3), (3, 1), (3, 4), (4, 5), (5, 6), (6, 4)]
     >>> sorted(edges_on_cycles(edges))
     [(1, 2), (2, 3), (3, 1), (4, 5), (5, 6), (6, 4)]
     """
-    given = [(one, other) for one, other in edges]
+    given = [(first, second) for first, second in edges]
     nodes: dict[_Node, list[tuple[int, _Node]]] = {}
-    for number, (one, other) in enumerate(given):
-        nodes.setdefault(one, []).append((number, other))
-        nodes.setdefault(other, []).append((number, one))
-    found: dict[_Node, int] = {}
-    return {given[number] for root in nodes for number in _closed(root, nodes, found)}
+    for number, (first, second) in enumerate(given):
+        nodes.setdefault(first, []).append((number, second))
+        nodes.setdefault(second, []).append((number, first))
+    order: dict[_Node, int] = {}
+    return {given[number] for root in nodes for number in _closed(root, nodes, order)}
 
 
 def _closed(
-    root: _Node, nodes: Mapping[_Node, Sequence[tuple[int, _Node]]], found: dict[_Node, int]
+    root: _Node, nodes: Mapping[_Node, Sequence[tuple[int, _Node]]], order: dict[_Node, int]
 ) -> Iterator[int]:
-    """Numbers of the edges on cycles, of all that a node is joined with.
+    """Yield the numbers of the edges on cycles in the part of the graph that contains a node.
 
-    The walk goes on from the node found last, and counts the nodes in `found`. Back from
-    what is behind a node, edges lead to a node counted `back` at the earliest.
+    The walk continues from the last node found and numbers the nodes in `order`. From the nodes
+    behind a node, edges lead back to number `back` at the earliest.
     """
-    if root in found:
+    if root in order:
         return
-    found[root] = len(found)
-    back: dict[_Node, int] = {root: found[root]}
+    order[root] = len(order)
+    back: dict[_Node, int] = {root: order[root]}
     way = [(root, -1, iter(nodes[root]))]
     while way:
         node, entry, ahead = way[-1]
         for number, other in ahead:
             if number == entry:
                 continue
-            if other not in found:
-                found[other] = back[other] = len(found)
+            if other not in order:
+                order[other] = back[other] = len(order)
                 way.append((other, number, iter(nodes[other])))
                 break
-            back[node] = min(back[node], found[other])
+            back[node] = min(back[node], order[other])
             yield number
         else:
             way.pop()
             if way:
                 before = way[-1][0]
                 back[before] = min(back[before], back[node])
-                if back[node] < found[node]:
+                if back[node] < order[node]:
                     yield entry

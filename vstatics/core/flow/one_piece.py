@@ -1,7 +1,7 @@
-"""What turns as one piece, and whose power in it is divided by a convention.
+"""Parts that rotate as a block, and the power in them that is split by convention.
 
-Where a clutch holds a set as one piece the teeth do not move. Friction leaves a range of
-torques that they may carry, of which the calculation takes one.
+If a clutch locks a gear set up, its teeth do not move. Friction then leaves a range of tooth
+torques, of which the calculation takes one.
 """
 
 from __future__ import annotations
@@ -17,23 +17,24 @@ from vstatics.core.statics.state import GearState
 
 
 def links_of(state: GearState) -> dict[int, Node]:
-    """The links that a case names itself: planets of drawn elements apart."""
+    """Return the links named by the case, without planets of drawn gear sets."""
     case = state.case
     return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:
-    """What turns as one piece: links, the engaged elements, devices and springs between them."""
-    pieces = {node: state.bodies[link] for link, node in links_of(state).items()}
-    return pieces | {node: state.bodies[links[0]] for node, links in _in_pieces(state)}
+    """Return the body number of each link, and of each device that rotates as a block."""
+    bodies = state.bodies
+    pieces = {node: bodies[link] for link, node in links_of(state).items()}
+    return pieces | {node: bodies[links[0]] for node, links in _in_pieces(state)}
 
 
 def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
-    """Each device that turns as one piece, with its links."""
+    """Yield each device that rotates as a block, with the links."""
     case = state.case
     for number in state.engaged:
         element = case.shift_elements[number - 1]
-        if HOUSING not in element.links:  # else it stands, and has no power
+        if HOUSING not in element.links:  # a brake is at rest and has no power
             yield Node("element", number, element.name), element.links
     for number, device in enumerate(case.own_devices, 1):
         links = [member.link for member in device.members]
@@ -47,20 +48,20 @@ def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
 def divided_by_convention(
     state: GearState, bearing: Container[Node], flows: Iterable[Sequence[Edge]]
 ) -> set[Node]:
-    """Devices and links of a gear whose power a convention decides.
+    """Return the devices and links of a gear whose power is split by convention.
 
-    In what turns as one piece these are: the devices on a cycle, since of two ways statics
-    does not say which bears how much; a mechanism that nothing but its speeds
-    makes one piece; and the links that get power from such devices and give it to such. A
-    clutch that all power of a part has to pass is none of them.
+    Within parts that rotate as a block these are devices on a cycle, as statics does not determine
+    the split between two paths; mechanisms that rotate as a block only because of their speeds; and
+    links that receive power from such devices and give power to such devices. A clutch that must
+    pass all power of a part is not included.
 
     Parameters
     ----------
     state : GearState
     bearing : container of Node
-        Whatever has power.
+        Nodes with power.
     flows : iterable of sequence of Edge
-        The powers, without and with losses.
+        Powers without and with losses.
 
     Examples
     --------
@@ -72,14 +73,14 @@ def divided_by_convention(
     ['direct', 'set']
     """
     nodes = links_of(state)
-    pairs = ((device, nodes[one]) for device, links in _in_pieces(state) for one in links)
-    members = [one for one in dict.fromkeys(pairs) if one[0] in bearing]
+    pairs = ((device, nodes[link]) for device, links in _in_pieces(state) for link in links)
+    members = [pair for pair in dict.fromkeys(pairs) if pair[0] in bearing]
     count = Counter(device for device, _ in members if device.kind == "mechanism")
-    of_three = {one for one in members if count[one[0]] > 2}
+    of_three = {pair for pair in members if count[pair[0]] > 2}
     divided = edges_on_cycles(members) | of_three
-    found = {device for device, _ in divided}
+    divided_nodes = {device for device, _ in divided}
     for edges in flows:
         getting = {target for source, target, _ in edges if (source, target) in divided}
         giving = {source for source, target, _ in edges if (target, source) in divided}
-        found |= getting & giving
-    return found
+        divided_nodes |= getting & giving
+    return divided_nodes

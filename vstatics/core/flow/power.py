@@ -1,8 +1,8 @@
-"""Where the power goes in every gear: through links, shift elements, mechanisms and springs.
+"""Power flow of every gear through links, shift elements, mechanisms and springs.
 
-The power of a gear is a directed graph. Its nodes are links, shift elements that are
-engaged (or drag), mechanisms or drawn elements, springs, ports by which power enters and
-leaves, and the drag of links; its edges are what they exchange. The housing has no power.
+The power of a gear is a directed graph. The nodes are links, shift elements that are engaged or
+drag, mechanisms or drawn gear sets, springs, ports where power enters or leaves, and the drag of
+links. The edges are the exchanged powers. The housing has no power.
 """
 
 from __future__ import annotations
@@ -28,29 +28,29 @@ from vstatics.core.tables.ports import port_table
 
 
 class Exchange(NamedTuple):
-    """The power that a link gives to a member of a node; below 0 where it takes."""
+    """Power that a link gives to a member of a node; negative if the link receives power."""
 
     node: Node
     member: str
-    """Nothing for ports and drag of links, which have one link only."""
+    """Name of the member; empty for ports and drag of links."""
     link: int
     power: float
-    """NaN where it is not determined. [-]"""
+    """Power, NaN if indeterminate. [-]"""
 
 
 @refusing()
 def flows(results: Results) -> list[GearFlow]:
-    """The power of every gear.
+    """Return the power flow of every gear.
 
     Parameters
     ----------
     results : Results
-        Of one case, not of arrays of variants.
+        Results of a single case, not of arrays of variants.
 
     Returns
     -------
     list of GearFlow
-        By gear; powers relative to that at the input link. [-]
+        Power flow of each gear, relative to the power at the input link. [-]
 
     Raises
     ------
@@ -59,8 +59,8 @@ def flows(results: Results) -> list[GearFlow]:
 
     Examples
     --------
-    Input at the sun, output at the carrier; the input drives the ring backward by a gear
-    pair. Twice the power that enters goes through the sun, half of it comes back.
+    The input drives the sun, and the ring backward by a gear pair; the carrier is the output. Twice
+    the input power passes the sun, and half of it returns.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
@@ -78,7 +78,7 @@ def flows(results: Results) -> list[GearFlow]:
 
 
 def shown_flow(state: GearState) -> PowerFlow | None:
-    """The power of a gear with losses, where it exists, else without; None where it has none.
+    """Return the power flow of a gear with losses if possible, else without losses.
 
     Examples
     --------
@@ -87,12 +87,12 @@ def shown_flow(state: GearState) -> PowerFlow | None:
     >>> round(shown_flow(solve(case).gear(1)).lost, 9)
     0.02
     """
-    is_ok = all(one.has_power for one in state.statuses)
+    is_ok = all(status.has_power for status in state.statuses)
     return _flow(state, lossy=is_ok) if is_ok or state.calculable else None
 
 
 def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
-    status = next((one for one in state.statuses if not one.has_power), OK)
+    status = next((candidate for candidate in state.statuses if not candidate.has_power), OK)
     ideal = _flow(state, lossy=False) if state.calculable else None
     lossy = _flow(state, lossy=True) if status is OK else None
     sides = [side for side in (ideal, lossy) if side is not None]
@@ -107,51 +107,50 @@ def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
 
 
 def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Node]:
-    """In the order of the flow, of nodes that have power."""
+    """Yield nodes with a split of power by convention, in the order of the flow."""
     if not sides:
         return
     nodes = sides[0].throughput
     bearing = {node for node in nodes if any(side.throughput[node] != 0 for side in sides)}
-    found = divided_by_convention(state, bearing, [side.edges for side in sides])
+    divided = divided_by_convention(state, bearing, [side.edges for side in sides])
     unknown = {node for side in sides for node in side.unknown}
-    yield from (node for node in nodes if node in found & bearing - unknown)
+    yield from (node for node in nodes if node in divided & bearing - unknown)
 
 
 def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
-    """The power of a gear without or with losses."""
-    everything = _without_noise(
+    exchanges = _without_noise(
         [
-            Exchange(Node(one.kind, one.number, one.name), one.member, one.link, plain(one.power))
-            for one in state.powers(lossy=lossy)
+            Exchange(Node(p.kind, p.number, p.name), p.member, p.link, plain(p.power))
+            for p in state.powers(lossy=lossy)
         ]
     )
     links = links_of(state)
-    powers = _by_link(everything, links)
+    powers = _by_link(exchanges, links)
     edges = tuple(
         Edge(link, node, power) if power > 0 else Edge(node, link, -power)
         for (node, link), power in powers.items()
         if abs(power) > 0
     )
-    order = [*links.values(), *dict.fromkeys(one.node for one in everything)]
+    order = [*links.values(), *dict.fromkeys(exchange.node for exchange in exchanges)]
     pieces = pieces_of(state)
     within: list[Edge] = []
     outside: list[Edge] = []
     for edge in edges:
-        one, other = pieces.get(edge.source), pieces.get(edge.target)
-        (within if one is not None and one == other else outside).append(edge)
+        source, target = pieces.get(edge.source), pieces.get(edge.target)
+        (within if source is not None and source == target else outside).append(edge)
     at_rest = cancel(within, order)
     forward, loops = cancel([*outside, *at_rest.edges], order)
-    at_ports = [one.power for one in everything if one.node.kind == "port"]
+    at_ports = [exchange.power for exchange in exchanges if exchange.node.kind == "port"]
     return PowerFlow(
         edges,
         forward,
         tuple(
-            MemberPower(one.node, one.member, state.case.link_name(one.link), one.power)
-            for one in everything
-            if one.member
+            MemberPower(e.node, e.member, state.case.link_name(e.link), e.power)
+            for e in exchanges
+            if e.member
         ),
         _throughput(powers, order),
-        _losses(state, everything) if lossy else {},
+        _losses(state, exchanges) if lossy else {},
         -sum(power for power in at_ports if not power > 0) + 0.0,
         sum(power for power in at_ports if not power < 0) + 0.0,
         tuple(loop._replace(shared=shared(state.case, loop)) for loop in loops),
@@ -163,29 +162,29 @@ def _flow(state: GearState, *, lossy: bool) -> PowerFlow:
 _Powered = TypeVar("_Powered", Exchange, ToothPower)
 
 
-def _without_noise(found: Sequence[_Powered]) -> list[_Powered]:
-    """Powers that are nothing but rounding made 0."""
-    known = (abs(one.power) for one in found if not math.isnan(one.power))
+def _without_noise(powers: Sequence[_Powered]) -> list[_Powered]:
+    """Return the powers, with 0 for powers that are rounding errors."""
+    known = (abs(item.power) for item in powers if not math.isnan(item.power))
     noise = NO_POWER * max(known, default=0.0)
-    return [one._replace(power=0.0) if abs(one.power) <= noise else one for one in found]
+    return [item._replace(power=0.0) if abs(item.power) <= noise else item for item in powers]
 
 
 def _by_link(
     exchanged: Sequence[Exchange], links: Mapping[int, Node]
 ) -> dict[tuple[Node, Node], float]:
-    """What each node gets from each link, the housing apart, by node and link."""
+    """Return the power that each node receives from each link, by node and link."""
     powers: dict[tuple[Node, Node], float] = {}
-    for one in exchanged:
-        if one.link != HOUSING:
-            pair = one.node, links[one.link]
-            powers[pair] = powers.get(pair, 0.0) + one.power
+    for exchange in exchanged:
+        if exchange.link != HOUSING:
+            pair = exchange.node, links[exchange.link]
+            powers[pair] = powers.get(pair, 0.0) + exchange.power
     return powers
 
 
 def _throughput(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> dict[Node, float]:
-    """What enters each node; a port passes what it exchanges."""
+    """Return the power that enters each node; for a port the power exchanged."""
     entering = dict.fromkeys(nodes, 0.0)
     for (node, link), power in powers.items():
         if not power < 0 or node.kind == "port":
@@ -196,14 +195,13 @@ def _throughput(
 
 
 def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float]:
-    """Of each mechanism or drawn element, open shift element and link."""
     losses: dict[Node, float] = {}
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.mechanism_losses[index]) for index in device.mechanisms)
         loss = lost * state.ideal.direction + 0.0
         losses[Node("mechanism", number, device.name)] = loss
-    for one in exchanged:
-        drags = one.node.kind == "element" and one.node.number - 1 in state.drag.elements
-        if drags or one.node.kind == "drag":
-            losses[one.node] = losses.get(one.node, 0.0) + one.power
+    for exchange in exchanged:
+        drags = exchange.node.kind == "element" and exchange.node.number - 1 in state.drag.elements
+        if drags or exchange.node.kind == "drag":
+            losses[exchange.node] = losses.get(exchange.node, 0.0) + exchange.power
     return losses

@@ -1,4 +1,4 @@
-"""What is told of the power of a gear: its graph, losses, circulating power, ports."""
+"""Power flow of a gear as data: graph, losses, recirculating power, ports."""
 
 from __future__ import annotations
 
@@ -17,31 +17,33 @@ from vstatics.core.tables.ports import PortTable
 
 
 class MemberPower(NamedTuple):
-    """What a link gives to a member of a device; below 0 where it takes."""
+    """Power that a link gives to a member of a device; negative if the link receives power."""
 
     device: Flat[Node]
     member: str
-    """``first`` or ``second`` of a shift element; that of a mechanism or a drawn element; of a
-    spring the name of the link."""
+    """Member of a mechanism or gear set; ``first`` or ``second`` of a shift element.
+
+    A spring has the name of the link.
+    """
     link: str
     power: float
-    """NaN where it is not determined. [-]"""
+    """Power, NaN if indeterminate. [-]"""
 
 
 class NodePower(NamedTuple):
-    """What goes through a node."""
+    """Power through a node."""
 
     node: Flat[Node]
     power: float
 
 
 class NodeLoss(NamedTuple):
-    """What is lost in a node."""
+    """Power lost in a node."""
 
     node: Flat[Node]
     power: float
     share: float
-    """Of all losses. [-]"""
+    """Share of all losses. [-]"""
 
 
 @defined("side")
@@ -58,78 +60,81 @@ class NodeLoss(NamedTuple):
     locked_in="locked_in",
 )
 class PowerFlow(NamedTuple):
-    """The power of a gear, without or with losses, relative to that at the input link.
+    """Power flow of a gear, without or with losses, relative to the power at the input link.
 
-    Its direction is the real one, also when coasting: then power 1 leaves at the input.
+    Directions are real, also when coasting: then power 1 leaves at the input.
     """
 
     edges: tuple[Edge, ...]
-    """All powers above rounding that are determined."""
+    """All determinate powers above rounding."""
     forward: tuple[Edge, ...]
-    """The edges less all loops: what is transmitted, a graph without cycles."""
+    """Transmitted power: the edges minus all loops, a graph without cycles."""
     members: tuple[MemberPower, ...]
-    """Of every shift element that is engaged or drags, of every mechanism and every spring."""
+    """Powers of shift elements that are engaged or drag, of mechanisms and of springs."""
     throughput: Mapping[Node, float]
-    """What enters a node; of a port what passes it. NaN where it is not determined. [-]"""
+    """Power that enters a node, or passes a port; NaN if indeterminate. [-]"""
     losses: Mapping[Node, float]
-    """Of every mechanism and of whatever drags; nothing without losses. [-]"""
+    """Loss of each mechanism, dragging link and dragging shift element. [-]
+
+    The mapping is empty in a flow without losses.
+    """
     entering: float
-    """By all ports. [-]"""
+    """Power that enters by all ports. [-]"""
     leaving: float
-    """By all ports. [-]"""
+    """Power that leaves by all ports. [-]"""
     loops: tuple[Loop, ...]
-    """Cycles of circulating power, of that which is determined."""
+    """Cycles of recirculating power, as far as determinate."""
     locked_in: tuple[Loop, ...]
-    """Cycles within what turns as one piece: not counted, as nothing moves in them."""
+    """Cycles within parts that rotate as a block; not counted, as nothing moves inside."""
     teeth: tuple[ToothPower, ...] = ()
-    """Power against the carrier, of every mechanism that may have teeth and of its meshes."""
+    """Rolling power of every mechanism with possible teeth, and of each mesh."""
 
     @property
     def unknown(self) -> tuple[Node, ...]:
-        """Whatever has a power that is not determined."""
+        """Nodes with indeterminate power."""
         return tuple(node for node, value in self.throughput.items() if math.isnan(value))
 
     @property
     def lost(self) -> float:
-        """All losses [-]."""
+        """Sum of all losses [-]."""
         return math.fsum(self.losses.values())
 
     @property
     def balance(self) -> float:
-        """What enters less what leaves and what is lost [-]: 0 to rounding."""
+        """Input power minus output power and losses [-], 0 but for rounding."""
         return self.entering - self.leaving - self.lost
 
     @property
     def shares(self) -> dict[Node, float]:
-        """Each loss as a part of all losses [-]; NaN where there are none."""
+        """Share of each loss in all losses [-]; NaN without losses."""
         lost = self.lost
         return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
 
     @property
     def node_powers(self) -> list[NodePower]:
-        """The throughput."""
-        return [NodePower(*one) for one in self.throughput.items()]
+        """Throughput as a list."""
+        return [NodePower(*item) for item in self.throughput.items()]
 
     @property
     def node_losses(self) -> list[NodeLoss]:
-        """The losses with their shares."""
-        return [NodeLoss(*one, self.shares[one[0]]) for one in self.losses.items()]
+        """Losses with shares, as a list."""
+        return [NodeLoss(*item, self.shares[item[0]]) for item in self.losses.items()]
 
     @property
     def circulating(self) -> float:
-        """Power of all loops together [-]; NaN where some power is not determined."""
+        """Recirculating power of all loops [-]; NaN if some power is indeterminate."""
         return math.nan if self.unknown else math.fsum(loop.power for loop in self.loops)
 
     @property
     def doubtful(self) -> float:
-        """The part of it that may not be in the metal [-]; NaN where it is not determined."""
+        """Recirculating power that can be an artefact of the model [-]; NaN if indeterminate."""
         if self.unknown:
             return math.nan
         return math.fsum(loop.power for loop in self.loops if loop.shared)
 
     @property
     def circulating_share(self) -> float:
-        """Circulating power relative to all power that enters [-]; NaN where none does."""
+        """Recirculating power divided by all input power [-]; NaN without input power."""
         return self.circulating / self.entering if self.entering else math.nan
 
 
@@ -142,47 +147,48 @@ class PowerFlow(NamedTuple):
     lossy="lossy",
 )
 class GearFlow(NamedTuple):
-    """The power of a gear."""
+    """Power flow of a gear."""
 
     gear: str
     ideal: PowerFlow | None
-    """Without losses; None where speeds or torques contradict each other."""
+    """Flow without losses; absent if speeds or torques are contradictory."""
     lossy: PowerFlow | None
-    """With losses; None where `ideal` is, or where friction locks the gear."""
+    """Flow with losses; absent without `ideal`, or if the gear is self-locking."""
     ports: Flat[PortTable]
     """Speed, torque and power where power enters and leaves."""
     status: Status
-    """Why a flow does not exist; `OK` where it does."""
+    """Reason for a missing flow, or `OK`."""
     by_convention: tuple[Node, ...] = ()
-    """What turns as one piece and has a part of the power by convention: statics decides
-    what enters the piece and leaves it, not how it divides inside."""
+    """Nodes that rotate as a block and have a power by convention.
+
+    Statics determines the power into and out of the block, not the split inside.
+    """
 
     def __repr__(self) -> str:
-        """Of which gear, what enters and leaves; not all powers."""
+        """Return a short description: gear, input, output and lost power."""
         side = self.shown
-        told = f"in {side.entering:.4g}, out {side.leaving:.4g}" if side else self.note
+        description = f"in {side.entering:.4g}, out {side.leaving:.4g}" if side else self.note
         lost = f", lost {self.lossy.lost:.3g}" if self.lossy else ""
-        return f"<GearFlow {self.gear!r}: {told}{lost}>"
+        return f"<GearFlow {self.gear!r}: {description}{lost}>"
 
     def _repr_html_(self) -> str:
-        """Its tables, for a notebook."""
         return in_notebook(higher("flow_grids")([self]))
 
     @property
     def kilowatts(self) -> float:
-        """The power at the input link, of 1 N*m where its load gives none; NaN without [kW]."""
+        """Power at the input link, of 1 N*m if the load has no torque; NaN without a load [kW]."""
         return self.ports.scales["kW"]
 
     @property
     def shown(self) -> PowerFlow | None:
-        """The flow with losses, if it exists, else the ideal one."""
+        """Flow with losses if available, else the ideal flow."""
         return self.lossy or self.ideal
 
     def divided(self, side: PowerFlow) -> set[tuple[Node, Node]]:
-        """Edges of a side whose power is decided by convention: source and target of each.
+        """Return the edges of a flow whose power is split by convention, as pairs of nodes.
 
-        Those at devices that divide it so, but for an edge that is the only way between
-        what it joins: all power of that part has to pass there.
+        These are the edges at devices that split power by convention. An edge that is the only
+        connection between its ends is left out, because all power must pass there.
         """
         edges = [edge[:2] for edge in side.edges]
         devices = {node for node in self.by_convention if node.kind != "link"}
@@ -190,5 +196,5 @@ class GearFlow(NamedTuple):
 
     @property
     def note(self) -> str:
-        """Why a flow does not exist, else nothing."""
+        """Reason for a missing flow, or empty."""
         return self.status.english

@@ -1,4 +1,4 @@
-"""The power of all gears in few tables, for spreadsheets: a line for whatever has power."""
+"""Power flow of all gears in few tables, for spreadsheets."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.texts import tr
 
 
 def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
-    """The power through everything, ports, balances, and loops.
+    """Yield the tables of power, ports, balances and loops.
 
     Examples
     --------
@@ -41,11 +41,11 @@ def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
 
 
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
-    """The tables of all gears as one: their sections, nodes and parts of these as columns."""
-    columns = {one.heading: one for _, grid in by_gear for one in grid.columns[1:]}
+    """Merge the tables of all gears; sections, nodes and parts become columns."""
+    columns = {column.heading: column for _, grid in by_gear for column in grid.columns[1:]}
     rows: list[Row] = []
     for gear, grid in by_gear:
-        headings = [one.heading for one in grid.columns[1:]]
+        headings = [column.heading for column in grid.columns[1:]]
         section, node = Cell(""), Cell("")
         for (first, *cells), level in zip(grid.cells, grid.levels, strict=True):
             if level == 1:
@@ -55,8 +55,8 @@ def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
             part = Cell("") if level == 2 else first
             part = part if level < 4 else Cell(tr("teeth {mesh}", mesh=first.text))
             known = dict(zip(headings, cells, strict=True))
-            rows.append([gear, section, node, part, *(known.get(one, "") for one in columns)])
-    front = [text(one) for one in ("gear", "kind", "power through", "part")]
+            rows.append([gear, section, node, part, *(known.get(column, "") for column in columns)])
+    front = [text(column) for column in ("gear", "kind", "power through", "part")]
     return Grid("Power", [*front, *columns.values()], rows)
 
 

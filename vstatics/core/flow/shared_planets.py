@@ -1,7 +1,7 @@
-"""Loops of power that may not be in the metal: within one set that is written as several.
+"""Loops of power within a gear set that is given as several mechanisms.
 
-A deck has a Ravigneaux set as two mechanisms, and power may go round between these
-that no part of the set carries. Only elements tell which mechanisms share planets.
+A deck gives a Ravigneaux set as two mechanisms. Power can then circulate between them in the model,
+while no part of the real set carries it. Only drawn gear sets show which mechanisms share planets.
 """
 
 from __future__ import annotations
@@ -15,17 +15,16 @@ from vstatics.core.model.transmission import Transmission
 
 
 def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
-    """What mechanisms that may be one set of planets share, if a loop runs only through such.
+    """Return the common links of mechanisms in a loop that can be an artefact of the model.
 
-    Planets that are shared have one carrier, so one link is common to all mechanisms;
-    and two that share planets have a wheel in common besides, or one with a third does.
-    A gear pair has no planets. Links that a clutch joins are two: what goes round
-    through the clutch is real.
+    Shared planets have one carrier, so one link is common to all mechanisms. Two mechanisms that
+    share planets also have a central gear in common, or each has one in common with a third. A gear
+    pair has no planets. Links joined by a clutch are two links: a loop through a clutch is real.
 
     Returns
     -------
     tuple of CommonLinks
-        As many pairs of mechanisms as join all of them, nothing for a loop that is real.
+        Pairs of mechanisms that connect all of them; empty for a real loop.
 
     Examples
     --------
@@ -48,36 +47,40 @@ def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
     pairs = _joining(numbers, given)
     if len(pairs) < len(numbers) - 1:
         return ()
-    own = case.own_devices
+    devices = case.own_devices
     return tuple(
-        CommonLinks(own[one - 1].name, own[other - 1].name, tuple(map(case.link_name, links)))
-        for one, other, links in pairs
+        CommonLinks(
+            devices[first - 1].name, devices[second - 1].name, tuple(map(case.link_name, links))
+        )
+        for first, second, links in pairs
     )
 
 
 def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:
-    """The links of each mechanism that is given as such and may be a part of a set, by number."""
+    """Return the links of each given mechanism that can be part of a gear set, by number."""
     given = {
         number: part.lowered[0].mechanism
         for number, part in enumerate(parts_of(case), 1)
         if part.element is None
     }
-    return {number: one.links for number, one in given.items() if one.third != HOUSING}
+    return {
+        number: mechanism.links for number, mechanism in given.items() if mechanism.third != HOUSING
+    }
 
 
 def _joining(
     numbers: Sequence[int], given: Mapping[int, Sequence[int]]
 ) -> list[tuple[int, int, list[int]]]:
-    """Pairs of mechanisms with two common links, each with one that is joined already."""
+    """Return pairs of mechanisms with two common links that connect the mechanisms."""
     pairs: list[tuple[int, int, list[int]]] = []
     joined, others = list(numbers[:1]), list(numbers[1:])
     while others:
-        for one, other in ((a, b) for a in joined for b in others):
-            common = [link for link in dict.fromkeys(given[one]) if link in given[other]]
+        for first, second in ((a, b) for a in joined for b in others):
+            common = [link for link in dict.fromkeys(given[first]) if link in given[second]]
             if len(common) > 1:
-                pairs.append((one, other, common))
-                joined.append(other)
-                others.remove(other)
+                pairs.append((first, second, common))
+                joined.append(second)
+                others.remove(second)
                 break
         else:
             break

@@ -1,4 +1,4 @@
-"""The power of a gear as a table, and what stands below it: for every format for people."""
+"""Power flow of a gear as a table with remarks, for all formats that people read."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ SECTIONS: Mapping[NodeKind, str] = {
     "element": "shift elements",
     "drag": "drag of links",
 }
+"""Heading of each kind of nodes."""
 NO_LOSSES = (None, None)
 _Line = tuple[int, Row]
-"""How far a row is set in, and the row."""
+"""Level of indentation of a row, and the row."""
 CONVENTION = "~"
-"""Marks power that is divided by convention, within what turns as one piece."""
+"""Mark of power that is split by convention in a part that rotates as a block."""
 
 
 def power_grid(flow: GearFlow) -> Grid:
-    """The power through each link, mechanism, spring and shift element; with a load in kW, too.
+    """Return a table of the power through links, mechanisms, springs and shift elements.
 
-    Below a mechanism stand the power of its members, and that of its teeth; the members, too,
-    below a spring of more than two. Whatever has
-    no power is left out. There are no rows where the ideal flow does not exist. A gear with
-    powers that are divided by convention has a last column that marks them.
+    With a load there are columns in kW. Below a mechanism follow its members and its teeth; below a
+    spring with more than two links follow its members. Nodes without power are left out, and so are
+    all rows without an ideal flow. A last column marks powers that are split by convention.
 
     Examples
     --------
@@ -58,7 +58,8 @@ def power_grid(flow: GearFlow) -> Grid:
             lines.append((2, _of_node(flow, node)))
             if kind in ("mechanism", "spring"):
                 below = [*_of_members(flow, node), *_of_teeth(flow, node)]
-                if kind == "spring" and len(below) < 3:  # a shaft: what enters leaves
+                # in a shaft the output power is the input power
+                if kind == "spring" and len(below) < 3:
                     below = []
                 lines += below
     rows, levels = [row for _, row in lines], [level for level, _ in lines]
@@ -66,14 +67,14 @@ def power_grid(flow: GearFlow) -> Grid:
 
 
 def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
-    """What is without power, the balance, what circulates: a line each, loops set in.
+    """Yield remarks: nodes without power, the balance, recirculating power; loops are indented.
 
     Parameters
     ----------
     digits : int, optional
-        After the point, where they are not three.
+        Digits after the decimal point. Default: three.
     balanced : bool
-        Whether the sum of the powers is told, which other parts of a page say.
+        True to include the balance of powers, unless the page shows it elsewhere.
     """
     if flow.ideal is None:
         return
@@ -109,15 +110,15 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     else:
         yield tr("circulating: none")
     for loop in shown.loops:
-        said = f" ({loop.told(tr)})" if loop.shared else ""
-        yield f"  {shown_as(loop.power)}{said}: {around(loop)}"
+        note = f" ({loop.told(tr)})" if loop.shared else ""
+        yield f"  {shown_as(loop.power)}{note}: {around(loop)}"
     for loop in shown.locked_in:
         within = tr("within one piece, does not count")
         yield f"{within}: {shown_as(loop.power)}: {around(loop)}"
 
 
 def around(loop: Loop) -> str:
-    """A loop in words: its nodes, and the first again."""
+    """Return the nodes of a loop in words, with the first node repeated."""
     return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
 
 
@@ -132,14 +133,14 @@ def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float],
 
 
 def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
-    """How much of the circulating power may not be; nothing if all is real."""
+    """Return a phrase on recirculating power that can be an artefact; empty if all is real."""
     if not side.doubtful > 0:
         return ""
     return tr("{power} of it may not be in the metal", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:
-    """All nodes of both flows, and whether power goes through each, or may."""
+    """Return all nodes of both flows, and whether power passes each, or can."""
     carrying: dict[Node, bool] = {}
     for side in (flow.ideal, flow.lossy):
         for node, power in side.throughput.items() if side is not None else ():
@@ -158,34 +159,44 @@ def _of_node(flow: GearFlow, node: Node) -> Row:
 
 
 def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
-    """Power of each member of a mechanism or a spring, but those that are the housing."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     lossy = {} if flow.lossy is None else _by_member(flow.lossy, node)
     for (member, link), power in _by_member(flow.ideal, node).items():
         if link != "housing":
             powers = power, lossy.get((member, link), math.nan)
-            said = f"{member}: {link}"
-            yield 3, _row(flow, link if node.kind == "spring" else word(said), powers)
+            label = f"{member}: {link}"
+            yield 3, _row(flow, link if node.kind == "spring" else word(label), powers)
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
-    """Tooth power of a mechanism, and of its meshes with their losses."""
+    """Yield the rolling power of a mechanism, and of each mesh with the loss."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
-    ideal = [one for one in flow.ideal.teeth if one.device == node]
-    lossy = [one for one in flow.lossy.teeth if one.device == node] if flow.lossy else []
-    for one, with_losses in zip_longest(ideal, lossy):
+    ideal = [tooth_power for tooth_power in flow.ideal.teeth if tooth_power.device == node]
+    lossy = (
+        [tooth_power for tooth_power in flow.lossy.teeth if tooth_power.device == node]
+        if flow.lossy
+        else []
+    )
+    for tooth_power, with_losses in zip_longest(ideal, lossy):
         power = math.nan if with_losses is None else with_losses.power
-        if not one.mesh:
-            yield 3, _row(flow, word("teeth"), (one.power, power))
+        if not tooth_power.mesh:
+            yield 3, _row(flow, word("teeth"), (tooth_power.power, power))
         elif flow.lossy is None:
-            yield 4, _row(flow, one.mesh, (one.power, power))
+            yield 4, _row(flow, tooth_power.mesh, (tooth_power.power, power))
         else:
             share = with_losses.loss / flow.lossy.lost if flow.lossy.lost else math.nan
-            yield 4, _row(flow, one.mesh, (one.power, power), (with_losses.loss, share))
+            yield (
+                4,
+                _row(flow, tooth_power.mesh, (tooth_power.power, power), (with_losses.loss, share)),
+            )
 
 
 def _by_member(side: PowerFlow, node: Node) -> dict[tuple[str, str], float]:
-    return {(one.member, one.link): one.power for one in side.members if one.device == node}
+    return {
+        (member_power.member, member_power.link): member_power.power
+        for member_power in side.members
+        if member_power.device == node
+    }
 
 
 def _row(
@@ -196,7 +207,7 @@ def _row(
     *,
     mark: str = "",
 ) -> Row:
-    """A row: powers without and with losses, loss and share; what does not exist is empty."""
+    """Return a row: powers without and with losses, loss and share; missing values are empty."""
     (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)
     return [

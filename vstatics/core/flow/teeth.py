@@ -1,7 +1,7 @@
-"""Tooth power: what goes through the meshes of a mechanism, seen from its carrier.
+"""Rolling power: the power through the meshes of a mechanism, relative to its carrier.
 
-It may be a small part of the power through the mechanism or many times as much, and it
-is what losses are a part of: equation (2) of docs/method.md.
+Rolling power can be a small part of the power through the mechanism, or many times as much. Losses
+are a share of it: equation (2) of docs/method.md.
 """
 
 from __future__ import annotations
@@ -22,22 +22,22 @@ from vstatics.core.tables.answer import Flat
 
 
 class ToothPower(NamedTuple):
-    """What enters the teeth of a mechanism or of one mesh, against the carrier."""
+    """Rolling power of a mechanism or a mesh, relative to the carrier."""
 
     device: Flat[Node]
     mesh: str
-    """Its two wheels; nothing for a mechanism or a drawn element as a whole."""
+    """Names of the two gears in mesh; empty for a whole mechanism or gear set."""
     power: float
-    """NaN where it is not determined. [-]"""
+    """Rolling power, NaN if indeterminate. [-]"""
     loss: float
-    """[-]"""
+    """Power lost. [-]"""
 
 
 def tooth_powers(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
-    """Of each mechanism or drawn element, and of the mechanisms or meshes that it became.
+    """Yield the rolling power of each mechanism or drawn gear set, and of each mesh.
 
-    A mechanism with losses loses the part ``1 - efficiency`` of it. An element without
-    teeth (shaft, belt, held link) has none, nor has a variator or converter.
+    A mechanism loses the share ``1 - efficiency`` of its rolling power. Shafts, belts, held links,
+    variators and converters have no teeth, so nothing is yielded for them.
     """
     case = state.case
     for number, (part, device) in enumerate(zip(parts_of(case), case.own_devices, strict=True), 1):
@@ -57,13 +57,13 @@ def tooth_powers(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
 
 def _has_teeth(part: DrawnPart) -> bool:
     if part.element is None:
-        return not any(one.mechanism.kind for one in part.lowered)
+        return not any(lowered.mechanism.kind for lowered in part.lowered)
     shape = part.element.shape
     return not isinstance(shape, Simple) or (bool(shape.toothed) and shape.size == "teeth")
 
 
 def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, float]:
-    """What enters a mechanism by its first or by its second link, and its loss."""
+    """Return the rolling power of a mechanism, by the first or second link, and the loss."""
     torques = state.lossy_torques if lossy else state.torques
     torque = torques.on_first_link[len(state.case.shift_elements) + index]
     by_first = state.ideal.direction * plain(power(torque, state.relative_speeds[index]))
@@ -76,14 +76,14 @@ def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, 
 
 
 def _of_wheels(state: GearState, number: int, device: OwnDevice, *, lossy: bool) -> float:
-    """What enters an element by its central wheels, seen from the carrier that they share."""
+    """Return the power that enters a gear set by central gears, relative to the carrier."""
     speeds = [0.0, *map(plain, state.speeds)]
     carrier = state.case.mechanisms[device.mechanisms[0]].third
     torques = state.member_torques(lossy=lossy)[number - 1]
-    wheels = (one for one in device.members if {place for _, place in one.places} != {2})
-    found = [
+    wheels = (member for member in device.members if {place for _, place in member.places} != {2})
+    powers_of_wheels = [
         state.ideal.direction
-        * plain(power(plain(torques[one.name]), speeds[one.link] - speeds[carrier]))
-        for one in wheels
+        * plain(power(plain(torques[member.name]), speeds[member.link] - speeds[carrier]))
+        for member in wheels
     ]
-    return sum(one for one in found if not one < 0) + 0.0
+    return sum(member for member in powers_of_wheels if not member < 0) + 0.0

@@ -1,4 +1,4 @@
-"""The power of gears as text for people."""
+"""Power flow of gears as text."""
 
 from __future__ import annotations
 
@@ -16,21 +16,22 @@ from vstatics.core.tables.text import lines
 from vstatics.core.texts import tr
 
 FLOW_TEXT_WIDTH = 79
+"""Width of the text, in characters."""
 NAME, NUMBER, SHARE = 27, 8, 6
-"""Widths of the columns; a longer name has a line of its own."""
+"""Widths of the columns; a longer name has a separate line."""
 HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
-"""Short ones."""
+"""Short headings for narrow columns."""
 DECIMALS = {"kW": UNITS["kW"].decimals, "loss": 4, "loss, kW": UNITS["kW"].decimals}
-"""Of columns that do not have 3."""
+"""Digits after the decimal point of columns that do not have three."""
 
 
 def text(flow: GearFlow, digits: int | None = None) -> str:
-    """The power of a gear as a table of 79 columns.
+    """Return the power flow of a gear as a table of 79 columns.
 
     Parameters
     ----------
     digits : int, optional
-        After the point of every number; more than four make the columns wider.
+        Digits after the decimal point of every number; more than four widen the columns.
 
     Examples
     --------
@@ -76,7 +77,7 @@ def _lines(flow: GearFlow, digits: int | None) -> Iterator[str]:
 
 
 def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
-    """The table with short headings, numbers that suit its width, and marks behind names."""
+    """Return the table with short headings, fitting numbers, and marks after names."""
     names = [column.heading for column in grid.columns[1:] if column.is_number]
     columns = [
         Column(heading, is_number=False),
@@ -93,7 +94,7 @@ def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
 
 
 def _field(name: str, cell: Cell, digits: int | None) -> str:
-    """A number again, so that one that is not determined fills its field."""
+    """Return the text of a number that fills the field even if indeterminate."""
     if cell.value is None:
         return ""
     if name == "share, %":

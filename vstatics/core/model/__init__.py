@@ -8,6 +8,7 @@
 (['T1', 'F2', 'D1'], 3, ['1', '2'])
 
 `parts` has its parts, `fields` what can be asked of it, the modules of checks what it must
-fulfil. `keys` declares the keys of the same in YAML and JSON, in the words of `shape`. What
-vibrates has `springs`, `torsional_checks`, `torsional_keys`: loaded for these alone.
+fulfil. `keys` declares the keys of the same in YAML and JSON, in the words of `shape`;
+`paths` has the grammar of paths to numbers, `declared_numbers` walks along them. What vibrates has
+`springs`, `torsional_checks`, `torsional_keys`: loaded for these alone.
 """

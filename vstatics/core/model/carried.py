@@ -55,14 +55,3 @@ def _key(name: str) -> CaseKey | None:
 def installed_keys(names: Iterable[str] = KEYS) -> list[CaseKey]:
     """Return the keys of these names whose annexes are installed."""
     return [key for name in names if (key := _key(name))]
-
-
-def carried_keys(case: TransmissionFields) -> list[CaseKey]:
-    """Return the keys of annexes under which a case has data."""
-    return installed_keys(name for name in KEYS if getattr(case, name) not in (None, {}))
-
-
-def left_out(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about data that runs and vibration do not use."""
-    for key in carried_keys(case):
-        yield from key.left_out(case)

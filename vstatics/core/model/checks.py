@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from vstatics.core.annexes import KEYS
 from vstatics.core.errors import Path, Problem, spoken, why_not_allowed
-from vstatics.core.model.carried import carried_keys, left_out
+from vstatics.core.model.carried import CaseKey, installed_keys
 from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.core.model.part_checks import (
     called,
@@ -75,6 +76,18 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
         yield from of_torsion(case)
     for key in carried_keys(case):
         yield from key.problems(case)
+
+
+def carried_keys(case: TransmissionFields) -> list[CaseKey]:
+    """Return the keys of annexes under which a case has data."""
+    names = [name for name in KEYS if getattr(case, name) not in (None, {})]
+    return installed_keys(names) if names else []
+
+
+def left_out(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield notes about data that runs and vibration do not use."""
+    for key in carried_keys(case):
+        yield from key.left_out(case)
 
 
 def _cylinders(case: TransmissionFields) -> Iterator[Problem]:

@@ -10,8 +10,7 @@ from typing import Any
 from vstatics.core.arguments import refuse_fields
 from vstatics.core.errors import CaseError, nearest, plural
 from vstatics.core.extras import higher
-from vstatics.core.model.carried import carried_keys
-from vstatics.core.model.checks import problems
+from vstatics.core.model.checks import carried_keys, problems
 from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionFields
 from vstatics.core.model.part_checks import of_mechanism
 from vstatics.core.model.parts import (

@@ -21,7 +21,7 @@ Booleans = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 def as_floats(name: str, given: object, hint: str = "") -> Floats:
-    """Return an array of the given numbers.
+    """Return the given numbers as an array of floats.
 
     Raises
     ------

@@ -177,7 +177,7 @@ class _Elimination:
         self.left: list[Row] = []
         active: list[Row] = []
         for row in rows:
-            entries = {column: e for column, e in row.items() if is_traced(e[0]) or e[0] != 0}
+            entries = {column: e for column, e in row.items() if arithmetic.remains(e[0])}
             self._sort_in(entries, active)
         while active:
             row, column = _choose(active, arithmetic)
@@ -196,9 +196,10 @@ class _Elimination:
 
     def _subtract(self, row: Row, factor: Entry, other: Row) -> None:
         """Subtract ``factor * other`` from `row` in place, and drop entries that become zero."""
+        less, remains = self.arithmetic.less, self.arithmetic.remains
         for column, term in other.items():
-            entry = self.arithmetic.less(row.pop(column, NOTHING), factor, term)
-            if is_traced(entry[0]) or entry[0] != 0:
+            entry = less(row.pop(column, NOTHING), factor, term)
+            if remains(entry[0]):
                 row[column] = entry
 
     def consistent(self) -> bool:
@@ -231,22 +232,19 @@ class _Elimination:
             for column, coefficient in terms.items():
                 self._subtract(summed, (-coefficient, 0.0), known[column])
             totals.append(summed)
-        return [_value_of_sum(row) for row in totals]
+        return [
+            (math.nan, 0.0) if max(row, default=RIGHT) >= 0 else row.get(RIGHT, NOTHING)
+            for row in totals
+        ]
 
 
 NOTHING: Entry = (0.0, 0.0)
 
 
-def _value_of_sum(row: Row) -> Entry:
-    if max(row, default=RIGHT) >= 0:
-        return math.nan, 0.0
-    return row.get(RIGHT, NOTHING)
-
-
 def _has_digits(entry: Entry) -> bool:
     """Return whether rounding leaves digits of a number, according to the size.
 
-    Zero size always does.
+    A number that does not exist (NaN) counts as certain.
     """
     value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
@@ -300,6 +298,8 @@ class Arithmetic(NamedTuple):
     """Return a - b * c from (a, b, c); exactly 0 if the difference is rounding only."""
     enough: Callable[[Number, Number], bool]
     """Return whether a number is a sufficiently large pivot in a row with a second number."""
+    remains: Callable[[Number], bool]
+    """Return whether a number is nonzero in some variant."""
 
 
 def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
@@ -357,8 +357,12 @@ def large_enough(pivot: Number, other: Number) -> bool:
     return bool(absolute(pivot) >= PIVOT * absolute(other))
 
 
-FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough)  # type: ignore[arg-type]
+FLOATS = Arithmetic(_float_entry, quotient_of_floats, less_of_floats, large_enough, bool)  # type: ignore[arg-type]
 """Arithmetic of equations without a traced number, as `arithmetic_of` ensures."""
+
+
+def _remains(number: Number) -> bool:
+    return is_traced(number) or number != 0
 
 
 def _traced_entry(number: Number) -> Entry:
@@ -393,7 +397,7 @@ def _traced_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
     return difference(larger, smaller, least), size
 
 
-TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough)
+TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough, _remains)
 """Arithmetic of numbers of fixed sign; sizes belong to the first variant."""
 
 
@@ -491,14 +495,14 @@ def _sum_of_sizes(a: Either, b: Either) -> Either:
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:
-    """Return whether a pivot is large enough; ordinary ratios leave the choice to the structure.
+    """Return whether a pivot is large enough.
 
-    Then all such plans are alike.
+    Pivots of ordinary ratios are, so that the structure alone decides and all plans are alike.
     """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
 
-SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough)
+SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enough, _remains)
 """Arithmetic of numbers of any sign; sizes are instances of `LaterSize`."""
 
 
@@ -524,5 +528,6 @@ EXACT = Arithmetic(
     quotient=_exact_quotient,
     less=_exact_less,
     enough=lambda pivot, other: True,  # noqa: ARG005
+    remains=bool,
 )
 """Arithmetic of fractions, without rounding; slow, so for few and small systems."""

@@ -126,7 +126,7 @@ def _front(points: Floats) -> Integers:
 
 
 def _compared(points: Floats) -> Booleans:
-    """Return marks of points that no other point equals or betters in all objectives."""
+    """Return marks of points to which no other point is at least equal in all objectives."""
     as_good = np.ones((len(points), len(points)), dtype=np.bool_)
     for objective in points.T:
         as_good &= objective <= objective[:, None]
@@ -146,7 +146,7 @@ def _behind(points: Floats, by: Floats) -> Booleans:
 
 
 def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
-    """Return marks of points matched in all objectives, and strictly: bettered in some."""
+    """Return marks of points that rows of `by` match in all objectives, or strictly dominate."""
     dominated = np.zeros(len(points), dtype=np.bool_)
     left = np.arange(len(points))
     for start in range(0, len(by), BLOCK):

@@ -72,6 +72,13 @@ class Rows:
             if not self._holds(row, value):
                 self.vary(row)[places] = value
 
+    def put_variant(self, variant: int, values: Sequence[Any]) -> None:
+        """Write the values of all rows for one variant."""
+        self.holds.clear()
+        self._layout = None
+        for row, value in zip(self.arrays, values, strict=True):
+            row[variant] = value
+
     def vary(self, row: int) -> Any:
         """Return the array of a row for writing."""
         self.holds.pop(row, None)

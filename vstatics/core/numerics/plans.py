@@ -28,12 +28,12 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Number of variants that are not worth a plan; more after plans were made in vain."""
+"""Number of variants up to which no plan is made; raised after plans made in vain."""
 WORTH = 12
 """Cost of a plan, in variants that are calculated alone."""
 STEPS_LIKE_ONE_VARIANT = 250
 """Steps of a plan that cost as much as a variant calculated alone."""
-LEAST_SHARE = 1 / 64
+LEAST_SERVED = 1 / 64
 """Least share of variants that a plan is expected to serve in the next run."""
 MOST_PLANS = 256
 """Most plans of a calculation; variants without a plan are calculated alone."""
@@ -47,7 +47,7 @@ Later plans have wider bounds, so that drifting numbers do not need a new plan e
 SERVED_PART = 0.5
 """Share of variants that a plan of fixed sign must serve if a plan of any sign exists."""
 SAMPLE_VARIANTS = 64
-"""Number of variants from which that share is estimated."""
+"""Number of variants from which the served share is estimated."""
 SAMPLED = 8
 """Number of calls between two estimates of the share of a plan of fixed sign."""
 
@@ -127,7 +127,7 @@ class Plans:
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
         """Return whether a plan is worth running on the remaining variants."""
-        if not max(plan.share, LEAST_SHARE) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
+        if not max(plan.share, LEAST_SERVED) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
             return False
         if plan.signed or plan.share > SERVED_PART or not self.plans[-1].signed:
             return True
@@ -163,9 +163,7 @@ class Plans:
     def _alone(self, inputs: Inputs, rows: Rows, chosen: Integers) -> None:
         self.alone += chosen.size
         for variant in chosen.tolist():
-            results = self.function(inputs.values[:, variant].tolist())
-            for row, value in enumerate(results):
-                rows.vary(row)[variant] = value
+            rows.put_variant(variant, self.function(inputs.values[:, variant].tolist()))
 
 
 SPREAD = 64.0

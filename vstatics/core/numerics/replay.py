@@ -47,7 +47,7 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
     "choose": _choose,
     "minimum": _minimum,
 }
-"""Functions of tapes that NumPy does not have under the name."""
+"""Array functions for operations of a tape that NumPy lacks under the name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
     "add": operator.add,
@@ -212,7 +212,7 @@ def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
 
 
 def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
-    """Return the last operation that uses each slot, as a slot.
+    """Return the slot of the last operation that uses each slot.
 
     A slot that only a result uses has itself, and so has a guard. Unused slots are missing.
     """

@@ -18,7 +18,7 @@ _CLOSER = np.linspace(0.0, 1.0, 9)
 """Parts of an interval at which a function is evaluated to find an extremum."""
 _TIMES_CLOSER = 24
 """Number of refinements near an extremum; each makes the interval four times shorter."""
-_HALVES = 100
+_BISECTIONS = 100
 """Number of bisections."""
 
 
@@ -49,7 +49,7 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
         changes = np.flatnonzero(sides[1:] != sides[:-1])
         before, behind, side = places[changes], places[changes + 1], sides[changes]
         passes = side * sides[changes + 1] == -1  # at these changes 0 does not count as a side
-        for _ in range(_HALVES):
+        for _ in range(_BISECTIONS):
             middle = before / 2 + behind / 2
             same = _sides(of, middle, may_be_0=~passes) == side
             before, behind = np.where(same, middle, before), np.where(same, behind, middle)

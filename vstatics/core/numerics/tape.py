@@ -26,7 +26,7 @@ Operand = int | Plain
 HUGE = 1e100
 """Largest magnitude in the first variant; the smallest magnitude is the inverse."""
 NEGATIONS = {"less": "less_equal", "less_equal": "less"}
-"""Comparison that is true, with exchanged operands, where the key is false."""
+"""Negation of each comparison, for exchanged operands."""
 
 
 def ordered(first: Operand, second: Operand) -> tuple[Operand, Operand]:

@@ -42,7 +42,7 @@ def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
-    """Return whether a spring rotates as a block, untwisted at any common speed.
+    """Return whether the links of a spring rotate alike and twist the spring at no speed.
 
     >>> between_three = Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=1)
     >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
 
 SAME_TORQUE = 0.05
-"""Tolerance of a converter's torque, relative to the larger: points are read from diagrams."""
+"""Relative tolerance of a converter's torque, as points are read from diagrams."""
 
 
 def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
@@ -35,7 +35,7 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """Return the torques on the shift elements of a case, and marks of loaded elements.
+    """Return the torques on the shift elements of a case, and marks of loaded shift elements.
 
     Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
     torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.

@@ -353,7 +353,8 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_loaded(case, gear))
-    at_ratios = _speed_ratios_by_name(case, gear)
+    ratios = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
+    at_ratios = {mechanism.name: ratio for mechanism, ratio in ratios if mechanism.kind}
     for involved, agrees in elimination.dependencies(rows):
         engaged = [names[i] for i in involved if always <= i < always + len(gear.engaged)]
         others = [names[i] for i in involved if i >= always + len(gear.engaged)]
@@ -396,11 +397,6 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for text in same:
         yield Said("W416", text + shared)
         shared = ""  # the torques are named only in the first message
-
-
-def _speed_ratios_by_name(case: Transmission, gear: Gear) -> dict[str, float]:
-    pairs = zip(case.mechanisms, case.gear_ratios(gear), strict=True)
-    return {mechanism.name: ratio for mechanism, ratio in pairs if mechanism.kind}
 
 
 def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:

@@ -23,14 +23,14 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques
 
 MOST_EXACT_UNKNOWNS = 64
-"""Most unknowns of a system that is solved in fractions, which grow with each unknown."""
+"""Number of unknowns up to which systems are solved in fractions, which grow with each unknown."""
 
 
 class LostDigits(NamedTuple):
     """Links and devices of a gear whose speeds and torques keep few digits."""
 
     digits: int
-    """Number of certain digits of all speeds and torques listed."""
+    """Number of digits that are certain in all listed speeds and torques."""
     links: list[str]
     """Names of the links with uncertain speeds."""
     devices: list[str]
@@ -53,7 +53,8 @@ def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
 def lost_digits(state: GearState) -> LostDigits | None:
     """Return the speeds and torques of a gear that rounding makes uncertain.
 
-    The gear must belong to one case, not to arrays of variants. Large systems are not examined.
+    The gear must belong to one case, not to arrays of variants. The result is None if all speeds
+    and torques are certain, and for large systems, which are not examined.
     """
     case, ideal = state.case, state.ideal
     if len(case.devices) + case.links > MOST_EXACT_UNKNOWNS:
@@ -103,7 +104,7 @@ def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
 
 
 def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """Return relative errors; 1 where either the number or the exact value is NaN."""
+    """Return the relative errors of numbers; 1 if either the number or the exact value is NaN."""
     return [
         _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
     ]

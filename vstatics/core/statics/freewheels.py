@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any
 
 from vstatics.core.model.transmission import Gear, Transmission
@@ -98,10 +98,11 @@ def _find_state(
         return _state(variant, gear, overrunning)
     if driven_backward(case, gear, overrunning):
         return _state_without_values(variant, gear, overrunning)
-    for held in _sets_of_freewheels(case):
-        gear_held = with_engaged(gear, held)
-        speeds = solve_speeds(case, gear_held, variant.rows) if held else overrunning
-        state = _possible(variant, gear_held, speeds)
+    sizes = range(len(case.freewheels) + 1)
+    for held in chain.from_iterable(combinations(case.freewheels, size) for size in sizes):
+        gear_with_held = with_engaged(gear, held)
+        speeds = solve_speeds(case, gear_with_held, variant.rows) if held else overrunning
+        state = _possible(variant, gear_with_held, speeds)
         if state is not None:
             return state
     return _state(variant, gear, overrunning)
@@ -123,7 +124,7 @@ def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
 
 
 def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[int]:
-    """Return the numbers of freewheels that could hold instead of holding freewheels.
+    """Return the numbers of freewheels that could replace a holding freewheel.
 
     Statics does not determine the torques that such freewheels share.
 
@@ -194,11 +195,6 @@ def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]
 def input_direction(case: Transmission, gear: Gear) -> int:
     """Return the sign of the unit of speed: -1 for an input that turns backward, else +1."""
     return -1 if case.input_turns(gear) == "backward" else 1
-
-
-def _sets_of_freewheels(case: Transmission) -> Iterator[tuple[int, ...]]:
-    for size in range(len(case.freewheels) + 1):
-        yield from combinations(case.freewheels, size)
 
 
 def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:

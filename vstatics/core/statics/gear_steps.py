@@ -17,7 +17,7 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
     Parameters
     ----------
     ratios : ndarray, shape (..., gears)
-        [-]
+        Ratio of each gear. [-]
 
     Examples
     --------
@@ -45,13 +45,13 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
 def spread(case: Transmission, ratios: Floats) -> Floats:
     """Return the largest forward ratio divided by the smallest, shape ``(...)``.
 
-    Forward is the direction, input and output that most gears share, or else those of the first
+    Forward is the direction, input and output that most gears share; in a tie, those of the first
     gear. NaN is returned for a case without gears.
 
     Parameters
     ----------
     ratios : ndarray, shape (..., gears)
-        [-]
+        Ratio of each gear. [-]
     """
     sizes = _comparable(case, ratios)
     best = np.zeros(ratios.shape[:-1])

@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Number of an external torque among the indices of devices."""
+"""Index that stands for external torques among the indices of devices."""
 
 
 class IdealGear(NamedTuple):
@@ -138,10 +138,9 @@ def _torques_by_link(
 ) -> list[list[_OnLink]]:
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
-    for device, column in enumerate(columns):
-        for link, share in column.items():
-            torque = absolute(matrix.value(share) * torques.factors[device])
-            by_link[link].append((device, torque))
+    for device, (column, factor) in enumerate(zip(columns, torques.factors, strict=False)):
+        for link, share in matrix.values_of(column).items():
+            by_link[link].append((device, absolute(share * factor)))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     external = matrix.external_torques(case, gear)
     for link, torque in (*external.items(), *torques.holding.items(), *ideal.drag.links.items()):

@@ -35,11 +35,11 @@ def coincidences(results: Results, number: int, gear: Gear) -> dict[str, bool]:
     idle = set(_idle_with_torque(results, number)) if results.consistent[number] else set()
     if not idle or idle <= held_as_one(results.case, gear):
         return {}
-    return _that_matter(results.gear_at(number))
+    return _coincidences_of_state(results.gear_at(number))
 
 
 def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
-    """Yield the indices of mechanisms that, by the arrays, may be idle under torque."""
+    """Yield the indices of mechanisms that could be idle under torque, judging by the arrays."""
     case, is_idle = results.case, results.idle[number].tolist()
     if case.drawing is None and True not in is_idle:
         return
@@ -66,8 +66,8 @@ def _idle_with_torque(results: Results, number: int) -> Iterator[int]:
             yield from device.mechanisms
 
 
-def _that_matter(state: GearState) -> dict[str, bool]:
-    """Return the result of `coincidences`, from the state of the gear."""
+def _coincidences_of_state(state: GearState) -> dict[str, bool]:
+    """Return the idle mechanisms that matter, as `coincidences` does, from the state of a gear."""
     case, gear, ideal = state.case, state.gear, state.ideal
     elements = len(case.shift_elements)
     idle = [

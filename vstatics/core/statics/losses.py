@@ -21,7 +21,7 @@ from vstatics.core.statics.torques import Torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques of a gear with losses under a set of signs, and the resulting losses."""
+    """Torques with losses under a set of signs, and the resulting losses and efficiency."""
 
     signs: Signs
     torques: Torques
@@ -66,7 +66,8 @@ def check_signs(
     losses = list(_losses(by_first_link, ideal, signs))
     entering = _entering(ideal, torques)
     efficiency = _efficiency(ideal, torques, entering)
-    directions = tuple(sign(entered) * ideal.direction for entered in by_first_link)
+    way = ideal.direction
+    directions = tuple(sign(entered) * way for entered in by_first_link)
     agrees: Condition = True
     for x, direction, efficiencies in zip(
         signs, directions, ideal.variant.efficiencies, strict=True
@@ -75,7 +76,7 @@ def check_signs(
             agrees = agrees & (x * direction >= 0)
     for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
         if mechanism.kind == "converter":
-            agrees = agrees & (loss * ideal.direction >= 0)
+            agrees = agrees & (loss * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     # This is one variant; the variants of a plan agree on whether power passes.
     if passes is False:
@@ -110,8 +111,9 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
     """Yield the power lost in each mechanism, by equation (2), from the power by its first link."""
     variant = ideal.variant
+    mechanisms = variant.case.mechanisms
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
-        if ideal.case.mechanisms[place].kind == "converter":
+        if mechanisms[place].kind == "converter":
             yield power(entering, converter_slip(variant, place))
         else:
             yield power(entering, 1 - passed(variant.efficiencies[place], x))
@@ -122,7 +124,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency that ranks sets of signs; lossless flow separates the ports.
+    """Return the efficiency that ranks sets of signs; ports are inputs or outputs by lossless flow.
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise it is the output power divided by the input power. Each port counts on the side of its
@@ -144,7 +146,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Return the reported efficiency: with several ports, power that leaves per power that enters.
+    """Return the reported efficiency: output power divided by input power of all ports.
 
     Each port counts on the side of its flow with losses, unlike in `_efficiency`, which chooses the
     signs.
@@ -163,9 +165,9 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Return whether a gear has an efficiency without losses: 1, or less with converters.
+    """Return whether power passes a gear without losses.
 
-    A converter that stalls has an efficiency of 0, so no power passes.
+    The lossless efficiency is 1, or less with converters; it is 0 if a converter stalls.
     """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -70,6 +70,15 @@ def value(coefficient: Any) -> Any:
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
+def values_of(column: Column) -> dict[int, Any]:
+    """Return the coefficients of a column as one number each.
+
+    >>> values_of({1: 1, 3: (-2.5, -1)})
+    {1: 1, 3: -3.5}
+    """
+    return {link: value(coefficient) for link, coefficient in column.items()}
+
+
 def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
     """Return the coefficients of a mechanism's link speeds, the last as two terms.
 
@@ -230,7 +239,7 @@ def expected_ratio(between: tuple[float, float]) -> str:
 def impossible(
     quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return which numbers cannot be a ratio, or an efficiency, of a mechanism.
+    """Return marks of numbers that cannot be a ratio, or an efficiency, of a mechanism.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ DeviceKind = Literal["element", "mechanism", "spring", "port", "drag"]
 
 
 class LinkPower(NamedTuple):
-    """Power that a link gives to a member of a device; negative if the link receives."""
+    """Power that a link gives to a member of a device; negative if the link receives it."""
 
     kind: DeviceKind
     number: int

@@ -329,7 +329,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
 
 
 def row_counts(case: Transmission) -> dict[str, int | None]:
-    """Return the number of rows of each array of `Results`, if not a scalar per gear."""
+    """Return the number of rows of each array of `Results`; a value per gear has no rows."""
     names = all_row_names(case)
     return {
         name: None if array.rows == "one" else len(names[array.rows])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -16,13 +17,16 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.statics.freewheels import find_state
 from vstatics.core.statics.losses import no_solution
 from vstatics.core.statics.physical import PhysicalResults
-from vstatics.core.statics.result_arrays import ARRAYS, GearTable
+from vstatics.core.statics.result_arrays import ARRAYS, GearTable, OperatingPoints
 from vstatics.core.statics.state import GearState
 from vstatics.core.statics.status import OK, Status, statuses
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+REMEMBERED_STATES = 64
+"""Number of gears whose states are kept: tables and pictures of a case ask for them in turn."""
 
 
 class Results(PhysicalResults):
@@ -219,18 +223,11 @@ class Results(PhysicalResults):
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """Return the state of a gear of a single case by the index of the gear."""
-        case = self.case
-        gears = self.points.gears if self.points else case.gears
-        efficiencies: Sequence[Any] = [mechanism.efficiency for mechanism in case.mechanisms]
-        if self.points and self.points.efficiencies:
-            efficiencies = self.points.efficiencies[index]
-        ratios = [mechanism.ratio for mechanism in case.mechanisms]
-        with np.errstate(all="ignore"):
-            state = find_state(case, gears[index], ratios, efficiencies)
+        """Return the state of a gear of a single case by the index of the gear, calculated once."""
+        state = _state_of(_Calculated(self.case, self.points), index)
         if self.points and self.undecided[index] and not state.search.undecided:
             # no torque of the gear agrees with the load-dependent efficiencies
-            lossy = no_solution(state.ideal, (math.nan,) * len(ratios))
+            lossy = no_solution(state.ideal, (math.nan,) * len(self.case.mechanisms))
             search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
             return state._replace(search=search)
         return state
@@ -292,6 +289,37 @@ class Results(PhysicalResults):
     def failed(self) -> bool:
         """True if a gear is tied up or has a freewheel conflict, so that the case fails."""
         return bool(self.tied_up.any() or self.conflict.any())
+
+
+class _Calculated:
+    """A case at its operating points, compared by identity: comparing all parts is slow."""
+
+    __slots__ = ("case", "points")
+
+    def __init__(self, case: Transmission, points: OperatingPoints | None) -> None:
+        self.case, self.points = case, points
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Calculated):
+            return NotImplemented
+        return self.case is other.case and self.points is other.points
+
+    def __hash__(self) -> int:
+        return hash((id(self.case), id(self.points)))
+
+
+@lru_cache(maxsize=REMEMBERED_STATES)
+def _state_of(calculated: _Calculated, index: int) -> GearState:
+    """Calculate the state of a gear by the index of the gear."""
+    case, points = calculated.case, calculated.points
+    gear = points.gears[index] if points else case.gears[index]
+    efficiencies: Sequence[Any] = [mechanism.efficiency for mechanism in case.mechanisms]
+    if points and points.efficiencies:
+        efficiencies = points.efficiencies[index]
+    with np.errstate(all="ignore"):
+        return find_state(
+            case, gear, [mechanism.ratio for mechanism in case.mechanisms], efficiencies
+        )
 
 
 def _arrays_as_calculated(results: Results) -> dict[str, Any]:

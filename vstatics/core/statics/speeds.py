@@ -38,7 +38,10 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
     """
     differences = [(mechanism.first, mechanism.third) for mechanism in case.mechanisms]
     slips = [(element.first, element.second) for element in case.shift_elements]
-    sums = [_difference(*pair) for pair in (*differences, *slips)]
+    sums = [
+        {link - 1: part for link, part in ((first, 1.0), (second, -1.0)) if link != HOUSING}
+        for first, second in (*differences, *slips)
+    ]
     rows = speed_rows(case, gear, by_device)
     solution, certain = elimination.solve_with_certainty(rows, case.links, sums)
     links = solution.values[: case.links]
@@ -56,12 +59,6 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
         solution.excess,
         certain,
     )
-
-
-def _difference(first: int, second: int) -> dict[int, float]:
-    terms = {first - 1: 1.0, second - 1: -1.0}
-    terms.pop(HOUSING - 1, None)
-    return terms
 
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:

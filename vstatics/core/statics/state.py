@@ -60,7 +60,7 @@ class GearState(NamedTuple):
     @property
     def case(self) -> Transmission:
         """The transmission."""
-        return self.ideal.case
+        return self.ideal.variant.case
 
     @property
     def gear(self) -> Gear:
@@ -100,7 +100,8 @@ class GearState(NamedTuple):
     @property
     def ratio(self) -> float:
         """Ratio ``w_input/w_output`` [-]; NaN if the output is at rest."""
-        ratio: Any = math.nan if self.output_speed == 0 else 1 / self.output_speed
+        speed = self.output_speed
+        ratio: Any = math.nan if speed == 0 else 1 / speed
         return ratio  # type: ignore[no-any-return] # traced for variants, which users never see
 
     @property
@@ -120,7 +121,7 @@ class GearState(NamedTuple):
 
     @property
     def signs(self) -> Signs:
-        """Power-flow signs: +1 if the first link drives, -1 if driven, 0 if idle, or NaN."""
+        """Signs of power, +1 if the first link drives, -1 if driven, 0 idle, NaN indeterminate."""
         return self.search.lossy.signs
 
     @property
@@ -219,8 +220,9 @@ class GearState(NamedTuple):
             for members in self.member_torques(lossy=lossy)
         ]
         given = (self.case, self.gear, self.speeds, torques)
+        direction = self.ideal.direction
         return [
-            link_power._replace(power=self.ideal.direction * plain(link_power.power))
+            link_power._replace(power=direction * plain(link_power.power))
             for link_power in (
                 *device_powers(*given, members=members, drag=drag),
                 *port_powers(*given),
@@ -238,6 +240,7 @@ class GearState(NamedTuple):
             factors = lossy_ratios([1.0] * len(ratios), self.ideal.variant.efficiencies, self.signs)
             ratios = [u * factor for u, factor in zip(ratios, factors, strict=True)]
         torques = self.lossy_torques if lossy else self.torques
+        factors_of = torques.factors
         shares_of = list(map(column_of, self.case.mechanisms, ratios))
         elements = len(self.case.shift_elements)
         torques_by_member: list[dict[str, Number | Residual]] = []
@@ -249,7 +252,7 @@ class GearState(NamedTuple):
                     (elements + index, value(shares_of[index][part]))
                     for index, part in member.places
                 ]
-                torque = residual([share * torques.factors[index] for index, share in shares])
+                torque = residual([share * factors_of[index] for index, share in shares])
                 torques_by_member[place][member.name] = torque
                 if isinstance(torque, float) and math.isnan(torque):
                     unknown.append((place, member.name, dict(shares)))

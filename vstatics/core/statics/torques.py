@@ -146,7 +146,7 @@ def without_load(case: Transmission) -> list[str]:
 
 
 def times(first: Number, second: Number) -> Number:
-    """Return a product, 0 if any factor is 0 even if the second factor is NaN."""
+    """Return a product, 0 if a factor is 0, even if the other factor is NaN."""
     return 0.0 if first == 0 or second == 0 else first * second
 
 

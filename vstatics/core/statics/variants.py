@@ -55,7 +55,7 @@ class GearNumber(NamedTuple):
 GearNumbers = Mapping[GearNumber, Floats]
 """Arrays of shape (variants,); speeds and torques are relative to the input [-].
 
-If the case fixes a gear's number, the gear must have a number there.
+The gear itself must have a plain number at each of these places.
 """
 
 

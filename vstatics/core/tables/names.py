@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, cast
 
 from vstatics.core.arguments import type_and_value
 from vstatics.core.errors import Place, ReadError, listed, nearest, quoted, typed_number
+from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.matrix import distribution_matrix
 from vstatics.core.statics.result_arrays import Rows, row_names
@@ -199,12 +200,6 @@ def written(index: int, names: Sequence[str]) -> str:
     if names.count(name) > 1 or ('"' in name and "'" in name):
         return f"#{index + 1}"
     return name if is_bare(name) else in_quotes(name)
-
-
-def in_quotes(name: str) -> str:
-    """A name between quotes that it does not have itself, unless it has both."""
-    mark = "'" if '"' in name else '"'
-    return f"{mark}{name}{mark}"
 
 
 def is_bare(name: str) -> bool:

@@ -60,7 +60,7 @@ def template(case: Transmission) -> Iterator[str]:
 
 def lost(case: Transmission) -> list[str]:
     """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
-    from vstatics.core.model.carried import carried_keys
+    from vstatics.core.model.checks import carried_keys
     from vstatics.core.model.keys import (  # costs start-up time
         CASE,
         ELEMENT,

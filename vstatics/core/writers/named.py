@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import printable
-from vstatics.core.model.carried import carried_keys
+from vstatics.core.model.checks import carried_keys
 from vstatics.core.model.keys import CASE, with_carried
 from vstatics.core.model.parts import BatteryBalance, Law, OfLoad, mechanism_record
 from vstatics.core.model.shape import (

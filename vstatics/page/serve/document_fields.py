@@ -8,23 +8,21 @@ from typing import NamedTuple
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.keys import with_elements
 from vstatics.core.errors import ReadError
+from vstatics.core.model.declared_numbers import bare_unit
 from vstatics.core.model.keys import CASE
+from vstatics.core.model.paths import Keys, by_name, dotted, written
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.documents import case_document
-from vstatics.core.readers.named.node_paths import Keys, child, written
+from vstatics.core.readers.named.node_numbers import child
 from vstatics.core.readers.named.nodes import Node, Scalar, decode
 from vstatics.core.readers.named.written_numbers import NumberSpot, number_spots, with_written
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
-from vstatics.page.serve.bare_units import bare_unit
 from vstatics.page.serve.number_fields import PageField
 from vstatics.simulation.scenario.keys import SCENARIO
 from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
-_PARTS = ("mechanisms", "elements", "shift_elements", "springs")
-"""Keys of a case that no path says."""
-_HEAVY = ("inertias", "masses")
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
 """Keys of a scenario below which names stand that may look like numbers."""
 
@@ -171,20 +169,13 @@ def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNum
     """Numbers of a case that a sweep can vary."""
     shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
-        path = _path(keys)
+        path = dotted(by_name(keys))
         known = case_path(path, case)
         if known is None and not _is_target(path, case):
             continue
         whole = bool(known and known.part and known.part.kind == "count")
         unit = spot.unit or _unit(bare_unit(shape, keys), keys, case)
         yield DocumentNumber(PageField(path, spot.value, unit, whole), file, keys, spot.start)
-
-
-def _path(keys: Keys) -> str:
-    """As a sweep names what stands there."""
-    if keys[0] in _HEAVY and len(keys) == 2:
-        return f"{keys[1]}.inertia"
-    return ".".join(keys[1:] if keys[0] in _PARTS else keys)
 
 
 def _is_target(path: str, case: Transmission) -> bool:

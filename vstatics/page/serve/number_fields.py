@@ -14,6 +14,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from vstatics.core.elements.drawing import drawing_of
+from vstatics.core.model.paths import dotted, owner_and_key, owner_and_number
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.tables.html import Markup, tag
 from vstatics.core.texts import spoken, tr
@@ -61,8 +62,7 @@ class PageField(NamedTuple):
         >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
         """
-        words = self.path.split(".")
-        return ".".join(words[: 2 if words[0] == "gears" else 1])
+        return dotted(owner_and_number(self.path)[0])
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -116,7 +116,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
             value = own[path] if path in own else own_number_at(number, case)
         except ValueError:  # the case has none there
             continue
-        unsaid = _UNSAID.get(path.rpartition(".")[2], _UNSAID.get(number.quantity))
+        unsaid = _UNSAID.get(owner_and_key(path)[2], _UNSAID.get(number.quantity))
         if value is None or value == unsaid:
             continue
         unit = next((unit for end, unit in _UNITS.items() if path.endswith(end)), "")
@@ -164,15 +164,16 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
     >>> group.count('data-path="P1.teeth.sun"'), group.count('step="1"')
     (2, 2)
     """
-    for owner, group in groupby(fields, lambda one: one.owner):
+    for _, owned in groupby(fields, lambda one: one.owner):
+        group = [*owned]
         rows = (_row(one, fixed=fixed) for one in group)
-        yield tag("fieldset", tag("legend", _owner(owner)), *rows)
+        yield tag("fieldset", tag("legend", _owner(group[0].path)), *rows)
 
 
-def _owner(owner: str) -> str:
-    """What has numbers: a name, or a part of the case that this program names."""
-    kind, _, gear = owner.partition(".")
-    return f"{_word(kind)}.{gear}" if gear else _word(owner) if owner in _PARTS else owner
+def _owner(path: str) -> str:
+    """Return the owner of a number: a name, or a part of the case that this program names."""
+    (kind, *gear), _ = owner_and_number(path)
+    return dotted([_word(kind), *gear]) if gear or kind in _PARTS else kind
 
 
 def _name(words: Sequence[str]) -> str:
@@ -193,10 +194,10 @@ def _word(key: str) -> str:
 def _row(field: PageField, *, fixed: bool) -> Markup:
     low, high = map(digits_of, field.limits)
     value = digits_of(field.value)
-    name = _name(field.path.removeprefix(f"{field.owner}.").split("."))
+    name = _name(owner_and_number(field.path)[1])
     common = {"data_path": field.path, "value": value, "disabled": fixed}
     unit = f", {tr(field.unit)}" if field.unit else ""
-    label = f"{field.path if spoken() == 'en' else f'{_owner(field.owner)} {name}'}{unit}"
+    label = f"{field.path if spoken() == 'en' else f'{_owner(field.path)} {name}'}{unit}"
     typed = {"class_": "field", "autocomplete": "off", "data_step": digits_of(field.step)}
     if field.limits[0] >= 0:  # some telephones have no minus beside such digits
         typed["inputmode"] = "decimal"

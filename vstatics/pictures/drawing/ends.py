@@ -1,4 +1,4 @@
-"""Names at the edge of a panel: at the ends of its lines, and of its verticals."""
+"""Names at the edge of a panel, at the ends of lines and verticals."""
 
 from __future__ import annotations
 
@@ -21,43 +21,43 @@ from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIGN_WIDTH
 
 AFTER_END_SIGN = 4.0
-"""From the piece of its line before a name to the name. [pt]"""
+"""Distance from the line sample before a name to the name. [pt]"""
 
 
 class LineEnd(NamedTuple):
-    """A line that reaches the edge, with the names of what shares it."""
+    """Line that reaches the edge, with the names of the links."""
 
     at: float
-    """The part of the edge below it."""
+    """Share of the edge below the line."""
     names: Sequence[str]
-    """Wrapped."""
+    """Names, wrapped."""
     looks: Sequence[Look] = ()
-    """Of each name's own line; none of what is no line."""
+    """Line style of each name, empty for other texts."""
 
     @property
     def high(self) -> float:
-        """Of its names [pt]."""
+        """Height of the names [pt]."""
         return sum(map(height, self.names)) + LABEL_GAP
 
     @property
     def aside(self) -> float:
-        """From the edge to the names [pt]."""
+        """Distance from the edge to the names [pt]."""
         return LEADER + AFTER_END_SIGN + (SIGN_WIDTH if self.looks else 0.0)
 
 
 def width_of(ends: Sequence[LineEnd]) -> float:
-    """From the edge to the outer end of the names [pt]."""
+    """Return the distance from the edge to the outer end of the names [pt]."""
     wide = (end.aside + width(name) for end in ends for name in end.names)
     return max(wide, default=0.0)
 
 
 def height_of(ends: Sequence[LineEnd]) -> float:
-    """That an edge needs so that no name covers another [pt]."""
+    """Return the length of an edge that the names need without overlap [pt]."""
     return sum(end.high for end in ends)
 
 
 def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) -> None:
-    """The names at an edge, each after a piece of its line; what shares a line has one leader."""
+    """Write the names at an edge after line samples, with a leader for each line."""
     wanted = [end.at * pen.size[1] for end in ends]
     places = spread(wanted, [end.high for end in ends], 0.0, pen.size[1])
     edge, way, ha = (0.0, -1.0, "right") if side == "left" else (pen.size[0], 1.0, "left")
@@ -68,8 +68,8 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
         top = place + (end.high - LABEL_GAP) / 2
         middles = []
         for name, look in zip_longest(end.names, end.looks):
-            own = height(name)
-            middles.append(top - own / 2)
+            name_height = height(name)
+            middles.append(top - name_height / 2)
             if look is not None:
                 piece = [(inner + part * SIGN_WIDTH * way, middles[-1]) for part in (0, 0.5, 1)]
                 pen.line(*piece, markevery=[1], **{"width": 1.6, **look})
@@ -81,7 +81,7 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
                 va="center",
                 linespacing=LINE_HEIGHT,
             )
-            top -= own
+            top -= name_height
         if len(middles) > 1:
             brackets.append(((inner, middles[0]), (inner, middles[-1])))
     pen.lines([*leaders, *brackets], color=pen.style.soft, width=LEADER_WIDTH)
@@ -90,23 +90,25 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
 def along(
     pen: Pen, edge: Literal["bottom", "top"], texts: Sequence[Label], *, upright: bool
 ) -> None:
-    """Texts at the lower or upper edge, each with a line to its place.
+    """Write texts at the lower or upper edge, with lines to the places of the texts.
 
     Parameters
     ----------
     upright : bool
-        Texts run upwards, and need little room along the edge.
+        True for vertical texts, which need little room along the edge.
     """
-    sizes = [height(one.text) + LABEL_GAP if upright else across_size(one.text) for one in texts]
-    places = spread([one.at for one in texts], sizes, 0.0, pen.size[0])
+    sizes = [
+        height(label.text) + LABEL_GAP if upright else across_size(label.text) for label in texts
+    ]
+    places = spread([label.at for label in texts], sizes, 0.0, pen.size[0])
     start, way, va = (0.0, -1.0, "top") if edge == "bottom" else (pen.size[1], 1.0, "bottom")
     both = list(zip(texts, places, strict=True))
     pen.lines(
-        [((one.at, start), (x, start + 0.5 * LEADER * way)) for one, x in both if one.text],
+        [((label.at, start), (x, start + 0.5 * LEADER * way)) for label, x in both if label.text],
         color=pen.style.soft,
         width=LEADER_WIDTH,
     )
     look: Look = {"ha": "center", "va": va, "linespacing": LINE_HEIGHT}
-    for one, x in both:
+    for label, x in both:
         y, turn = start + 0.65 * LEADER * way, 90 * upright
-        pen.text(x, y, one.text, color=one.colour, rotation=turn, **look)
+        pen.text(x, y, label.text, color=label.colour, rotation=turn, **look)

@@ -1,4 +1,4 @@
-"""Figures as files: SVG and PNG of a page each, PDF of all; settings of matplotlib for a while."""
+"""Figures as files: SVG and PNG for each page, PDF for all pages."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Format = Literal["svg", "png", "pdf"]
 FORMATS: tuple[Format, ...] = get_args(Format)
 
 DPI = 200
-"""Of PNG. [1/inch]"""
+"""Resolution of PNG. [1/inch]"""
 
 ALONE = threading.RLock()
-"""Held while settings of matplotlib are changed: they are those of all threads."""
+"""Lock that is held while settings of matplotlib are changed, which all threads share."""
 
-# nothing that differs from run to run: the same case gives the same bytes
+# Without dates and versions, equal cases give equal bytes.
 _METADATA: dict[str, dict[str, Any]] = {
     "png": {"Software": None},
     "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
@@ -33,26 +33,26 @@ _METADATA: dict[str, dict[str, Any]] = {
 
 @contextmanager
 def settings_of(style: Style) -> Iterator[None]:
-    """The settings of a style for a while; the user's own would move texts.
+    """Apply the settings of a style in matplotlib temporarily, instead of user settings.
 
-    Another thread that draws waits: it would draw with them, and leave them as they are here.
+    Other threads that draw wait, or they would draw with these settings and disturb them.
     """
     import matplotlib as mpl
 
     with ALONE, mpl.rc_context(), warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box stands for it
+        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box replaces it
         mpl.rcdefaults()
         mpl.rcParams.update(style.settings)
         yield
 
 
 def files_of(figures: Sequence[Figure], form: Format, style: Style, title: str) -> list[bytes]:
-    """Pages as files, all of them in one PDF; the same figures give the same bytes.
+    """Return pages as files, all in a single PDF; equal figures give equal bytes.
 
     Parameters
     ----------
     title : str
-        What they show, for those who do not see it.
+        Alternative text.
     """
     with settings_of(style):
         if form == "pdf":
@@ -73,7 +73,7 @@ def _pdf(figures: Sequence[Figure]) -> bytes:
 
 
 def written(figure: Figure, form: Format, style: Style, title: str, number: int = 1) -> bytes:
-    """A figure as a file, with the mark of a further page; as `files_of` else."""
+    """Return a figure as a file, with the mark of a further page; see `files_of`."""
     with settings_of(style):
         if form == "pdf":
             return _pdf([figure])

@@ -1,4 +1,4 @@
-"""Places within a panel where a text covers no other one."""
+"""Places within a panel where texts do not overlap."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from collections.abc import Iterable
 from vstatics.pictures.drawing.labels import Point, Span
 
 Taken = list[tuple[Span, Span]]
-"""What texts that stand already take across and upward [pt]."""
+"""Horizontal and vertical extents of the present texts. [pt]"""
 
 
 def first_free(
     places: Iterable[Point], wide: float, high: float, size: Point, taken: Taken
 ) -> Point | None:
-    """The first place that can be the middle of a text; it is taken then.
+    """Return the first free place for the middle of a text, and record the extent.
 
     Parameters
     ----------
     wide, high : float
-        Of the text, with the room around it. [pt]
+        Size of the text with margins. [pt]
     size : Point
-        Of the panel, which the text does not leave.
+        Size of the panel, which contains the text.
 
     Examples
     --------
@@ -32,11 +32,13 @@ def first_free(
     for x, y in places:
         across, up = (x - wide / 2, x + wide / 2), (y - high / 2, y + high / 2)
         inside = across[0] > 0 and up[0] > 0 and across[1] < size[0] and up[1] < size[1]
-        if inside and not any(_meet(across, own) and _meet(up, other) for own, other in taken):
+        if inside and not any(
+            _meet(across, other_across) and _meet(up, other_up) for other_across, other_up in taken
+        ):
             taken.append((across, up))
             return x, y
     return None
 
 
-def _meet(one: Span, other: Span) -> bool:
-    return one[0] < other[1] and other[0] < one[1]
+def _meet(first: Span, second: Span) -> bool:
+    return first[0] < second[1] and second[0] < first[1]

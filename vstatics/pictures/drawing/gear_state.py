@@ -1,4 +1,4 @@
-"""What pictures show of a gear: all that they read of how it was calculated."""
+"""State of a gear as shown in pictures."""
 
 from __future__ import annotations
 
@@ -16,45 +16,46 @@ from vstatics.core.statics.state import GearState
 from vstatics.core.statics.status import Status
 
 NOT_DETERMINED = Status("missing", "not determined", "")
-"""Some speed is free."""
+"""Fault of a gear with a free speed."""
 
 
 class PictureState(NamedTuple):
-    """A gear as pictures show it."""
+    """Gear as shown in pictures."""
 
     input: int
-    """Its link."""
+    """Input link."""
     output: int
     outputs: Sequence[int]
-    """That of the ratio, then the others."""
+    """Output links, the link of the ratio first."""
     gear: Gear
-    """With the freewheels that hold among the engaged elements."""
+    """Gear with holding freewheels among the engaged elements."""
     faults: Sequence[Status]
-    """What keeps it from being calculated."""
+    """Reasons why the gear cannot be calculated."""
     ratio: float
-    """[-]"""
+    """Ratio of the gear. [-]"""
     speeds: Sequence[float]
-    """By link, the housing first; NaN where it is free. [-]"""
+    """Speed of each link, the housing first; NaN where free. [-]"""
     joined: Bodies
-    """By link, the housing first: the least of the links that engaged elements, and springs
-    as shafts, join to it."""
+    """Lowest link connected to each link by engaged elements and shafts, the housing first."""
     is_still: Sequence[bool]
-    """By mechanism or drawn element: whether nothing in it moves, as far as the gear exists."""
+    """True for mechanisms and gear sets without inner motion, if the gear exists."""
     roles: Sequence[Role]
-    """By mechanism: whether it is idle, or one piece."""
+    """Role of each mechanism: idle, or locked up."""
     loaded_springs: Sequence[bool]
-    """By spring: whether it carries torque, or one that is not known."""
+    """True for springs with torque, or with unknown torque."""
     loaded_elements: Sequence[bool]
-    """By shift element: the same."""
+    """True for shift elements with torque, or with unknown torque."""
     loaded_links: Sequence[frozenset[int]]
-    """By mechanism or drawn element: the links that it has torque from."""
+    """Links with torque from each mechanism or gear set."""
     leaving: Mapping[tuple[int, str], float]
-    """Power that leaves, as far as it is known, by link and role of the port: ``input``,
-    ``output`` or ``given``. [-]"""
+    """Known power that leaves, by link and role of the port. [-]
+
+    Roles are ``input``, ``output`` or ``given``.
+    """
 
 
 def state_of(results: Results, number: int) -> PictureState:
-    """The state of a gear of one case; its number counts from 1.
+    """Return the state of a gear of a case, by number from 1.
 
     Examples
     --------
@@ -68,9 +69,9 @@ def state_of(results: Results, number: int) -> PictureState:
 
 
 def shown_of(state: GearState) -> PictureState:
-    """What pictures show of the state of a gear."""
+    """Return the state of a gear as shown in pictures."""
     case, gear = state.case, state.gear
-    faults = [one for one in state.statuses if one.is_fault]
+    faults = [status for status in state.statuses if status.is_fault]
     if state.ideal.speeds.missing and not state.unloaded:
         faults.append(NOT_DETERMINED)
     torques = state.torques.on_first_link
@@ -83,7 +84,7 @@ def shown_of(state: GearState) -> PictureState:
         plain(state.ratio),
         [0.0, *map(plain, state.speeds)],
         case.bodies(gear),
-        [  # as `roles` decides it; a support, which holds one link, is not meant
+        [  # consistent with `roles`, except for supports, which hold a single link
             state.calculable
             and all(state.search.idle[place] for place in device.mechanisms)
             and is_one_piece(device, state.speeds)
@@ -103,29 +104,29 @@ def shown_of(state: GearState) -> PictureState:
 def _loaded_links(state: GearState) -> list[frozenset[int]]:
     devices = state.case.own_devices
     if not state.calculable:
-        return [frozenset(one.link for one in device.members) for device in devices]
+        return [frozenset(member.link for member in device.members) for device in devices]
     sides = [state.member_torques(lossy=lossy) for lossy in (False, True)[: 1 + state.consistent]]
     return [
         frozenset(
-            one.link
-            for one in device.members
-            if any(not abs(plain(side[one.name])) < NO_POWER for side in own)
+            member.link
+            for member in device.members
+            if any(not abs(plain(side[member.name])) < NO_POWER for side in torques)
         )
-        for device, *own in zip(devices, *sides, strict=True)
+        for device, *torques in zip(devices, *sides, strict=True)
     ]
 
 
 def _leaving(state: GearState) -> dict[tuple[int, str], float]:
-    """Without losses; what is given at the output counts with the load."""
+    """Return the power that leaves by ports, without losses; at the output with the load."""
     entry, outputs = state.case.gear_input(state.gear), _outputs(state)
-    found: dict[tuple[int, str], float] = {}
-    *others, load = [one for one in state.powers(lossy=False) if one.kind == "port"]
-    for one in others:
-        role = "input" if one.link == entry else "output" if one.link in outputs else "given"
-        found[one.link, role] = plain(one.power)
+    powers: dict[tuple[int, str], float] = {}
+    *others, load = [power for power in state.powers(lossy=False) if power.kind == "port"]
+    for power in others:
+        role = "input" if power.link == entry else "output" if power.link in outputs else "given"
+        powers[power.link, role] = plain(power.power)
     loaded = outputs[0], "output"
-    found[loaded] = found.get(loaded, 0.0) + plain(load.power)
-    return found
+    powers[loaded] = powers.get(loaded, 0.0) + plain(load.power)
+    return powers
 
 
 def _outputs(state: GearState) -> list[int]:

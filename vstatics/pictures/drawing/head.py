@@ -11,44 +11,46 @@ from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 
 AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
-"""From a sign to its text, and from this to the next sign. [pt]"""
+"""Distances from a symbol to the text, and from the text to the next symbol. [pt]"""
 BELOW_HEAD = 5.0
-"""Between title, notes and key. [pt]"""
+"""Distance between title, notes and key. [pt]"""
 SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
-"""Of signs. [pt]"""
+"""Height of a row of symbols. [pt]"""
 BELOW: Look = {"va": "top", "linespacing": LINE_HEIGHT}
-"""How lines of text are written below a height."""
+"""Style of text lines below a given height."""
 
 
 class NameInKey(str):
-    """A name of the case in a key, which no language changes."""
+    """Name of the case in a key, which is not translated."""
 
     __slots__ = ()
 
 
 Meaning = tuple[object, str, Look]
-"""Whether a sign occurs, what it means in English; its look is that of a line, or
-of an area if it has a ``facecolor``."""
+"""Entry of a key: whether the symbol occurs, the meaning in English, and the style.
+
+A style with ``facecolor`` is an area, otherwise a line.
+"""
 
 
 class KeySign(NamedTuple):
-    """A sign of a key with what it means, in lines."""
+    """Symbol of a key with the meaning, in lines."""
 
     text: str
     look: Look
 
     @property
     def wide(self) -> float:
-        """With its text [pt]."""
+        """Width with the text [pt]."""
         return SIGN_WIDTH + AFTER_SIGN + width(self.text)
 
     @property
     def high(self) -> float:
-        """Of its row [pt]."""
+        """Height of the row [pt]."""
         return SIGN_ROW_HEIGHT + height(self.text) - height("")
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """At its left end, below a height [pt]; the sign beside the first line."""
+        """Draw the symbol at the left end, next to the first line of text, below a height [pt]."""
         y = top - SIGN_ROW_HEIGHT / 2
         if "facecolor" in self.look:
             pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)
@@ -62,16 +64,16 @@ class KeySign(NamedTuple):
 
 
 class SheetHead(NamedTuple):
-    """Title, note and key in a width."""
+    """Title, note and key in a given width."""
 
     lines: Sequence[tuple[str, float, Look]]
-    """Texts, each with its height and a gap [pt]."""
+    """Texts, each with the height including a gap [pt]."""
     rows: Sequence[Sequence[KeySign]]
     high: float
-    """All of it, with a gap below; 0 without a text. [pt]"""
+    """Total height with a gap below, 0 without texts. [pt]"""
 
     def over(self, size: Point, margin: float, style: Style) -> Pen:
-        """A figure with the head over a picture of a size [pt]."""
+        """Return a figure with the heading above a picture of a given size [pt]."""
         top = size[1] + self.high
         pen = blank(size[0], top + margin, style)
         for text, high, look in self.lines:
@@ -93,7 +95,7 @@ def _in_key(said: str, style: Style) -> str:
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
-    """What stands over a picture in a width [pt]; a page has titles of its own.
+    """Return the heading of a picture in a width [pt], without a title on a page.
 
     >>> look = {"color": "#000000"}
     >>> found = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())
@@ -101,10 +103,10 @@ def sheet_head(
     [['gear']]
     """
     rows: list[list[KeySign]] = []
-    beside = room - SIGN_WIDTH - AFTER_SIGN
+    text_room = room - SIGN_WIDTH - AFTER_SIGN
     for said, look in ((_in_key(said, style), look) for occurs, said, look in meanings if occurs):
-        sign = KeySign(wrapped(said, beside), look)
-        last = sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) if rows else room
+        sign = KeySign(wrapped(said, text_room), look)
+        last = sum(placed.wide + BETWEEN_SIGNS for placed in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])
         rows[-1].append(sign)
@@ -118,6 +120,6 @@ def sheet_head(
 
 
 def headed(title: str, note: str, meanings: Iterable[Meaning], size: Point, style: Style) -> Pen:
-    """A figure with title, note and key over panels of a size with their margins [pt]."""
+    """Return a figure with title, note and key above panels of a given size [pt]."""
     head = sheet_head(title, note, meanings, size[0] - 2 * MARGIN, style)
     return head.over(size, MARGIN, style)

@@ -1,6 +1,6 @@
-"""Pictures of several cases on one sheet, each a panel with its letter.
+"""Pictures of several cases on a sheet, each in a panel with a letter.
 
-Figures are not drawn again: what is in them moves to one figure.
+Figures are not drawn again; their artists move to a common figure.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from vstatics.pictures.drawing.style import MARGIN, TITLE, Style
 from vstatics.pictures.drawing.svg import MarkGroup, told
 
 LETTER_HEIGHT = LINE_HEIGHT * TITLE + MARGIN
-"""Of the line with the letter and the name of a case, and room over it. [pt]"""
+"""Height of the line with the letter and the name of a case, with a margin above. [pt]"""
 
 
 class LetteredFigure(NamedTuple):
-    """A page of the picture of a case."""
+    """Page of the picture of a case."""
 
     letter: str
     name: str
@@ -39,13 +39,13 @@ class LetteredFigure(NamedTuple):
 
     @property
     def own(self) -> Point:
-        """Its size alone [pt]."""
+        """Size of the figure [pt]."""
         wide, high = self.figure.get_size_inches().tolist()
         return wide * POINTS_PER_INCH, high * POINTS_PER_INCH
 
     @property
     def head(self) -> str:
-        """The letter and the name of the case, in lines as wide as the picture."""
+        """Letter and name of the case, in lines as wide as the picture."""
         letter = f"{self.letter}  "
         return letter + wrapped(
             self.name, self.own[0] - 2 * MARGIN - title_width(letter), title_width
@@ -53,18 +53,18 @@ class LetteredFigure(NamedTuple):
 
     @property
     def over(self) -> float:
-        """Height of this, with room over it [pt]."""
+        """Height of the heading with a margin above [pt]."""
         return height(self.head, TITLE) + MARGIN
 
     @property
     def size(self) -> Point:
-        """With the line over it [pt]."""
+        """Size with the heading [pt]."""
         wide, high = self.own
         return wide, high + self.over
 
 
 def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = False) -> Figure:
-    """Pictures over one another, or beside each other, on one page.
+    """Join pictures on a page, vertically or side by side.
 
     Examples
     --------
@@ -78,7 +78,7 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = Fals
     """
     sizes = [part.own for part in parts]
     overs = [part.over for part in parts]
-    if beside:  # their scales are level
+    if beside:  # aligned scales
         overs = [max(overs)] * len(parts)
     highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
     wide = sum(size[0] for size in sizes) if beside else max(size[0] for size in sizes)
@@ -95,7 +95,7 @@ def joined(parts: Sequence[LetteredFigure], style: Style, *, beside: bool = Fals
 
 
 def _move(figure: Figure, pen: Pen, corner: Point) -> None:
-    """Put all artists of a figure into that of a pen, with its lower left corner at a place."""
+    """Move all artists of a figure into the figure of a pen, with an offset of the corner."""
     x, y = corner
     inches = Affine2D().translate(x / POINTS_PER_INCH, y / POINTS_PER_INCH)
     place = figure.dpi_scale_trans.inverted() + inches + pen.figure.dpi_scale_trans
@@ -108,9 +108,8 @@ def _move(figure: Figure, pen: Pen, corner: Point) -> None:
 
 
 def _artists(figure: Figure) -> list[Artist]:
-    """All that was drawn, in its order."""
     every: Iterable[Artist] = figure.get_children()
-    return [one for one in every if one is not figure.patch]
+    return [artist for artist in every if artist is not figure.patch]
 
 
 def _clip(artist: Artist, place: Transform) -> None:
@@ -120,6 +119,6 @@ def _clip(artist: Artist, place: Transform) -> None:
 
 
 def _grouped(said: str | None, groups: Sequence[MarkGroup]) -> str:
-    """What an artist says, within further groups around its own."""
+    """Return the mark of an artist within further groups."""
     mark = json.loads(said) if said and said.startswith("{") else json.loads(told())
     return json.dumps({**mark, "groups": [*groups, *mark["groups"]]}, ensure_ascii=False)

@@ -1,4 +1,4 @@
-"""Where labels go so that none covers another: along an edge, and wrapped to a width."""
+"""Measurement and placement of labels: along an edge without overlap, or wrapped to a width."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from vstatics.pictures.drawing.files import ALONE
 from vstatics.pictures.drawing.style import FONT, HINTING, SIZE, TITLE
 
 POINTS_PER_INCH = 72.0
-"""In an inch."""
+"""Points per inch."""
 LABEL_GAP = 3.0
-"""Between labels. [pt]"""
+"""Distance between labels. [pt]"""
 LEADER = 16.0
-"""Length of the line from an edge to its label. [pt]"""
+"""Length of the line from an edge to a label. [pt]"""
 Point = tuple[float, float]
-"""A place of a picture. [pt]"""
+"""Point of a picture. [pt]"""
 Segment = tuple[Point, Point]
-"""A straight line from place to place."""
+"""Straight line between two points."""
 LINE_HEIGHT = 1.25
-"""Height of a line of text over its size, with what stands between lines."""
+"""Height of a text line with the distance to the next line, relative to the letter size."""
 Span = tuple[float, float]
-"""From where to where."""
+"""Start and end."""
 
 
 def spread(
@@ -37,19 +37,19 @@ def spread(
     low: float = float("-inf"),
     high: float = float("inf"),
 ) -> list[float]:
-    """Places along an edge, near to the wanted ones, where labels of these sizes do not overlap.
+    """Return places along an edge, near the wanted places, without overlap of labels.
 
-    The sum of squares of the shifts is the least that there is (isotonic regression by
-    pooling neighbours). Labels keep their order.
+    The sum of squares of the shifts is minimal (isotonic regression by pooling adjacent
+    violators). Labels keep their order.
 
     Parameters
     ----------
     wanted : sequence of float
         Middle of each label, in any order.
     sizes : sequence of float
-        Length of each along the edge.
+        Length of each label along the edge.
     low, high : float
-        Ends of the edge; with too little room labels go beyond `high`.
+        Ends of the edge; without enough room, labels extend beyond `high`.
 
     Examples
     --------
@@ -59,12 +59,12 @@ def spread(
     [1.0, 5.0, 3.0]
     """
     order = sorted(range(len(wanted)), key=lambda place: wanted[place])
-    starts: list[float] = []  # what is taken by the labels before each, and half of its own
+    starts: list[float] = []  # lengths of the labels before, plus half of the label
     taken = 0.0
     for place in order:
         starts.append(taken + sizes[place] / 2)
         taken += sizes[place]
-    pools: list[tuple[float, int]] = []  # mean and number of labels that touch one another
+    pools: list[tuple[float, int]] = []  # mean and number of touching labels
     for place, start in zip(order, starts, strict=True):
         mean, count = wanted[place] - start, 1
         while pools and pools[-1][0] > mean:
@@ -87,7 +87,7 @@ def _renderer() -> Any:
 
 @cache
 def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
-    """Width of a text of one or more lines [pt]; the same whatever matplotlib is set to."""
+    """Return the width of a text [pt], independent of settings of matplotlib."""
     font = FontProperties(family=FONT, size=size, weight="bold" if bold else "normal")
     measure = _renderer().get_text_width_height_descent
     with ALONE, mpl.rc_context(HINTING):
@@ -95,26 +95,26 @@ def width(text: str, size: float = SIZE, *, bold: bool = False) -> float:
 
 
 title_width = partial(width, size=TITLE, bold=True)
-"""Width of a title [pt]."""
+"""Return the width of a title [pt]."""
 
 
 def widest(texts: Iterable[str]) -> float:
-    """Width of the widest text [pt]."""
-    return max((width(one) for one in texts), default=0.0)
+    """Return the width of the widest text [pt]."""
+    return max((width(text) for text in texts), default=0.0)
 
 
 def height(text: str, size: float = SIZE) -> float:
-    """Height of a text with its lines [pt]."""
+    """Return the height of a text with all lines [pt]."""
     return LINE_HEIGHT * size * (1 + text.count("\n"))
 
 
 def across_size(text: str) -> float:
-    """The part of an edge that a text beside others needs [pt]."""
+    """Return the length of an edge for a text with gaps [pt]."""
     return width(text) + 2 * LABEL_GAP
 
 
 def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> str:
-    r"""A text in lines that fit into a width, or whatever measures them, as far as its words do.
+    r"""Break a text into lines of a given width, between words.
 
     >>> wrapped("carrier and second ring", 60.0), wrapped("carrier and second ring", 14, len)
     ('carrier and\nsecond ring', 'carrier and\nsecond ring')
@@ -130,19 +130,19 @@ def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> 
 
 
 class Label(NamedTuple):
-    """A text that belongs to a place on an edge."""
+    """Text at a place on an edge."""
 
     at: float
-    """Along the edge, from its left or lower end. [pt]"""
+    """Position along the edge, from the left or lower end. [pt]"""
     text: str
     colour: str
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Round numbers between two, for a scale.
+    """Return round numbers in a range, for a scale.
 
     >>> ticks(-35.0, 2.0, 5)
     [-30.0, -20.0, -10.0, 0.0]
     """
-    found = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
-    return [float(one) for one in found if low <= one <= high]
+    values = MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
+    return [float(value) for value in values if low <= value <= high]

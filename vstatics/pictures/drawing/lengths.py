@@ -1,4 +1,4 @@
-"""Lengths on paper, as they are typed."""
+"""Lengths on paper as typed by the user."""
 
 from __future__ import annotations
 
@@ -12,40 +12,40 @@ _POINTS = {
     "in": 72.0,
     "pt": 1.0,
 }
-"""Of units of lengths."""
+"""Points per unit of length."""
 LEAST_WIDTH, MOST_WIDTH = 80.0, 1200.0
-"""Of a page: a column of a journal, an A0 sheet. [mm]"""
+"""Smallest and largest width of a page: a column of a journal, an A0 sheet. [mm]"""
 DECIMALS = 6
-"""Of a length that is compared: one in another unit is rounded. [mm]"""
+"""Number of decimals of a length in comparisons, because of rounded conversions. [mm]"""
 _LENGTH = re.compile(r"(\d{1,9}(?:\.\d*)?|\.\d+) *([a-z]+)")
 
 
 def page_width(text: str) -> float:
-    """The width of a page [pt].
+    """Return the width of a page [pt] from a text.
 
     Raises
     ------
     ValueError
-        If it is no length with a unit, or none of a page.
+        If the text is not a length with a unit, or not a possible width of a page.
 
     Examples
     --------
     >>> [round(page_width(text), 6) for text in ("254mm", "25.4 cm", "6.5in", "500pt")]
     [720.0, 720.0, 468.0, 500.0]
     """
-    found = _LENGTH.fullmatch(text.strip())
-    if found is None or found[2] not in _POINTS:
+    match = _LENGTH.fullmatch(text.strip())
+    if match is None or match[2] not in _POINTS:
         raise ValueError(f"expected a length in {', '.join(_POINTS)}, such as 170mm")
-    return checked_width(float(found[1]) * _POINTS[found[2]] / POINTS_PER_MILLIMETRE)
+    return checked_width(float(match[1]) * _POINTS[match[2]] / POINTS_PER_MILLIMETRE)
 
 
 def checked_width(millimetres: float) -> float:
-    """The width of a page in points, from that in mm.
+    """Return the width of a page in points from a width in mm.
 
     Raises
     ------
     ValueError
-        If it is none of a page.
+        If the width is out of range.
 
     Examples
     --------

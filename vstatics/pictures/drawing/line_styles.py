@@ -1,4 +1,4 @@
-"""How lines of links and of shift elements look, and the parts of a loss: one way in all charts."""
+"""Line styles of links and shift elements, and area styles of losses, common to all charts."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from typing import Any
 from vstatics.pictures.drawing.style import Style
 
 Look = dict[str, Any]
-"""Of a line of matplotlib."""
+"""Properties of a line of matplotlib."""
 STRIPE = 5.0
-"""Length of a stripe over the width of its line."""
+"""Length of a stripe, relative to the width of the line."""
 TINTS = (0.5, 0.16, 0.34)
-"""How much of the colour of losses is in the parts of a loss; letters on them stay readable."""
+"""Shares of the colour of losses in areas of a loss, for readable letters."""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
-"""Hatches of these: fifteen parts differ."""
+"""Hatches of areas of a loss; with the tints, fifteen areas differ."""
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:
-    """The line of links, numbered from 1: one for each, with stripes where they share it.
+    """Return the line style of each link, numbered from 1, with stripes on a shared line.
 
     >>> [look["color"] for look in link_looks([1], Style())]
     ['#0c4cff']
@@ -38,18 +38,18 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
 
 
 def striped_look(style: Style) -> Look:
-    """Of the sign in a key for lines with stripes."""
+    """Return the style of the symbol for striped lines in a key."""
     dashes = (0, (STRIPE / 2, STRIPE / 2))
     return {"color": style.ink, "gapcolor": style.faint, "linestyle": dashes, "width": 2.8}
 
 
 def link_look(link: int, style: Style) -> Look:
-    """The line of one link."""
+    """Return the line style of a link."""
     return thing_look(link - 1, style)
 
 
 def thing_look(number: int, style: Style) -> Look:
-    """The line of a shift element, or of what else is no link, by its number from 0.
+    """Return the line style of a shift element or other object, by number from 0.
 
     >>> thing_look(1, Style())["color"] == Style().colour(1), thing_look(1, Style())["linestyle"]
     (True, 'solid')
@@ -58,7 +58,7 @@ def thing_look(number: int, style: Style) -> Look:
 
 
 def loss_look(place: int, style: Style) -> Look:
-    """The area of a part of the loss, from 0: a tint of the colour of losses, with a hatch."""
+    """Return the area style of a part of the loss, by number from 0: a tint with a hatch."""
     return {
         "facecolor": mixed(style.lost, style.paper, TINTS[place % len(TINTS)]),
         "hatch": PARTS[place // len(TINTS) % len(PARTS)],
@@ -68,10 +68,10 @@ def loss_look(place: int, style: Style) -> Look:
 
 
 def mixed(colour: str, other: str, part: float) -> str:
-    """A colour with so much of another one that the part of the first is left.
+    """Mix two colours, with a given share of the first.
 
     >>> mixed("#ff0000", "#ffffff", 0.5)
     '#ff8080'
     """
     pairs = zip(bytes.fromhex(colour[1:]), bytes.fromhex(other[1:]), strict=True)
-    return "#" + "".join(f"{round(part * one + (1 - part) * two):02x}" for one, two in pairs)
+    return "#" + "".join(f"{round(part * a + (1 - part) * b):02x}" for a, b in pairs)

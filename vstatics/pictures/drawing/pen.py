@@ -1,6 +1,6 @@
-"""What draws: lines, areas, texts and scales in a rectangle of a figure; all places in points.
+"""Drawing of lines, areas, texts and scales in a rectangle of a figure; all lengths in points.
 
-There are no axes of matplotlib, which take most of the time.
+Axes of matplotlib are not used, because they would take most of the time.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from vstatics.pictures.drawing.svg import MarkGroup, halo, told, told_of_whole
 from vstatics.pictures.drawing.tolerances import SAME_TICK
 
 LINE_WIDTH = 1.3
-"""Where nothing else is told. [pt]"""
+"""Default width of lines. [pt]"""
 MOST_DECIMALS = 8
-"""Of the numbers of a scale."""
+"""Largest number of decimals of the numbers of a scale."""
 GAP = (math.nan, math.nan)
-"""The place between two pieces of a line."""
+"""Point that separates two pieces of a line."""
 Side = Literal["left", "right", "bottom", "top"]
 _UPRIGHT: Look = {"rotation": 90, "ha": "center", "va": "center", "linespacing": LINE_HEIGHT}
 
 
 class AxisScale(NamedTuple):
-    """What the length of an edge stands for.
+    """Scale of an edge.
 
     >>> AxisScale(0.0, 4.0).part(1.0), AxisScale(1.0, 100.0, is_log=True).part(10.0)
     (0.25, 0.5)
@@ -46,77 +46,82 @@ class AxisScale(NamedTuple):
     is_log: bool = False
 
     def part(self, value: float) -> float:
-        """The part of the edge from its low end to a value."""
+        """Return the share of the edge from the low end to a value."""
         if self.is_log:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
 
 WHOLE = AxisScale(0.0, 1.0)
-"""Places are parts of an edge."""
+"""Scale of places given as shares of an edge."""
 
 
 class Pen(NamedTuple):
-    """Draws in a rectangle of a figure; places are from its lower left corner, as all lengths."""
+    """Drawing tool in a rectangle of a figure; places are relative to the lower left corner."""
 
     figure: Figure
     style: Style
     points: Transform
-    """From points of the figure."""
+    """Transform from points of the figure."""
     corner: Point = (0.0, 0.0)
-    """The lower left one."""
+    """Lower left corner of the rectangle."""
     size: Point = (0.0, 0.0)
     x: AxisScale = WHOLE
     y: AxisScale = WHOLE
     part: float = 1.0
-    """Lengths in the figure over what they are here."""
+    """Ratio of lengths in the figure to lengths of the pen."""
     letters: float = 1.0
-    """Size of letters over what they would have."""
+    """Additional scale of letters."""
     groups: tuple[MarkGroup, ...] = ()
-    """In which what it draws is in SVG."""
+    """Groups of the drawn artists in SVG, the outermost first."""
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
-        """The same in a rectangle with scales."""
+        """Return a pen for a rectangle with scales."""
         return self._replace(corner=corner, size=size, x=x, y=y)
 
     def within(self, kind: str, **data: str) -> Pen:
-        """The same, what it draws in a group of a class in SVG: ``within("link", name="sun")``.
+        """Return a pen that draws in a group of SVG: ``within("link", name="sun")``.
 
-        An underscore in a name is a hyphen: ``largest_force`` is ``data-largest-force``.
+        An underscore in a name becomes a hyphen: ``largest_force`` gives ``data-largest-force``.
         """
         return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(_hyphened(data).items()))))
 
     def tell(self, **data: str) -> None:
-        """Attributes of the whole picture in SVG: ``tell(left_out="[]")`` is ``data-left-out``."""
+        """Set attributes of the picture in SVG: ``tell(left_out="[]")`` gives ``data-left-out``."""
         self.figure.set_gid(told_of_whole(_hyphened(data)))
 
     def fitted(self, low: Point, high: Point) -> Pen:
-        """The same with places between two corners: in its middle, no larger than they are."""
-        own = high[0] - low[0], high[1] - low[1]
-        part = min(1.0, *(room / length for room, length in zip(self.size, own, strict=True)))
+        """Return a pen that fits the area between two corners into the rectangle.
+
+        The area is centred and never enlarged.
+        """
+        wanted_size = high[0] - low[0], high[1] - low[1]
+        part = min(
+            1.0, *(room / length for room, length in zip(self.size, wanted_size, strict=True))
+        )
         left, bottom = (
             start + (room - part * length) / 2
-            for start, room, length in zip(self.corner, self.size, own, strict=True)
+            for start, room, length in zip(self.corner, self.size, wanted_size, strict=True)
         )
         place = Affine2D().translate(-low[0], -low[1]).scale(part).translate(left, bottom)
         return self._replace(corner=(0.0, 0.0), part=part, points=place + self.points)
 
     def across(self, x: float) -> float:
-        """The place of an abscissa."""
+        """Return the place of an abscissa."""
         return self.x.part(x) * self.size[0]
 
     def up(self, y: float) -> float:
-        """The place of an ordinate."""
+        """Return the place of an ordinate."""
         return self.y.part(y) * self.size[1]
 
     def add(self, artist: Artist, title: str = "", kind: str = "") -> None:
-        """An artist whose places are those of the figure, what it says, and its class in SVG."""
+        """Add an artist in coordinates of the figure, with title and class in SVG."""
         artist.set_transform(self.points)
         self._mark(artist, title, kind)
         self.figure.add_artist(artist)
 
     def _mark(self, artist: Artist, title: str, kind: str = "", *, halo: bool = False) -> None:
-        """What an artist says in SVG, and where it is."""
+        """Set the mark of an artist for SVG."""
         if title or kind or halo or self.groups:
             artist.set_gid(told(title, halo=halo, kind=kind, groups=self.groups))
 
@@ -132,11 +137,11 @@ class Pen(NamedTuple):
         title: str = "",
         **look: Any,
     ) -> None:
-        """A text at a place; with paper around its letters where it stands `over` lines."""
+        """Write a text, with a halo of paper for a text `over` lines."""
         if not text:
             return
         look |= halo(self.style) if over else {}
-        made = self.figure.text(
+        artist = self.figure.text(
             self.corner[0] + x,
             self.corner[1] + y,
             text,
@@ -145,7 +150,7 @@ class Pen(NamedTuple):
             transform=self.points,
             **look,
         )
-        self._mark(made, title, halo=over)
+        self._mark(artist, title, halo=over)
 
     def line(
         self,
@@ -156,9 +161,9 @@ class Pen(NamedTuple):
         data: Mapping[str, str] | None = None,
         **look: Any,
     ) -> None:
-        """A line through places; a place of NaN is a gap.
+        """Draw a line through places, with gaps at NaN.
 
-        In SVG it has a class, and with this attributes ``data-...``.
+        In SVG, the line has a class and attributes ``data-...``.
         """
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
@@ -169,7 +174,7 @@ class Pen(NamedTuple):
             line.set_gid(told(title, kind=kind, groups=self.groups, **named))
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
-        """Lines through places, of one look."""
+        """Draw lines of equal style."""
         places = [place for piece in pieces for place in (*piece, GAP)]
         if places:
             self.line(*places, **look)
@@ -177,13 +182,13 @@ class Pen(NamedTuple):
     def area(
         self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
     ) -> None:
-        """A polygon, with an outline if this has a width, and its class in SVG."""
+        """Draw a polygon, with an outline of a given width, and a class in SVG."""
         left, low = self.corner
         places = [(left + x, low + y) for x, y in corners]
         self.add(Polygon(places, linewidth=width * self.part, **look), title, kind)
 
     def box(self, corner: Point, size: Point, **look: Any) -> None:
-        """A rectangle by its lower left corner."""
+        """Draw a rectangle from the lower left corner."""
         self.area(*corners(*corner, corner[0] + size[0], corner[1] + size[1]), **look)
 
     def plot(
@@ -196,7 +201,7 @@ class Pen(NamedTuple):
         kind: str = "",
         **look: Any,
     ) -> None:
-        """A line through points of both scales, which need not be logarithmic; cut at the edge."""
+        """Draw a line through points of linear scales, clipped at the edge."""
         places = [
             start + (values - scale.low) / (scale.high - scale.low) * length
             for values, scale, start, length in zip(
@@ -207,11 +212,11 @@ class Pen(NamedTuple):
         self.add(line, title, kind)
         ends = zip(places, self.corner, self.size, strict=True)
         if any(np.any((at < start) | (at > start + length)) for at, start, length in ends):
-            own = Bbox.from_bounds(*self.corner, *self.size)
-            line.set_clip_box(TransformedBbox(own, self.points))
+            clip = Bbox.from_bounds(*self.corner, *self.size)
+            line.set_clip_box(TransformedBbox(clip, self.points))
 
     def frame(self, *sides: Side) -> None:
-        """Lines along some edges, or all."""
+        """Draw lines along edges, by default all."""
         wide, high = self.size
         ends: dict[Side, tuple[Point, Point]] = {
             "left": ((0.0, 0.0), (0.0, high)),
@@ -231,19 +236,19 @@ class Pen(NamedTuple):
         *,
         grid: bool = False,
     ) -> None:
-        """Marks at an edge with their numbers.
+        """Draw the marks and numbers of a scale at an edge.
 
         Parameters
         ----------
         at : sequence of float
-            In the unit of the scale.
+            Values of the marks.
         texts : sequence of str, optional
-            Instead of the numbers; none of them for a scale that another panel numbers.
+            Texts instead of numbers; empty for a scale with numbers at another panel.
         grid : bool
-            Lines from here to the edge beyond.
+            True to draw grid lines to the opposite edge.
         """
         upright = side in ("left", "right")
-        places = [self.up(one) if upright else self.across(one) for one in at]
+        places = [self.up(value) if upright else self.across(value) for value in at]
         whole = self.size[0] if upright else self.size[1]
         edge, way = (whole, 1.0) if side in ("right", "top") else (0.0, -1.0)
         out = edge + way * TICK_LENGTH
@@ -252,9 +257,9 @@ class Pen(NamedTuple):
             return (off, along) if upright else (along, off)
 
         if grid:
-            pieces = [(turned(one, edge), turned(one, whole - edge)) for one in places]
+            pieces = [(turned(place, edge), turned(place, whole - edge)) for place in places]
             self.lines(pieces, color=self.style.faint, width=0.4, zorder=0.4)
-        pieces = [(turned(one, edge), turned(one, out)) for one in places]
+        pieces = [(turned(place, edge), turned(place, out)) for place in places]
         self.lines(pieces, color=self.style.ink, width=FRAME_WIDTH)
         aligned: dict[Side, Look] = {
             "left": {"ha": "right", "va": "center_baseline"},
@@ -262,11 +267,11 @@ class Pen(NamedTuple):
             "bottom": {"ha": "center", "va": "top"},
             "top": {"ha": "center", "va": "bottom"},
         }
-        for one, text in zip(places, tick_texts(at) if texts is None else texts, strict=False):
-            self.text(*turned(one, out + 2 * way), text, **aligned[side])
+        for place, text in zip(places, tick_texts(at) if texts is None else texts, strict=False):
+            self.text(*turned(place, out + 2 * way), text, **aligned[side])
 
     def name(self, side: Literal["left", "right", "bottom"], text: str, off: float) -> None:
-        """What a scale is of, so far from its edge."""
+        """Write the name of a scale at a distance from the edge."""
         wide, high = self.size
         if side == "bottom":
             self.text(wide / 2, -off, text, ha="center", va="center")
@@ -275,29 +280,29 @@ class Pen(NamedTuple):
 
 
 def _hyphened(data: Mapping[str, str]) -> dict[str, str]:
-    """Names of attributes of SVG, from those of arguments."""
+    """Return attribute names of SVG from argument names."""
     return {key.replace("_", "-"): value for key, value in data.items()}
 
 
 def blank(wide: float, high: float, style: Style) -> Pen:
-    """A figure of a size, without anything in it."""
+    """Return a pen for an empty figure of a given size."""
     figure = Figure(figsize=(wide / POINTS_PER_INCH, high / POINTS_PER_INCH))
     return Pen(figure, style, Affine2D().scale(1 / POINTS_PER_INCH) + figure.dpi_scale_trans)
 
 
 def corners(left: float, low: float, right: float, high: float) -> list[Point]:
-    """Of a rectangle, from the lower left one."""
+    """Return the corners of a rectangle, from the lower left."""
     return [(left, low), (right, low), (right, high), (left, high)]
 
 
 def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
-    """The windings of a spring along a level line, by its middle."""
+    """Return the windings of a spring along a horizontal line around a middle."""
     turns = [(x + half * (step / 4 - 1), y + high * (1, -1)[step % 2]) for step in range(1, 8)]
     return [(x - half, y), *turns, (x + half, y)]
 
 
 def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
-    """The numbers of a scale, all with the decimals that one of them, or of others, needs.
+    """Return the numbers of a scale with equal decimals, as many as any value needs.
 
     >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
     (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])
@@ -305,10 +310,10 @@ def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str
     every = [*values, *alike]
     largest = max(map(abs, every), default=0.0)
     if largest >= LARGE_NUMBER or 0 < largest < 10.0**-MOST_DECIMALS:
-        return [typeset(f"{one:g}") for one in values]
+        return [typeset(f"{value:g}") for value in values]
     decimals = 0
     while decimals < MOST_DECIMALS and any(
-        abs(round(one, decimals) - one) > SAME_TICK * largest for one in every
+        abs(round(value, decimals) - value) > SAME_TICK * largest for value in every
     ):
         decimals += 1
-    return [typeset(f"{one:z.{decimals}f}") for one in values]
+    return [typeset(f"{value:z.{decimals}f}") for value in values]

@@ -1,6 +1,6 @@
-"""SVG of matplotlib made small and readable: texts stay texts, nodes say what they are.
+"""Reduction of SVG from matplotlib: texts stay texts, and nodes have classes and titles.
 
-An artist carries what its picture in SVG shall have besides as its ``gid``, made by `told`:
+The ``gid`` of an artist, created by `told`, contains additional data for SVG:
 
 >>> from matplotlib.figure import Figure
 >>> from vstatics.pictures.drawing.files import settings_of
@@ -33,7 +33,7 @@ SVG = "http://www.w3.org/2000/svg"
 _GROUP, _TITLE = f"{{{SVG}}}g", f"{{{SVG}}}title"
 XLINK = "http://www.w3.org/1999/xlink"
 HALO = 2.0
-"""Width of the paper around a text that stands over lines. [pt]"""
+"""Width of the paper around a text over lines. [pt]"""
 _SIZE = f"{SIZE:g}px"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _BESIDE_LETTER = re.compile(r"(?<=[A-Za-z]) (?=[-\d])|(?<=\d) (?=[A-Za-z])")
@@ -47,16 +47,16 @@ _MEASURES = {"d", "x", "y", "x1", "x2", "y1", "y2", "width", "height", "points",
 
 
 class MarkGroup(NamedTuple):
-    """A group of what belongs together in SVG: ``<g class="link" data-name="sun">``."""
+    """Group of related parts in SVG: ``<g class="link" data-name="sun">``."""
 
     kind: str
-    """Its class."""
+    """Class of the group."""
     data: tuple[tuple[str, str], ...] = ()
     """Attributes ``data-...``."""
 
     @property
     def attributes(self) -> dict[str, str]:
-        """Of its element."""
+        """Attributes of the SVG element."""
         return {"class": self.kind} | {f"data-{key}": value for key, value in self.data}
 
 
@@ -68,27 +68,27 @@ def told(
     groups: Sequence[MarkGroup] = (),
     **data: str,
 ) -> str:
-    """What an artist says in SVG, as its ``gid``.
+    """Return the data of an artist for SVG, as the ``gid``.
 
     Parameters
     ----------
     title : str
-        Shown while a pointer rests on it; it is the alternative text, too.
+        Text under the pointer, which is also the alternative text.
     halo : bool
-        A text with paper around its letters, as of `halo`.
+        True for a text with paper around its letters, see `halo`.
     kind : str
-        The class of its own path or text.
+        Class of the path or text.
     groups : sequence of MarkGroup
-        In which it is, the outermost first; all of a group stands where its first part stood.
+        Groups of the artist, the outermost first; a group is at the place of its first part.
     **data
-        Attributes ``data-...`` of its path or text where that has a class, else of its group.
+        Attributes ``data-...`` of the path or text if it has a class, otherwise of its group.
     """
     mark = {"title": title, "halo": halo, "kind": kind, "groups": groups, "data": data}
     return json.dumps(mark, ensure_ascii=False)
 
 
 def told_of_whole(data: Mapping[str, str]) -> str:
-    """What a figure says at the root of its SVG, as its ``gid``: attributes ``data-...``.
+    """Return the data of a figure at the root of SVG, as the ``gid``.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> pen = blank(9.0, 9.0, Style())
@@ -100,7 +100,7 @@ def told_of_whole(data: Mapping[str, str]) -> str:
 
 
 def halo(style: Style) -> dict[str, Any]:
-    """How a text is written that stands over lines: with paper around its letters.
+    """Return the style of a text over lines, with paper around the letters.
 
     >>> list(halo(Style()))
     ['path_effects']
@@ -109,19 +109,19 @@ def halo(style: Style) -> dict[str, Any]:
 
 
 def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) -> bytes:
-    """A figure as SVG; the same figure gives the same bytes.
+    """Return a figure as SVG; equal figures give equal bytes.
 
     Parameters
     ----------
     title : str
-        Of the whole picture, its alternative text.
+        Title and alternative text of the picture.
     number : int, optional
-        Of the page; further ones have a mark.
+        Number of the page; further pages have a mark.
     """
     file = io.BytesIO()
     with _letters_kept(figure):
         figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
-    root = ET.fromstring(file.getvalue())  # noqa: S314 - our own, not from anywhere else
+    root = ET.fromstring(file.getvalue())  # noqa: S314 - written above
     _strip(root)
     _say_of_whole(root)
     _gather(root)
@@ -148,18 +148,18 @@ def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) ->
 
 @contextmanager
 def _letters_kept(figure: Figure) -> Iterator[None]:
-    """No effects of paths for a while: with them texts would become outlines."""
+    """Remove path effects temporarily, which would convert texts to outlines."""
     texts: list[Any] = figure.findobj(Text)
     effects = [(text, text.get_path_effects()) for text in texts if text.get_path_effects()]
     for text, _ in effects:
         text.set_path_effects([])
     yield
-    for text, kept in effects:
-        text.set_path_effects(kept)
+    for text, path_effects in effects:
+        text.set_path_effects(path_effects)
 
 
 def _strip(root: ET.Element) -> None:
-    """Take out what says nothing: metadata, the style for all elements, blanks."""
+    """Remove metadata, the style for all elements, and blanks."""
     for parent in reversed(list(root.iter())):
         for child in list(parent):
             name = child.tag.rpartition("}")[2]
@@ -171,7 +171,7 @@ def _strip(root: ET.Element) -> None:
 
 
 def _say_of_whole(root: ET.Element) -> None:
-    """What the figure says stands at the root: ``data-left-out="[]"``."""
+    """Move the data of the figure to the root: ``data-left-out="[]"``."""
     for child in root:
         if child.get("id", "").startswith("{"):
             data = json.loads(child.attrib.pop("id"))["data"]
@@ -179,15 +179,15 @@ def _say_of_whole(root: ET.Element) -> None:
 
 
 def _gather(root: ET.Element) -> None:
-    """Put the parts of each group into one element."""
+    """Collect the parts of each group in a single element."""
     groups: dict[str, ET.Element] = {}
     for parent in list(root.iter()):
         for child in list(parent):
             said = child.get("id", "") if child.tag == _GROUP else ""
             into = parent
-            own = json.loads(said)["groups"] if said.startswith("{") else []
-            for depth, group in enumerate(own, 1):
-                key = json.dumps(own[:depth])
+            of_child = json.loads(said)["groups"] if said.startswith("{") else []
+            for depth, group in enumerate(of_child, 1):
+                key = json.dumps(of_child[:depth])
                 if key not in groups:
                     groups[key] = ET.Element(_GROUP, MarkGroup(*group).attributes)
                     place = list(into).index(child) if into is parent else len(into)
@@ -199,7 +199,7 @@ def _gather(root: ET.Element) -> None:
 
 
 def _say(element: ET.Element, style: Style) -> None:
-    """Give a group its title, halo and data, and take the names that nobody refers to."""
+    """Set title, halo and data of a group, and remove unused names."""
     said = element.attrib.pop("id", "") if element.tag == _GROUP else ""
     if not said.startswith("{"):
         return
@@ -224,13 +224,13 @@ def _add_title(element: ET.Element, text: str) -> None:
 
 
 def _shorten(element: ET.Element) -> None:
-    """Two decimals of a point are enough to see, and attributes shorter than a style."""
+    """Round to two decimals of a point, and replace styles by attributes."""
     for key in element.attrib.keys() & _MEASURES:
         element.set(key, _BESIDE_LETTER.sub("", _plain(" ".join(element.attrib[key].split()))))
     if element.get("transform", "").startswith("rotate(-0 "):
         del element.attrib["transform"]
     declared = element.attrib.pop("style", "")
-    for key, _, value in (one.partition(":") for one in declared.split(";") if one.strip()):
+    for key, _, value in (part.partition(":") for part in declared.split(";") if part.strip()):
         name, given = key.strip(), _plain(value.strip())
         if name == "font":
             _set_font(element, given)
@@ -239,11 +239,11 @@ def _shorten(element: ET.Element) -> None:
 
 
 def _plain(value: str) -> str:
-    return _DECIMAL.sub(lambda found: f"{float(found[0]):.2f}".rstrip("0").rstrip("."), value)
+    return _DECIMAL.sub(lambda match: f"{float(match[0]):.2f}".rstrip("0").rstrip("."), value)
 
 
 def _set_font(element: ET.Element, font: str) -> None:
-    """Size and weight of a font given in one: ``bold 10px 'DejaVu Sans'``."""
+    """Set size and weight from a combined font: ``bold 10px 'DejaVu Sans'``."""
     words = font.split("'", maxsplit=1)[0].split()
     for word in words:
         if word.endswith("px") and word != _SIZE:
@@ -253,21 +253,21 @@ def _set_font(element: ET.Element, font: str) -> None:
 
 
 def _unwrap(parent: ET.Element) -> None:
-    """Take away groups that say nothing themselves; adjacent lines of one look are one path."""
+    """Remove groups without data, and join adjacent lines of equal style."""
     children: list[ET.Element] = []
     for child in parent:
         _unwrap(child)
         bare = child.tag == _GROUP and not child.attrib and child.find(_TITLE) is None
-        for one in list(child) if bare else [child]:
-            if not (children and _joins(children[-1], one)):
-                children.append(one)
+        for element in list(child) if bare else [child]:
+            if not (children and _joins(children[-1], element)):
+                children.append(element)
     parent[:] = children
 
 
 def _joins(line: ET.Element, other: ET.Element) -> bool:
-    """Add a line to one that looks like it, if it does."""
+    """Append a line to a line of equal style; return False for different styles."""
     lines = line.tag == other.tag == f"{{{SVG}}}path" and other.get("fill") == "none"
-    looks = [{**one.attrib, "d": ""} for one in (line, other)]
+    looks = [{**path.attrib, "d": ""} for path in (line, other)]
     if not lines or looks[0] != looks[1] or looks[0].keys() & {"opacity", "class"}:
         return False
     line.set("d", line.attrib["d"] + other.attrib["d"])

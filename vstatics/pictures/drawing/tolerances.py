@@ -1,34 +1,36 @@
-"""When lengths, numbers or costs of a picture are the same, and what is too small to be shown."""
+"""Tolerances of equal lengths, numbers and costs in pictures, and limits of visible values."""
 
 from __future__ import annotations
 
 SAME_TICK = 1e-9
-"""Numbers of a scale, to this part of the largest: a decimal more would say nothing."""
+"""Relative tolerance of the numbers of a scale, above which more decimals are written. [-]"""
 NO_LOSS_SHARE = 1e-9
-"""A smaller share of the power is rounding. [-]"""
+"""Share of the power below which a loss is rounding noise. [-]"""
 EFFICIENCY_STEP = 0.001
-"""Numbers of efficiencies have the decimals of this one. [-]"""
+"""Smallest step of efficiencies, which determines the decimals. [-]"""
 LEAST_SHOWN_POWER = 0.0005
-"""What is less is not 0.000. [-]"""
+"""Smallest power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Of a port and its run, as part of the larger one: a number is written once."""
+"""Relative difference of equal powers of a port and a run, which are written once. [-]"""
 SAME_CROSSINGS = 1 - 1e-9
-"""An order of a column must cost less than this part of another: sums of powers are rounded."""
+"""Factor by which the cost of a better order of a column must be lower, since sums are rounded.
+[-]"""
 STANDS_IN_ALL_MODES = 1e-9
-"""What moves less, where the largest amplitude is 1, is rounding."""
+"""Amplitude below which a link is at rest in a mode, relative to the largest. [-]"""
 NO_LEVER_TORQUE = 1e-12
-"""Torques that are sums may leave as much. [-]"""
+"""Torque below which a sum is zero. [-]"""
 SAME_LEVER_COST = 1e-9
-"""An order of levers must cost less by this: spans are whole numbers and tenths."""
+"""Smallest improvement of the cost of an order of levers, which is in tenths."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Of two points of a lever, as part of its length, where room between them is divided by it."""
+"""Smallest distance of two points of a lever, relative to the length, to avoid division by 0.
+[-]"""
 SAME_RUN_SPEED = 1e-6
-"""Speeds are the same, and a torque is none, to this part of the largest."""
+"""Relative tolerance of equal speeds and of zero torques in a run. [-]"""
 NO_RUN_TORQUE = 1e-9
-"""A torque that is always less, as part of the largest of all, is rounding."""
+"""Torque below which a curve is rounding noise, relative to the largest of all. [-]"""
 SAME_CURVE = 1e-9
-"""Curves whose values differ by no more than this part of the largest are one."""
+"""Relative difference of the values of equal curves. [-]"""
 SAME_FREQUENCY = 0.005
-"""Frequencies of gears that differ by less than this part are drawn as one."""
+"""Relative difference of frequencies of gears that are drawn as a single frequency. [-]"""
 SAME_RADIUS = 1e-9
-"""Difference of the coefficients of a twist that belong to one axis."""
+"""Difference of coefficients of a twist that belong to a common axis. [-]"""

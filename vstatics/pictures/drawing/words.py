@@ -14,14 +14,14 @@ ELEMENTS = (
     *("planetary", "double_planet", "stepped", "ravigneaux", "planet_group", "bevel"),
     *("bevel_pair", "gear_pair", "internal_pair", "chain", "belt", "shaft", "spring"),
 )
-"""Members of elements and their kinds; other names are those of a case."""
+"""Members and kinds of gear sets; further names come from a case."""
 
 TURN_TOGETHER = "striped: links turn together"
-"""What stripes of a line mean."""
+"""Meaning of the stripes of a line."""
 
 
 def word(name: str, style: Style) -> str:
-    """A member or kind as it is written in a picture; names of a case stay as they are.
+    """Return a member or kind as written in a picture; names of a case are unchanged.
 
     >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
     ('small sun', 'малая солнечная шестерня')
@@ -36,11 +36,11 @@ SUNS = {
     "small_sun": "small sun: {teeth}",
     "large_sun": "large sun: {teeth}",
 }
-"""What is written at suns: their name is long in some language."""
+"""Texts at sun gears, whose translated names are long."""
 
 
 def wheel(name: str, teeth: float, style: Style) -> str:
-    """A wheel with its teeth, in as few letters as there is room for beside it.
+    """Return the name of a toothed gear with the tooth number, in few letters.
 
     >>> wheel("sun", 48, Style("ru")), wheel("ring", 96, Style("en"))
     ('солн. шест.: 48', 'ring: 96')
@@ -51,7 +51,7 @@ def wheel(name: str, teeth: float, style: Style) -> str:
 
 
 def teeth_alone(named: str) -> str:
-    """The teeth of a wheel that is told with its name.
+    """Return the tooth number from a text of `wheel`.
 
     >>> teeth_alone(wheel("sun", 48, Style("ru")))
     '48'
@@ -60,7 +60,7 @@ def teeth_alone(named: str) -> str:
 
 
 def quantity(name: str, value: float, style: Style) -> str:
-    """What a number is, and the number.
+    """Return the name of a quantity with the value.
 
     >>> quantity("speed", 0.5, Style("ru"))
     'скорость 0.500'
@@ -69,15 +69,15 @@ def quantity(name: str, value: float, style: Style) -> str:
 
 
 def fault(status: Status, style: Style) -> str:
-    """What keeps a gear from being calculated."""
+    """Return the reason why a gear cannot be calculated."""
     return style.text(status.english)
 
 
 def gear_title(gear: str, style: Style) -> str:
-    """How a gear is called."""
+    """Return the title of a gear."""
     return f"{style.text('gear')} {gear}"
 
 
 def title(case: Transmission, subject: str) -> str:
-    """What is shown of a case, with its name."""
+    """Return the title of a picture of a case."""
     return f"{case.name}: {subject}" if case.name else f"{subject[0].upper()}{subject[1:]}"

@@ -1,8 +1,8 @@
-"""Where the power goes in a gear, and what of it is lost.
+"""Pictures of the power flow in a gear, and of its losses.
 
-`picture` draws it: `graph` has runs of nodes, bands and what goes back; `order` and `columns` put
-runs beside each other, `depths` below each other, `back` what returns; `layout` gives their
-`places`, in `rows` where a gear is wider than the page, `signs` draws them with `texts` and
-`titles`. `sheets` puts several gears on pages, of which
-a `chain` is a line of text. `efficiency` is the picture of losses by gear.
+`picture` draws the power flow. `graph` contains runs of nodes and bands. `order` and `columns`
+place runs side by side, `depths` vertically, `back` returning bands; `layout` combines the
+`places`. `rows` splits gears that are wider than the page, and `signs` draws them with `texts` and
+`titles`. `sheets` arranges several gears on pages, where a `chain` is a line of text. `efficiency`
+is the picture of losses by gear.
 """

@@ -1,4 +1,4 @@
-"""Bands of the picture `flow` that go back below all others, each in a row of its own."""
+"""Bands of a power flow that return below all others, each in a separate row."""
 
 from __future__ import annotations
 
@@ -12,38 +12,38 @@ from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
 
 UNDER = 3.0
-"""Between a band and its text. [pt]"""
+"""Distance between a band and the text below. [pt]"""
 GROWTH = 1.3
-"""A row grows so much until its nodes stand where nothing crosses it."""
+"""Factor by which a row grows until the nodes have room between crossing bands."""
 
 
 class BackRow(NamedTuple):
-    """A band that goes back, and what is written at it."""
+    """Returning band with text."""
 
     number: int
     """Index of the band."""
     band: Band
     width: float
-    """[pt]"""
+    """Width of the band. [pt]"""
     cell: FlowCell | None
-    """The nodes on its way."""
+    """Nodes on the way back."""
     text: str
-    """Below it; nothing where another band of the loop has it."""
+    """Text below the band, only once for each loop."""
 
     @property
     def needed(self) -> float:
-        """Room between its ends [pt]."""
+        """Width needed between the ends [pt]."""
         return self.cell.wide + SPACE if self.cell else 0.0
 
 
 def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
-    """From the top: what goes back least first."""
+    """Return the rows from the top, the shortest way back first."""
 
     def reach(number: int) -> int:
         source, target = graph.ends(graph.bands[number])
         return graph.layers[source] - graph.layers[target]
 
-    found: list[BackRow] = []
+    all_rows: list[BackRow] = []
     named: set[int | None] = {None}
     back = [number for number, band in enumerate(graph.bands) if band.back]
     for number in sorted(back, key=reach):
@@ -51,12 +51,12 @@ def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
         cell = on_way_back(band.between, band.power, scale, texts) if band.between else None
         text = "" if band.loop is None or band.loop in named else texts.loop(band.loop)
         named.add(band.loop)
-        found.append(BackRow(number, band, band.power * scale, cell, text))
-    return found
+        all_rows.append(BackRow(number, band, band.power * scale, cell, text))
+    return all_rows
 
 
 def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
-    """Where nothing that goes farther down crosses a row, from left to right [pt]."""
+    """Yield the parts of a row that no lower band crosses, from left to right [pt]."""
     taken = sorted(
         (x - row.width / 2 - BAND_CLEARANCE, x + row.width / 2 + BAND_CLEARANCE)
         for row in rows[place + 1 :]
@@ -70,12 +70,12 @@ def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
 
 
 def nearest(wanted: float, wide: float, places: Iterator[Span]) -> float | None:
-    """The place next to that which is wanted where something of a width has room."""
+    """Return the place nearest to a wanted place with room for a width."""
     half = wide / 2
-    found = [
+    candidates = [
         min(max(wanted, low + half), high - half) for low, high in places if high - low >= wide
     ]
-    return min(found, key=lambda x: abs(x - wanted), default=None)
+    return min(candidates, key=lambda x: abs(x - wanted), default=None)
 
 
 def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> float | None:
@@ -84,12 +84,12 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
         return None
     left, right = spaced.arriving[row.number], spaced.leaving[row.number]
     low, high = (x + way * (row.width / 2 + BAND_CLEARANCE) for x, way in ((left, 1), (right, -1)))
-    within = ((max(low, one), min(high, other)) for one, other in free(rows, place, spaced))
+    within = ((max(low, start), min(high, end)) for start, end in free(rows, place, spaced))
     return nearest((left + right) / 2, row.cell.wide, within)
 
 
 def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
-    """Indices of bands that have no room for their nodes."""
+    """Return the indices of bands without room for the nodes."""
     return [
         row.number
         for place, row in enumerate(rows)
@@ -103,12 +103,12 @@ def placed_rows(
     ends: Mapping[int, tuple[Point, Point]],
     low: float,
 ) -> Iterator[tuple[Line, list[Box], list[Note]]]:
-    """Each band below a depth, with the nodes on its way and its text.
+    """Yield each band below a depth, with nodes and text.
 
     Parameters
     ----------
     ends : mapping
-        Where each band leaves its source and reaches its target. [pt]
+        Points where each band leaves its source and reaches its target. [pt]
     """
     for place, row in enumerate(rows):
         top = low + SPACE / 2 + (row.cell.above if row.cell else 0.0)

@@ -1,4 +1,4 @@
-"""A gear in which nothing branches: its nodes as one line of text, with what each loses."""
+"""Gear without branches as a line of text: the nodes in series, with the loss of each."""
 
 from __future__ import annotations
 
@@ -17,37 +17,38 @@ from vstatics.pictures.flow.titles import FlowTitles
 BETWEEN_NODES = ">"
 _MINUS = "\N{MINUS SIGN}"
 WORD_GAP = 4.0
-"""Between pieces of a line: blanks at ends of texts are lost in SVG. [pt]"""
+"""Distance between words of a line, since SVG loses blanks at the ends of texts. [pt]"""
 
 
 def is_chain(flow: GearFlow, drawn: Graph) -> bool:
-    """Whether the picture of a gear would be one straight row, of which nothing is to be said.
+    """Return whether the picture of a gear would be a single straight row without remarks.
 
-    It begins where power enters and ends where it leaves: what goes on behind the output, to a
-    brake that drags, is a branch.
+    The row begins where power enters and ends where power leaves. Further components behind the
+    output, such as a dragging brake, form a branch.
     """
     side = flow.shown
     if side is None or flow.note or side.unknown or side.loops or side.locked_in:
         return False
     nodes = _in_line(drawn)
-    ports = [(node, port.enters) for node, own in drawn.ports.items() for port in own]
+    ports = [
+        (node, port.enters) for node, ports_of_node in drawn.ports.items() for port in ports_of_node
+    ]
     alone = len({*drawn.layers}) == len(drawn.runs) == 1 + max(drawn.layers)
     steps = {drawn.ends(band) for band in drawn.bands if not drawn.is_within(band)}
     return (
         alone
         and len(steps) == len(drawn.runs) - 1
-        and sorted(ports, key=lambda one: not one[1]) == [(nodes[0], True), (nodes[-1], False)]
+        and sorted(ports, key=lambda end: not end[1]) == [(nodes[0], True), (nodes[-1], False)]
     )
 
 
 def _in_line(drawn: Graph) -> list[Node]:
-    """All nodes of runs from left to right."""
     order = sorted(range(len(drawn.runs)), key=lambda place: drawn.layers[place])
     return [node for place in order for node in drawn.runs[place]]
 
 
 class ChainWord(NamedTuple):
-    """A piece of the line of a gear."""
+    """Word in the line of a gear."""
 
     text: str
     title: str = ""
@@ -55,61 +56,61 @@ class ChainWord(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """With the gap behind it [pt]."""
+        """Width with the gap after the word [pt]."""
         return width(self.text) + WORD_GAP
 
 
 class ChainLine(NamedTuple):
-    """The words of a gear in lines of a width."""
+    """Words of a gear in lines of a given width."""
 
     lines: Sequence[Sequence[ChainWord]]
 
     @property
     def high(self) -> float:
-        """[pt]."""
+        """Height of the lines [pt]."""
         return height("", SIZE) * len(self.lines)
 
     def draw(self, pen: Pen, left: float, top: float) -> None:
-        """From an upper left corner on [pt]."""
+        """Draw the lines from an upper left corner [pt]."""
         for line in self.lines:
             x = left
-            for one in line:
-                colour = pen.style.lost if one.is_loss else pen.style.ink
-                pen.text(x, top, one.text, va="top", color=colour, title=one.title)
-                x += one.wide
+            for word in line:
+                colour = pen.style.lost if word.is_loss else pen.style.ink
+                pen.text(x, top, word.text, va="top", color=colour, title=word.title)
+                x += word.wide
             top -= height("", SIZE)
 
 
 def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
-    """The line of a gear in a width [pt]."""
+    """Return the line of a gear in a width [pt]."""
     lines: list[list[ChainWord]] = [[]]
     taken = 0.0
-    for own in _words(drawn, said):
-        wide = sum(one.wide for one in own)
+    for group in _words(drawn, said):
+        wide = sum(word.wide for word in group)
         if taken and taken + wide > room:
             lines.append([])
             taken = 0.0
-        lines[-1] += own
+        lines[-1] += group
         taken += wide
     return ChainLine(lines)
 
 
 def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
-    """What stays together: a node with its loss and the sign of what follows."""
+    """Return groups of words that stay together: a node, the loss and the next symbol."""
     texts = said.texts
     nodes = _in_line(drawn)
     entering, leaving = texts.side.entering, texts.side.leaving
-    found = [[ChainWord(_one_line(texts, entering))]]
+    groups = [[ChainWord(_one_line(texts, entering))]]
     for node in nodes:
         loss = drawn.losses.get(node, 0.0)
-        told = said.node(node, drawn.through(node), loss)
-        words = [ChainWord(_name(node, drawn), told)]
+        title = said.node(node, drawn.through(node), loss)
+        words = [ChainWord(_name(node, drawn), title)]
         if loss:
-            words.append(ChainWord(f"{_MINUS}{_one_line(texts, loss)}", told, is_loss=True))
+            words.append(ChainWord(f"{_MINUS}{_one_line(texts, loss)}", title, is_loss=True))
         if node != nodes[-1]:
             words.append(ChainWord(BETWEEN_NODES))
-        found.append(words)
-    return [*found, [ChainWord(_one_line(texts, leaving))]]
+        groups.append(words)
+    return [*groups, [ChainWord(_one_line(texts, leaving))]]
 
 
 def _one_line(texts: FlowTexts, power: float) -> str:
@@ -117,7 +118,7 @@ def _one_line(texts: FlowTexts, power: float) -> str:
 
 
 def _name(node: Node, drawn: Graph) -> str:
-    """A node, with the name of a port that is neither its own nor that of the input or output."""
+    """Return the name of a node, with the name of a port that differs."""
     names = [port.node.name for port in drawn.ports.get(node, ())]
     more = [name for name in names if name not in (node.name, "input", "output")]
     return ": ".join([*more, node.name])

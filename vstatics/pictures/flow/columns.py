@@ -1,4 +1,4 @@
-"""Runs of nodes in columns: how wide these are, and how much room is between them."""
+"""Columns of runs of nodes, with their widths and distances."""
 
 from __future__ import annotations
 
@@ -12,50 +12,50 @@ from vstatics.pictures.flow.graph import Graph, Run
 from vstatics.pictures.flow.texts import FlowTexts
 
 BODY = 12.0
-"""Width of a device. [pt]"""
+"""Width of a component. [pt]"""
 LINK_WIDTH = 3.0
 """Width of a link. [pt]"""
 NODE_GAP = 6.0
-"""Between the nodes of a run. [pt]"""
-PORT = 11.0
+"""Distance between the nodes of a run. [pt]"""
+PORT_ARROW = 11.0
 """Length of the arrow of a port. [pt]"""
 SPACE = 16.0
-"""Between columns of texts, and between nodes of one column. [pt]"""
+"""Distance between columns of texts, and between nodes of a column. [pt]"""
 BAND_CLEARANCE = 8.0
-"""Between a band that turns and whatever it passes. [pt]"""
+"""Distance between a turning band and other parts. [pt]"""
 LOSS_LENGTH = 8.0
-"""Length of a loss, besides half its width. [pt]"""
+"""Length of a loss, in addition to half the width. [pt]"""
 BEND = 2.4
-"""A curve has no kink if its length squared is so many times its width and rise."""
+"""Squared length of a smooth curve, relative to width times rise. [-]"""
 
 Key = tuple[int, int]
-"""Layer, and the index of the run; of a band that passes the complement of its index."""
+"""Layer, and index of the run or complement of the index of a passing band."""
 
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:
-    """Width of each node of a run that loses so much of its thickness [pt]."""
-    return [LINK_WIDTH if one.kind == "link" else max(BODY, loss) for one in run]
+    """Return the width of each node of a run with a loss of given thickness [pt]."""
+    return [LINK_WIDTH if node.kind == "link" else max(BODY, loss) for node in run]
 
 
 def length(run: Run, loss: float = 0.0) -> float:
-    """Of a run [pt]."""
+    """Return the length of a run [pt]."""
     return sum(signs(run, loss)) + NODE_GAP * max(len(run) - 1, 0)
 
 
 class FlowCell(NamedTuple):
-    """What stands in a column: a run with its texts, or a band that passes."""
+    """Cell of a column: a run with texts, or a passing band."""
 
     number: int
-    """Index of the run; the complement of that of a band that passes."""
+    """Index of the run, or complement of the index of a passing band."""
     run: Run = ()
     text: str = ""
     lost: str = ""
     thick: float = 0.0
-    """[pt]"""
+    """Thickness of the run or band. [pt]"""
     loss: float = 0.0
-    """Width of what is lost. [pt]"""
+    """Width of the loss. [pt]"""
     ends: float = 0.0
-    """Width of an arrow of a port, at either side. [pt]"""
+    """Width of the arrow of a port on either side. [pt]"""
 
     @property
     def above(self) -> float:
@@ -64,12 +64,12 @@ class FlowCell(NamedTuple):
 
     @property
     def below(self) -> float:
-        """Height of what hangs below [pt]."""
+        """Height of the loss below [pt]."""
         return LOSS_LENGTH + self.loss / 2 + height(self.lost) + 1 if self.lost else 0.0
 
     @property
     def lower(self) -> float:
-        """How far the middle of all is below the middle of the node [pt]."""
+        """Distance from the middle of the node down to the middle of the cell [pt]."""
         return (self.below - self.above) / 2
 
     @property
@@ -79,22 +79,22 @@ class FlowCell(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width with the texts and ports [pt]."""
+        """Width with texts and ports [pt]."""
         texts = (width(text) if text else 0.0 for text in (self.text, self.lost))
         return max(self.body + 2 * self.ends, *texts)
 
 
 class NodeColumns(NamedTuple):
-    """All cells, and the ways of bands through them."""
+    """Cells, and the ways of bands through the cells."""
 
     cells: list[list[FlowCell]]
-    """By layer."""
+    """Cells by layer."""
     ways: Mapping[int, list[Key]]
-    """Of each band between runs that does not go back: from its source to its target."""
+    """Cells from source to target for each forward band between runs."""
 
 
 def columns(graph: Graph, scale: float, texts: FlowTexts) -> NodeColumns:
-    """Runs by layer, and a cell wherever a band passes a layer."""
+    """Return runs by layer, and a cell for each band that passes a layer."""
     cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers, default=-1))]
     for number, (run, layer) in enumerate(zip(graph.runs, graph.layers, strict=True)):
         cells[layer].append(_cell(graph, number, run, scale, texts))
@@ -123,36 +123,36 @@ def _cell(graph: Graph, number: int, run: Run, scale: float, texts: FlowTexts) -
         texts.power(lost) if lost else "",
         through * scale,
         lost * scale,
-        PORT if ports else 0.0,
+        PORT_ARROW if ports else 0.0,
     )
 
 
 def on_way_back(run: Run, power: float, scale: float, texts: FlowTexts) -> FlowCell:
-    """Nodes through which nothing but a loop goes, from left to right."""
+    """Return the cell of nodes that only a loop passes, from left to right."""
     return FlowCell(
         -1, run[::-1], texts.run(run, power, length(run), back=True), thick=power * scale
     )
 
 
 class Across(NamedTuple):
-    """Places from left to right [pt]."""
+    """Horizontal positions [pt]."""
 
     columns: Sequence[Span]
-    """Left and right side of each."""
+    """Left and right side of each column."""
     gaps: Sequence[Span]
-    """Where bands have curves, behind each column."""
+    """Ends of the curves of bands after each column."""
     leaving: Mapping[int, float]
-    """Where a band that goes back turns first."""
+    """Position of the first turn of each returning band."""
     arriving: Mapping[int, float]
-    """Where it turns last."""
+    """Position of the last turn of each returning band."""
 
     @property
     def width(self) -> float:
-        """With what turns at the right."""
+        """Width with the turns on the right."""
         return max([self.columns[-1][1], *(x + BAND_CLEARANCE for x in self.leaving.values())])
 
     def middle(self, layer: int) -> float:
-        """Of a column."""
+        """Return the middle of a column."""
         return sum(self.columns[layer]) / 2
 
 
@@ -163,23 +163,23 @@ def across(
     needed: Mapping[int, float],
     scale: float,
 ) -> Across:
-    """Places of columns, with room for the curves of bands and for bands that turn.
+    """Return the positions of columns, with room for curves and turns of bands.
 
-    Within a column, and where others turn, bands are level; so no text there stands on one.
+    Bands are horizontal within columns and where other bands turn, so no band crosses texts.
 
     Parameters
     ----------
     graph : Graph
     cells : NodeColumns
     courses : mapping
-        How deep each band is at its source, where it passes a layer, and at its target. [pt]
+        Depth of each band at its source, in each passed layer, and at its target. [pt]
     needed : mapping
-        Room that each band needs on its way back, by which columns grow; bands that turn
-        nearer to their columns first. [pt]
+        Width that each band needs on its way back, for which columns grow; the bands that turn
+        closest to their columns first. [pt]
     scale : float
     """
     bands = graph.bands
-    wide = [max(one.wide for one in column) for column in cells.cells]
+    wide = [max(cell.wide for cell in column) for column in cells.cells]
     gaps = [SPACE] * len(wide)
     for number, course in courses.items():
         for (layer, _), (deep, other) in zip(cells.ways[number], pairwise(course), strict=False):
@@ -193,12 +193,12 @@ def across(
     sides, curves, x = [], [], 0.0
     leaving: dict[int, float] = {}
     arriving: dict[int, float] = {}
-    for place, own in enumerate(wide):
+    for place, column_width in enumerate(wide):
         for number in reversed([n for n, (_, first) in ends.items() if first == place]):
             arriving[number] = x + bands[number].power * scale / 2 + BAND_CLEARANCE
             x = 2 * arriving[number] - x
-        sides.append((x, x + own))
-        x += own
+        sides.append((x, x + column_width))
+        x += column_width
         for number in (n for n, (last, _) in ends.items() if last == place):
             leaving[number] = x + bands[number].power * scale / 2 + BAND_CLEARANCE
             x = 2 * leaving[number] - x

@@ -1,4 +1,4 @@
-"""How deep runs, bands and ports stand in a picture of power."""
+"""Vertical positions of runs, bands and ports in a power flow."""
 
 from __future__ import annotations
 
@@ -13,51 +13,57 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Times that runs are moved towards their neighbours."""
+"""Number of times that runs are moved toward neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
 
 class Depths(NamedTuple):
-    """How deep everything is, from the top of the picture [pt]."""
+    """Depths from the top of the picture [pt]."""
 
     middles: Mapping[Key, float]
-    """Of cells."""
+    """Depths of the middles of cells."""
     starts: Mapping[int, float]
-    """Of each band between runs, at its source."""
+    """Depth of each band between runs, at the source."""
     ends: Mapping[int, float]
-    """At its target."""
+    """Depth of each band between runs, at the target."""
     ports: Mapping[EndPort, float]
+    """Depth of each port."""
 
 
 def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) -> Depths:
-    """Few bands cross, neighbours are near to one another.
+    """Return depths with few crossings of bands and short distances of neighbours.
 
     Parameters
     ----------
     back : sequence of int
-        Bands that go back, in the order of their rows.
+        Returning bands in the order of their rows.
     """
-    by_key = {(layer, one.number): one for layer, own in enumerate(cells.cells) for one in own}
-    columns = [{own: by_key[own] for own in order} for order in ordered(graph, cells)]
+    by_key = {(layer, cell.number): cell for layer, key in enumerate(cells.cells) for cell in key}
+    columns = [{key: by_key[key] for key in order} for order in ordered(graph, cells)]
     stacks = _stacked(graph, scale, cells, columns, back)
     shifts = neighbours(graph, cells, stacks.starts, stacks.ends)
-    places = {own: 60.0 * row for column in columns for row, own in enumerate(column)}
+    places = {key: 60.0 * row for column in columns for row, key in enumerate(column)}
+    heights = [
+        (
+            {key: cell.lower for key, cell in column.items()},
+            [cell.above + cell.thick + cell.below + SPACE for cell in column.values()],
+        )
+        for column in columns
+    ]
     for sweep in range(RUN_SWEEPS):
         sides = shifts if sweep >= RUN_SWEEPS / 2 else shifts[sweep % 2 : sweep % 2 + 1]
-        for column in columns if sweep % 2 == 0 else reversed(columns):
+        for lowered, sizes in heights if sweep % 2 == 0 else reversed(heights):
             wanted = [
-                mean([pair for side in sides for pair in side.get(own, ())], places, own)
-                + one.lower
-                for own, one in column.items()
+                mean([pair for side in sides for pair in side.get(key, ())], places, key) + lower
+                for key, lower in lowered.items()
             ]
-            sizes = [one.above + one.thick + one.below + SPACE for one in column.values()]
             found = spread(_rising(wanted), sizes)
-            for (own, one), place in zip(column.items(), found, strict=True):
-                places[own] = place - one.lower
+            for (key, lower), place in zip(lowered.items(), found, strict=True):
+                places[key] = place - lower
     _straighten(columns, places, shifts)
-    highest = min(places[own] - _over(one) for own, one in by_key.items())
-    middles = {own: middle - highest for own, middle in places.items()}
+    highest = min(places[key] - _over(cell) for key, cell in by_key.items())
+    middles = {key: middle - highest for key, middle in places.items()}
     run = {number: middles[layer, number] for number, layer in enumerate(graph.layers)}
     return Depths(
         middles,
@@ -65,8 +71,8 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
         {n: run[graph.ends(graph.bands[n])[1]] + by for n, by in stacks.ends.items()},
         {
             port: run[graph.place[link]] + stacks.ports[port]
-            for link, own in graph.ports.items()
-            for port in own
+            for link, key in graph.ports.items()
+            for port in key
         },
     )
 
@@ -74,16 +80,16 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
 def _stacked(
     graph: Graph, scale: float, cells: NodeColumns, columns: _Columns, back: Sequence[int]
 ) -> Depths:
-    """The same from the middle of each run.
+    """Return depths relative to the middle of each run.
 
-    At a run bands stand in the order of where they lead, below its ports; what goes back
-    is lowest, that which goes farther above the others.
+    At a run, ports are at the top, followed by bands in the order of their targets. Returning bands
+    are lowest, the longer ones above the others.
     """
-    ranks = {own: rank for column in columns for rank, own in enumerate(column)}
+    ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     numbers = [n for n, band in enumerate(graph.bands) if not graph.is_within(band)]
     ports: dict[EndPort, float] = {}
     sides: tuple[dict[int, float], dict[int, float]] = {}, {}
-    for cell in (one for column in columns for one in column.values() if one.number >= 0):
+    for cell in (cell_ for column in columns for cell_ in column.values() if cell_.number >= 0):
         for end, places in enumerate(sides):
             deep = -cell.thick / 2
             for port in graph.ports.get(cell.run[-1 if end == 0 else 0], ()):
@@ -103,24 +109,24 @@ def _stacked(
 
 
 def _rising(wanted: Sequence[float]) -> list[float]:
-    """Places near to those wanted that keep the order of the column."""
+    """Return depths near the wanted depths that keep the order of the column."""
     lower = reversed([*accumulate(reversed(wanted), min)])
     return [(high + low) / 2 for high, low in zip(accumulate(wanted, max), lower, strict=True)]
 
 
 def _straighten(columns: _Columns, places: dict[Key, float], shifts: tuple[Near, Near]) -> None:
-    """Make bands between cells in series level, as far as their columns have room for it."""
+    """Make bands between cells in series horizontal, as far as columns have room."""
     for series in _series(columns, shifts):
         level: dict[Key, float] = {}
         low, high, deeper = -math.inf, math.inf, 0.0
-        for own in series:
-            deeper += shifts[0][own][0][2] if level else 0.0
-            least, most = (end - deeper for end in _room(columns[own[0]], own, places))
+        for key in series:
+            deeper += shifts[0][key][0][2] if level else 0.0
+            least, most = (end - deeper for end in _room(columns[key[0]], key, places))
             if level and max(low, least) > min(high, most):
                 _set_level(level, places, low, high)
                 level, low, high, deeper = {}, -math.inf, math.inf, 0.0
-                least, most = _room(columns[own[0]], own, places)
-            level[own] = deeper
+                least, most = _room(columns[key[0]], key, places)
+            level[key] = deeper
             low, high = max(low, least), min(high, most)
         _set_level(level, places, low, high)
 
@@ -128,40 +134,51 @@ def _straighten(columns: _Columns, places: dict[Key, float], shifts: tuple[Near,
 def _set_level(
     level: Mapping[Key, float], places: dict[Key, float], low: float, high: float
 ) -> None:
-    wanted = sum(places[own] - deeper for own, deeper in level.items()) / len(level)
-    for own, deeper in level.items():
-        places[own] = min(max(wanted, low), high) + deeper
+    wanted = sum(places[key] - deeper for key, deeper in level.items()) / len(level)
+    for key, deeper in level.items():
+        places[key] = min(max(wanted, low), high) + deeper
 
 
 def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]:
-    """Cells each of which is the only neighbour of the next, from left to right."""
+    """Yield chains of cells that are each the only neighbour of the next, from left to right."""
     before, after = (
-        {own: {one for one, *_ in ends} for own, ends in side.items()} for side in shifts
+        {key: {other_key for other_key, *_ in ends} for key, ends in side.items()}
+        for side in shifts
     )
     following = {
-        own: next(iter(ends))
-        for own, ends in after.items()
+        key: next(iter(ends))
+        for key, ends in after.items()
         if len(ends) == 1 and len(before[next(iter(ends))]) == 1
     }
-    for own in (one for column in columns for one in column if one not in following.values()):
-        series = [own]
+    for key in (
+        other_key
+        for column in columns
+        for other_key in column
+        if other_key not in following.values()
+    ):
+        series = [key]
         while series[-1] in following:
             series.append(following[series[-1]])
         yield series
 
 
-def _room(column: Mapping[Key, FlowCell], own: Key, places: Mapping[Key, float]) -> Span:
-    """Between which depths a cell may stand."""
+def _room(column: Mapping[Key, FlowCell], key: Key, places: Mapping[Key, float]) -> Span:
+    """Return the range of depths of a cell."""
     order = list(column)
-    rank, cell = order.index(own), column[own]
+    rank, cell = order.index(key), column[key]
     above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]
-    low = [places[one] + _under(column[one]) + SPACE / 2 + _over(cell) for one in above]
-    high = [places[one] - _over(column[one]) - SPACE / 2 - _under(cell) for one in below]
+    low = [
+        places[other_key] + _under(column[other_key]) + SPACE / 2 + _over(cell)
+        for other_key in above
+    ]
+    high = [
+        places[other_key] - _over(column[other_key]) - SPACE / 2 - _under(cell)
+        for other_key in below
+    ]
     return max(low, default=-math.inf), min(high, default=math.inf)
 
 
 def _over(cell: FlowCell) -> float:
-    """How far a cell reaches above its middle."""
     return cell.thick / 2 + cell.above
 
 

@@ -1,4 +1,4 @@
-"""Efficiency by gear: what each mechanism loses hangs down from 1 to the efficiency."""
+"""Picture of the efficiency by gear, with the losses of mechanisms hanging down from 1."""
 
 from __future__ import annotations
 
@@ -25,45 +25,45 @@ from vstatics.pictures.drawing.tolerances import EFFICIENCY_STEP, NO_LOSS_SHARE
 from vstatics.pictures.drawing.words import fault, gear_title, title
 
 AXES_HEIGHT = 200.0
-"""Of a panel. [pt]"""
+"""Height of a panel. [pt]"""
 STEP, LEAST_STEP = 42.0, 30.0
-"""Between gears, and at least, so that numbers stand beside each other. [pt]"""
+"""Usual and smallest distance of gears, so that numbers do not overlap. [pt]"""
 LEAST_AXIS_WIDTH = 200.0
-"""Width of a panel at least. [pt]"""
+"""Smallest width of a panel. [pt]"""
 BAR_WIDTH = 0.66
-"""Width of a bar over the step."""
+"""Width of a bar, relative to the distance of gears. [-]"""
 EFFICIENCY_SCALE_WIDTH, GEARS_NAME_HEIGHT = 58.0, 24.0
-"""For the scale, and for what the gears are called together. [pt]"""
+"""Room for the scale, and for the common name of the gears. [pt]"""
 LEAST_OF_HEAD = 330.0
 """Room for the title. [pt]"""
 PANEL_ROW_GAP = 12.0
-"""Between panels below one another. [pt]"""
+"""Distance between panels, vertically. [pt]"""
 
 
 class _Losses(NamedTuple):
-    """What is drawn: some gears, and what takes a share in any of them."""
+    """Gears, and the losses that occur in any gear."""
 
     gears: list[str]
     efficiency: Floats
-    """[-]"""
+    """Efficiency of each gear. [-]"""
     names: list[str]
     shares: Floats
-    """Shape (names, gears). [-]"""
+    """Shares of the losses, shape (names, gears). [-]"""
     missing: dict[int, str]
-    """Why a gear at a place has no efficiency."""
+    """Reason for a missing efficiency, by place of the gear."""
     style: Style
 
     @property
     def key(self) -> list[Meaning]:
-        """The areas of the names."""
+        """Areas of the losses."""
         return [(True, NameInKey(name), loss_look(row, self.style)) for row, name in self._drawn()]
 
     def _drawn(self) -> list[tuple[int, str]]:
-        seen = [np.abs(own).max(initial=0.0) > NO_LOSS_SHARE for own in self.shares]
+        seen = [np.abs(row).max(initial=0.0) > NO_LOSS_SHARE for row in self.shares]
         return [(row, name) for row, name in enumerate(self.names) if seen[row]]
 
     def part(self, places: Sequence[int]) -> _Losses:
-        """The same of some gears."""
+        """Return the losses of a selection of gears."""
         missing = {new: self.missing[old] for new, old in enumerate(places) if old in self.missing}
         gears = [self.gears[place] for place in places]
         shares = self.shares[:, list(places)]
@@ -72,7 +72,7 @@ class _Losses(NamedTuple):
         )
 
     def foot(self, step: float) -> tuple[bool, float]:
-        """Whether the names of gears run upwards, as they do not fit else; their height [pt]."""
+        """Return whether the names of gears must be vertical, and the height of the names [pt]."""
         upright = any(map(step.__lt__, map(across_size, self.gears)))
         return upright, max(map(width if upright else height, self.gears))
 
@@ -80,17 +80,17 @@ class _Losses(NamedTuple):
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
 ) -> list[Figure]:
-    """Draw the efficiency of all gears, or of some.
+    """Draw the efficiency of all gears, or of a selection.
 
     Parameters
     ----------
     alike : sequence of Results
-        Of further cases, with which the scale is common.
+        Results of further cases with a common scale.
 
     Raises
     ------
     CaseError
-        If no gear that is asked for has an efficiency.
+        If no requested gear has an efficiency.
     """
     case = results.case
     chosen = [gear - 1 for gear in gears] or list(range(len(case.gears)))
@@ -99,7 +99,7 @@ def draw(
         which = f"gear {asked}" if gears else "the case"
         raise CaseError("E402", f"{which} has no efficiency that could be drawn")
     losses = _losses(results, chosen, style)
-    known = np.concatenate([losses.efficiency, *(one.efficiency for one in alike)])
+    known = np.concatenate([losses.efficiency, *(other.efficiency for other in alike)])
     lowest = min(float(np.nanmin(known)), 0.99)
     scale = AxisScale(lowest - 0.12 * (1 - lowest), 1.0)
     what = style.text("efficiency, and what each mechanism takes")
@@ -109,14 +109,15 @@ def draw(
 
 
 def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
-    """What some gears lose, by their indices."""
     efficiency, gears = results.efficiency[list(chosen)], results.case.gears
     names, shares = loss_shares(results, style)
     shares = np.nan_to_num(shares[:, list(chosen)])
     rows = [row for row in range(len(names)) if np.abs(shares[row]).max() > NO_LOSS_SHARE]
     undetermined = style.text("not determined")
     missing = {
-        place: next((fault(one, style) for one in (LOCKED, DRAGGED) if one in known), undetermined)
+        place: next(
+            (fault(status, style) for status in (LOCKED, DRAGGED) if status in known), undetermined
+        )
         for place, gear in enumerate(chosen)
         if math.isnan(efficiency[place])
         for known in [results.gear_at(gear).statuses]
@@ -126,11 +127,11 @@ def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
 
 
 def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterator[Figure]:
-    """Panels below one another, each as wide as the page at most."""
+    """Yield pages with panels from top to bottom, each as wide as the page at most."""
     room = style.width - EFFICIENCY_SCALE_WIDTH - MARGIN
     count = len(losses.gears)
     panels = -(-count // max(int(room / LEAST_STEP), 1))
-    parts = [losses.part(own.tolist()) for own in np.array_split(np.arange(count), panels)]
+    parts = [losses.part(indices.tolist()) for indices in np.array_split(np.arange(count), panels)]
     most = max(len(part.gears) for part in parts)
     step = min(max(STEP, LEAST_AXIS_WIDTH / most), room / most)
     foot = max(part.foot(step)[1] for part in parts)
@@ -150,18 +151,17 @@ def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterat
         page = parts[at : at + on_page]
         pen = headed(name, note, losses.key, (wide, len(page) * high), style)
         for row, part in enumerate(reversed(page)):
-            own = pen.panel(
+            indices = pen.panel(
                 (EFFICIENCY_SCALE_WIDTH, row * high + below),
                 (len(part.gears) * step, AXES_HEIGHT),
                 AxisScale(-0.5, len(part.gears) - 0.5),
                 scale,
             )
-            _panel(own, part, part.foot(step)[0], LEADER + foot + SIZE)
+            _panel(indices, part, part.foot(step)[0], LEADER + foot + SIZE)
         yield pen.figure
 
 
 def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  # noqa: FBT001
-    """Scales from 1 down to a little below the lowest bar, and of the gears; with all bars."""
     style = losses.style
     pen.frame("left", "top")
     numbers = ticks(pen.y.low, 1.0, 6)
@@ -177,14 +177,14 @@ def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  
 
 
 def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
-    """What mechanisms and drag take of the power that enters; with the efficiency it makes 1.
+    """Return the losses of mechanisms and drag as shares of the input power.
 
     Returns
     -------
     list of str
-        Elements or mechanisms, then drag if there is any.
+        Names of gear sets or mechanisms, then drag if present.
     ndarray, shape (rows, gears)
-        Shares of the power that enters, NaN where there is no efficiency. [-]
+        Shares of the input power, NaN without an efficiency; with the efficiency the sum is 1. [-]
 
     Examples
     --------
@@ -200,13 +200,13 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
         names.append(style.text("drag"))
         losses = np.vstack([losses, by_name["drag_losses"].values])
     total = losses.sum(axis=0)
-    # below 0 when coasting; the sum of all shares is 1 - efficiency by the balance of power
+    # Shares are negative when coasting. By the power balance, their sum is 1 - efficiency.
     entered = np.where(total == 0, 1.0, total)
     return names, losses / entered * (1.0 - results.efficiency) + 0.0
 
 
 def _bars(pen: Pen, losses: _Losses) -> None:
-    """The shares of each gear, one below the other, and the efficiency below them."""
+    """Draw the losses of each gear from top to bottom, and the efficiency below."""
     style, wide = losses.style, BAR_WIDTH * pen.size[0] / (pen.x.high - pen.x.low)
     for place, (gear, value) in enumerate(zip(losses.gears, losses.efficiency, strict=True)):
         if not math.isfinite(value):

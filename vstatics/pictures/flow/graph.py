@@ -1,4 +1,4 @@
-"""The graph of a picture of power: runs of nodes from left to right, bands, and what goes back."""
+"""Graph of a power flow: runs of nodes from left to right, bands, and returning bands."""
 
 from __future__ import annotations
 
@@ -13,83 +13,83 @@ from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.numerics.tolerances import NO_POWER
 
 Run = tuple[Node, ...]
-"""Nodes in series, through which the same power goes: no loss, no branch between them."""
+"""Nodes in series with equal power, without losses or branches in between."""
 
 
 class Band(NamedTuple):
-    """Power from one node to another."""
+    """Power from a source node to a target node."""
 
     source: Node
     target: Node
     power: float
-    """[-]"""
+    """Power relative to the input power. [-]"""
     loop: int | None = None
-    """Index of the loop that it is part of; None of what is transmitted."""
+    """Index of the loop that contains the band, if any."""
     back: bool = False
-    """Whether it runs from right to left."""
+    """True from right to left."""
     between: Run = ()
-    """Nodes on the way back, through which nothing else goes."""
+    """Nodes on the way back that only the loop passes."""
 
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
-        """Neighbours along the band."""
+        """Neighbouring nodes along the band."""
         return tuple(pairwise((self.source, *self.between, self.target)))
 
 
 class EndPort(NamedTuple):
-    """Where power enters or leaves at a link."""
+    """Port at which power enters or leaves at a link."""
 
     node: Node
     power: float
-    """[-]"""
+    """Power relative to the input power. [-]"""
     enters: bool
     cut: Band | None = None
-    """The band that comes from another row here, or goes on in one."""
+    """Band that continues in a further row."""
 
 
 class Graph(NamedTuple):
-    """What is drawn of a gear."""
+    """Drawn parts of a gear."""
 
     runs: tuple[Run, ...]
-    """All nodes but those on the way back."""
+    """All nodes except nodes on ways back."""
     layers: tuple[int, ...]
-    """Of each run, from 0 at the left."""
+    """Layer of each run, from 0 on the left."""
     place: Mapping[Node, int]
-    """The index of a node's run."""
+    """Index of the run of each node."""
     bands: tuple[Band, ...]
     ports: Mapping[Node, tuple[EndPort, ...]]
-    """Of links that have some."""
+    """Ports by link."""
     losses: Mapping[Node, float]
-    """What each node loses, with the drag of a link. [-]"""
+    """Loss of each node, including the drag of a link. [-]"""
     numbered: frozenset[int]
-    """Indices of the bands whose power the numbers of nodes and loops do not tell."""
+    """Indices of bands whose power is not given by nodes and loops."""
 
     def ends(self, band: Band) -> tuple[int, int]:
-        """The runs that a band joins, by their indices."""
+        """Return the indices of the runs at the ends of a band."""
         return self.place[band.source], self.place[band.target]
 
     def is_within(self, band: Band) -> bool:
-        """Whether a band runs inside one run."""
+        """Return whether a band is inside a run."""
         return not band.back and self.place[band.source] == self.place[band.target]
 
     def through(self, node: Node) -> float:
-        """Power that is drawn through a node [-]."""
-        own = self.ports.get(node, ())
+        """Return the power drawn through a node [-]."""
+        ports_here = self.ports.get(node, ())
         entering = [band.power for band in self.bands if band.target == node]
-        entering += [port.power for port in own if port.enters]
+        entering += [port.power for port in ports_here if port.enters]
         leaving = [band.power for band in self.bands if band.source == node]
-        leaving += [port.power for port in own if not port.enters]
+        leaving += [port.power for port in ports_here if not port.enters]
         on_way = math.fsum(band.power for band in self.bands if node in band.between)
         lost = self.losses.get(node, 0.0)
         return on_way + max(math.fsum(entering), math.fsum(leaving) + lost)
 
 
 def graph(side: PowerFlow) -> Graph:
-    """The graph of a gear.
+    """Return the graph of a gear.
 
-    A port is a part of its link. A run stands right of the last that it gets power from;
-    ports by which power leaves stand in the last layer. Parts of a loop that can run from
-    left to right do so, the rest goes back.
+    A port belongs to its link. A run is to the right of all runs from which it receives power, and
+    output ports are in the last layer. Parts of a loop run from left to right if possible; the
+    others return.
 
     Examples
     --------
@@ -112,7 +112,7 @@ def graph(side: PowerFlow) -> Graph:
     ]
     pairs = [(edge.source, edge.target) for edge in edges]
     bands = [Band(*edge) for edge in edges]
-    for number, piece in pieces:  # what closes no cycle runs from left to right
+    for number, piece in pieces:  # pieces that close no cycle run from left to right
         power = side.loops[number].power
         if piece[0] in _behind(piece[-1], pairs):
             ends = piece[0], piece[-1]
@@ -132,17 +132,16 @@ def graph(side: PowerFlow) -> Graph:
 
 
 def _ports(edges: Iterable[Edge]) -> dict[Node, tuple[EndPort, ...]]:
-    """Ports by their links."""
-    found: dict[Node, tuple[EndPort, ...]] = {}
+    by_link: dict[Node, tuple[EndPort, ...]] = {}
     for source, target, power in edges:
         for port, link in ((source, target), (target, source)):
             if port.kind == "port":
-                found[link] = *found.get(link, ()), EndPort(port, power, port is source)
-    return found
+                by_link[link] = *by_link.get(link, ()), EndPort(port, power, port is source)
+    return by_link
 
 
 def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
-    """A loop as ways from each of its nodes that transmit something to the next."""
+    """Yield the pieces of a loop between nodes that transmit power."""
     others = set(known)
     places = [place for place, node in enumerate(loop.nodes) if node in others] or [0]
     twice = loop.nodes * 2
@@ -151,29 +150,29 @@ def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
 
 
 def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
-    """All nodes to which a way leads from one, and this itself."""
-    found, ahead = {start}, [start]
+    """Return all nodes that can be reached from a node, including the node."""
+    reached, ahead = {start}, [start]
     while ahead:
         node = ahead.pop()
-        fresh = {target for source, target in pairs if source == node} - found
-        found |= fresh
+        fresh = {target for source, target in pairs if source == node} - reached
+        reached |= fresh
         ahead += fresh
-    return found
+    return reached
 
 
 def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
-    """Nodes in series together, in the order of the first of each run."""
+    """Yield nodes in series, in the order of the first node of each run."""
     pairs = {(band.source, band.target) for band in drawn.bands}
     leaving, arriving = (Counter(pair[end] for pair in pairs) for end in (0, 1))
     least = NO_POWER * max((band.power for band in drawn.bands), default=0.0)
     behind: dict[Node, Node] = {}
-    for one, other in ((band.source, band.target) for band in drawn.bands if not band.back):
-        branch = leaving[one] > 1 or arriving[other] > 1
-        branch |= any(not port.enters for port in drawn.ports.get(one, ()))
-        branch |= any(port.enters for port in drawn.ports.get(other, ()))
-        alike = abs(drawn.through(one) - drawn.through(other)) <= least
-        if alike and not branch and not {one, other} & drawn.losses.keys():
-            behind[one] = other
+    for source, target in ((band.source, band.target) for band in drawn.bands if not band.back):
+        branch = leaving[source] > 1 or arriving[target] > 1
+        branch |= any(not port.enters for port in drawn.ports.get(source, ()))
+        branch |= any(port.enters for port in drawn.ports.get(target, ()))
+        alike = abs(drawn.through(source) - drawn.through(target)) <= least
+        if alike and not branch and not {source, target} & drawn.losses.keys():
+            behind[source] = target
     for node in nodes:
         if node not in behind.values():
             run = [node]
@@ -183,26 +182,26 @@ def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
 
 
 def _numbered(drawn: Graph) -> Iterator[int]:
-    """Bands where power branches at both ends.
+    """Yield the bands between two branching points.
 
-    What runs beside a loop is what the node has less the loop.
+    The power beside a loop is known as the power of the node less that of the loop.
     """
     forth = [(n, b) for n, b in enumerate(drawn.bands) if not drawn.is_within(b)]
     sources = [drawn.ends(band)[0] for _, band in forth]
     targets = [drawn.ends(band)[1] for _, band in forth]
-    for node, own in drawn.ports.items():
-        sources += [drawn.place[node] for port in own if not port.enters]
-        targets += [drawn.place[node] for port in own if port.enters]
-    beside = {pair for band in drawn.bands if band.loop is not None for pair in band.pairs}
+    for node, ports_of_node in drawn.ports.items():
+        sources += [drawn.place[node] for port in ports_of_node if not port.enters]
+        targets += [drawn.place[node] for port in ports_of_node if port.enters]
+    next_to_loops = {pair for band in drawn.bands if band.loop is not None for pair in band.pairs}
     for number, band in forth:
         source, target = drawn.ends(band)
         branches = sources.count(source) > 1 and targets.count(target) > 1
-        if band.loop is None and branches and band.pairs[0] not in beside:
+        if band.loop is None and branches and band.pairs[0] not in next_to_loops:
             yield number
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """The longest way to each run in a graph without cycles; a band with a number is longer."""
+    """Return the longest way to each run; bands with numbers count double."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)
@@ -218,14 +217,14 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
                 changed = True
     last = max(layers, default=0)
     givers = {source for source, *_ in ways}
-    for node, own in drawn.ports.items():
-        if drawn.place[node] not in givers and not all(port.enters for port in own):
+    for node, ports_of_node in drawn.ports.items():
+        if drawn.place[node] not in givers and not all(port.enters for port in ports_of_node):
             layers[drawn.place[node]] = last
     return tuple(layers)
 
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
-    """Losses above rounding; the drag of a link leaves at the link itself."""
+    """Return losses above rounding noise; the drag of a link leaves at the link."""
     least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
     losses = {node: loss for node, loss in by_node if loss > least and node.kind != "drag"}

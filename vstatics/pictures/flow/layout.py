@@ -1,4 +1,4 @@
-"""Where the nodes, bands and texts of the picture `flow` stand."""
+"""Layout of the nodes, bands and texts of a power flow."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
 
 TRIES = 12
-"""Times that rows of bands that go back grow."""
+"""Number of times that rows of returning bands grow."""
 STRAIGHT = 0.5
-"""What rises less is level. [pt]"""
+"""Rise below which a band is drawn horizontal. [pt]"""
 
 
 class _Placed(NamedTuple):
-    """Runs and what passes, in their places."""
+    """Runs and passing bands with positions."""
 
     graph: Graph
     scale: float
@@ -29,19 +29,19 @@ class _Placed(NamedTuple):
     cells: NodeColumns
     deep: Depths
     courses: Mapping[int, Sequence[float]]
-    """How deep each band is at its source, where it passes a layer, and at its target. [pt]"""
+    """Depth of each band at the source, in each passed layer, and at the target. [pt]"""
     spaced: Across
     boxes: Sequence[Box]
-    """By run."""
+    """Box of each run."""
 
     def ends(self, number: int) -> tuple[Point, Point]:
-        """Where a band leaves its source, and reaches its target."""
+        """Return the points where a band leaves the source and reaches the target."""
         source, target = (self.boxes[run] for run in self.graph.ends(self.graph.bands[number]))
         return (source.right, self.deep.starts[number]), (target.left, self.deep.ends[number])
 
 
 def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
-    """Places of all that is drawn of a gear; a band of power 1 has the width `scale` [pt].
+    """Return the layout of a gear; a band of power 1 has the width `scale` [pt].
 
     Examples
     --------
@@ -64,21 +64,21 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     notes = [  # powers above bands that pass a column
         Note(
             placed.spaced.middle(layer),
-            placed.deep.middles[layer, one.number]
-            - one.thick / 2
-            - one.above
-            + height(one.text) / 2,
-            one.text,
-            graph.bands[~one.number],
+            placed.deep.middles[layer, cell.number]
+            - cell.thick / 2
+            - cell.above
+            + height(cell.text) / 2,
+            cell.text,
+            graph.bands[~cell.number],
         )
         for layer, column in enumerate(placed.cells.cells)
-        for one in column
-        if one.number < 0 and one.text
+        for cell in column
+        if cell.number < 0 and cell.text
     ]
     ends = {row.number: placed.ends(row.number) for row in rows}
-    for line, own, texts_of_row in placed_rows(rows, placed.spaced, ends, low):
+    for line, row_boxes, texts_of_row in placed_rows(rows, placed.spaced, ends, low):
         lines.append(line)
-        boxes += own
+        boxes += row_boxes
         notes += texts_of_row
     low = max([low, *map(_deepest, lines), *(note.bottom for note in notes)])
     wide = max([placed.spaced.width, *(note.x + width(note.text) / 2 for note in notes)])
@@ -90,19 +90,18 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
             boxes[graph.place[link]].left if port.enters else boxes[graph.place[link]].right,
             placed.deep.ports[port],
         )
-        for link, own in graph.ports.items()
-        for port in own
+        for link, row_boxes in graph.ports.items()
+        for port in row_boxes
     ]
     return FlowLayout(wide, low, graph, tuple(boxes), tuple(lines), tuple(stubs), tuple(notes))
 
 
 def _deepest(line: Line) -> float:
-    """Where the lower edge of a band is lowest [pt]."""
     return max(y for _, y in line.points) + line.width / 2
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
-    """Runs in their places; columns grow until all nodes on ways back have room."""
+    """Return runs with positions; columns grow until all nodes on ways back have room."""
     deep = depths(graph, scale, cells, [row.number for row in rows])
     courses = {
         number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]
@@ -118,16 +117,18 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
             needed[number] = GROWTH * (spaced.leaving[number] - spaced.arriving[number])
         spaced = across(graph, cells, courses, needed, scale)
     boxes = {
-        one.number: Box(one, spaced.middle(layer), deep.middles[layer, one.number] - one.thick / 2)
-        for layer, own in enumerate(cells.cells)
-        for one in own
+        cell.number: Box(
+            cell, spaced.middle(layer), deep.middles[layer, cell.number] - cell.thick / 2
+        )
+        for layer, column in enumerate(cells.cells)
+        for cell in column
     }
     by_run = [boxes[number] for number in range(len(graph.runs))]
     return _Placed(graph, scale, cells, deep, courses, spaced, by_run)
 
 
 def _forward(placed: _Placed) -> Iterator[Line]:
-    """Each band between runs that goes from left to right: level but between columns."""
+    """Yield each forward band between runs, horizontal except between columns."""
     for number, course in placed.courses.items():
         start, end = placed.ends(number)
         points = [start]
@@ -142,7 +143,6 @@ def _forward(placed: _Placed) -> Iterator[Line]:
 
 
 def _within(placed: _Placed) -> Iterator[Line]:
-    """Each band inside a run."""
     deep: dict[Hashable, float] = {}
     for band in placed.graph.bands:
         if placed.graph.is_within(band):

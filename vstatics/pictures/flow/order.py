@@ -1,4 +1,4 @@
-"""The order of runs and of passing bands in the columns of a picture of power."""
+"""Order of runs and passing bands in the columns of a power flow."""
 
 from __future__ import annotations
 
@@ -12,25 +12,32 @@ from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph
 
 COLUMN_ROUNDS = 4
-"""Times that all columns are put in order."""
+"""Number of times that all columns are sorted."""
 
 Near = Mapping[Key, Sequence[tuple[Key, float, float]]]
-"""Neighbours of a cell, the power that they exchange with it, and how much deeper than them
-it stands when the band between is level. [pt]"""
+"""Neighbours of each cell, with exchanged power and relative depth. [-, pt]
+
+A neighbour at the relative depth makes the band in between horizontal.
+"""
 
 
 def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
-    """The columns in an order with few crossings; neighbours are exchanged as long as it helps."""
+    """Return the columns in an order with few crossings, by exchange of neighbours."""
     near = neighbours(graph, cells, {}, {})
-    columns = [[(layer, one.number) for one in own] for layer, own in enumerate(cells.cells)]
+    columns = [
+        [(layer, one.number) for one in column_cells]
+        for layer, column_cells in enumerate(cells.cells)
+    ]
     looped = {end for band in graph.bands if band.loop is not None for end in graph.ends(band)}
     orders = [list(column) for column in columns]
-    lower = [sorted(column, key=lambda own: own[1] in looped) for column in orders]
+    lower = [
+        sorted(column, key=lambda column_cells: column_cells[1] in looped) for column in orders
+    ]
     best, least = lower, math.inf
     for turn, start in enumerate([lower, orders] * COLUMN_ROUNDS):
-        found, crossings = _exchanged(start, near[1], graph)
+        candidate, crossings = _exchanged(start, near[1], graph)
         if crossings < least * SAME_CROSSINGS:
-            best, least = found, crossings
+            best, least = candidate, crossings
         _settle(start, near, turn // 2)
     return best
 
@@ -38,45 +45,52 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
 def neighbours(
     graph: Graph, cells: NodeColumns, starts: Mapping[int, float], ends: Mapping[int, float]
 ) -> tuple[Near, Near]:
-    """Cells before each along bands, and those after it.
+    """Return the cells before and after each cell along bands.
 
     Parameters
     ----------
     starts, ends : mapping of int to float
-        How much deeper than the middle of its run each band is at its ends; else it is in it. [pt]
+        Depth of each band at its ends, relative to the middle of the run, by default 0. [pt]
     """
     steps = []
     for number, way in cells.ways.items():
         power, last = graph.bands[number].power, len(way) - 2
-        for place, (one, other) in enumerate(pairwise(way)):
+        for place, (source, target) in enumerate(pairwise(way)):
             start = 0.0 if place else starts.get(number, 0.0)
             shift = start - (ends.get(number, 0.0) if place == last else 0.0)
-            steps.append((one, other, power, shift))
-    before = grouped((other, (one, power, shift)) for one, other, power, shift in steps)
-    return before, grouped((one, (other, power, -shift)) for one, other, power, shift in steps)
+            steps.append((source, target, power, shift))
+    before = grouped((target, (source, power, shift)) for source, target, power, shift in steps)
+    return before, grouped(
+        (source, (target, power, -shift)) for source, target, power, shift in steps
+    )
 
 
-def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], own: Key) -> float:
-    """Where bands to neighbours are level, by their power; without any its own place."""
+def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], cell: Key) -> float:
+    """Return the depth at which bands to neighbours are horizontal, weighted by power.
+
+    A cell without neighbours keeps its place.
+    """
     weight = sum(power for _, power, _ in near)
-    level = sum((places[one] + shift) * power for one, power, shift in near)
-    return level / weight if weight else places[own]
+    level = sum((places[key] + shift) * power for key, power, shift in near)
+    return level / weight if weight else places[cell]
 
 
 def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> None:
-    """Put every column in the order of its neighbours, before it or after it by turns."""
+    """Sort every column by neighbours, alternately before and after."""
     side = near[turn % 2]
     for place in range(len(columns)) if turn % 2 == 0 else reversed(range(len(columns))):
-        ranks = {own: float(rank) for column in columns for rank, own in enumerate(column)}
-        means = {own: mean(side.get(own, ()), ranks, own) for own in columns[place]}
+        ranks = {key: float(rank) for column in columns for rank, key in enumerate(column)}
+        means = {key: mean(side.get(key, ()), ranks, key) for key in columns[place]}
         columns[place].sort(key=means.__getitem__)
 
 
 def _exchanged(
     columns: list[list[Key]], after: Near, graph: Graph
 ) -> tuple[list[list[Key]], float]:
-    """The same with neighbours exchanged wherever this saves crossings, and these."""
-    places = [(number, rank) for number, one in enumerate(columns) for rank in range(len(one) - 1)]
+    """Swap neighbours while crossings decrease; return columns and crossings."""
+    places = [
+        (number, rank) for number, column_ in enumerate(columns) for rank in range(len(column_) - 1)
+    ]
     least, before = _crossings(columns, after, graph), math.inf
     while least < before * SAME_CROSSINGS:
         before = least
@@ -91,20 +105,20 @@ def _exchanged(
 
 
 def _crossings(columns: Sequence[Sequence[Key]], after: Near, graph: Graph) -> float:
-    """Of each two bands that cross the product of powers; what goes back crosses all below."""
-    ranks = {own: rank for column in columns for rank, own in enumerate(column)}
+    """Return the sum of power products of crossing bands; returning bands cross all below."""
+    ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     total = 0.0
     for column in columns:
         bands = [
-            (ranks[own], ranks[other], power)
-            for own in column
-            for other, power, _ in after.get(own, ())
+            (ranks[key], ranks[target], power)
+            for key in column
+            for target, power, _ in after.get(key, ())
         ]
         for (start, end, power), (first, last, another) in combinations(bands, 2):
             if (start - first) * (end - last) < 0:
                 total += power * another
         for band in graph.bands:
             ends = graph.ends(band) if band.back else ()
-            for rank in (ranks[own] for own in column if own[1] in ends):
+            for rank in (ranks[key] for key in column if key[1] in ends):
                 total += band.power * sum(power for start, _, power in bands if start > rank)
     return total

@@ -1,4 +1,4 @@
-"""Where the power goes in a gear: bands as wide as their power, with losses and loops."""
+"""Picture of the power flow in a gear: bands as wide as their power, with losses and loops."""
 
 from __future__ import annotations
 
@@ -31,24 +31,23 @@ from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import FlowTitles, titles
 
 BAND_WIDTH = 30.0
-"""Of a band of power 1. [pt]"""
+"""Width of a band of power 1. [pt]"""
 MOST_NODE_HEIGHT = 90.0
-"""Of any node. [pt]"""
+"""Largest height of a node. [pt]"""
 LEAST_FLOW_WIDTH = 330.0
-"""Width of the figure, without its margins. [pt]"""
+"""Smallest width of the figure without margins. [pt]"""
 TITLE_WIDTH = 450.0
-"""A title is not wrapped up to here. [pt]"""
+"""Width up to which a title is not wrapped. [pt]"""
 NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
-"""To which names of nodes are wrapped; the less where a gear is wider than the page. [pt]"""
+"""Widths to which names of nodes are wrapped, smaller if a gear is wider than the page. [pt]"""
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
-    """The power flow of all gears, or of some; all figures in one scale.
+    """Yield the power flow of all gears, or of a selection, in a common scale.
 
-    Power runs from left to right, widths of bands are power in one scale for all gears.
-    Losses leave downwards, power that circulates goes back below. With losses, if the
-    gear has a flow with losses. Of several gears those in which nothing branches are a line
-    of text.
+    Power runs from left to right, and the width of a band is its power. Losses leave downwards, and
+    recirculating power returns below. Losses are included if the gear has a flow with losses. Among
+    several gears, a gear without branches is a line of text.
 
     Examples
     --------
@@ -60,12 +59,12 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     """
     every = flows(results)
     numbers = [gears or range(1, len(every) + 1) for gears in shown]
-    chosen = [every[number - 1] for own in numbers for number in own]
+    chosen = [every[number - 1] for selected in numbers for number in selected]
     placings = iter(placed(chosen, style))
-    for own in numbers:
+    for selected in numbers:
         gears = [
             FlowGear(flow, next(placings), _titles(results, flow, number, style))
-            for number in own
+            for number in selected
             for flow in [every[number - 1]]
         ]
         yield list(
@@ -79,21 +78,21 @@ def _titles(results: Results, flow: GearFlow, number: int, style: Style) -> Flow
     return titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
 
 
-def placed(found: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
-    """The rows of gears in one scale; none of a gear of which nothing is to be drawn."""
-    graphs = [graph(flow.shown) if flow.shown is not None else None for flow in found]
+def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
+    """Return the rows of gears in a common scale, empty for a gear without a flow."""
+    graphs = [graph(flow.shown) if flow.shown is not None else None for flow in gear_flows]
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
     ]
     scale = min(BAND_WIDTH, MOST_NODE_HEIGHT / max(powers, default=1.0))
     return [
         _rows(flow, drawn, scale, style) if flow.shown and drawn and drawn.runs else []
-        for flow, drawn in zip(found, graphs, strict=True)
+        for flow, drawn in zip(gear_flows, graphs, strict=True)
     ]
 
 
 def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[FlowLayout]:
-    """A gear as narrow as the page: with names in more lines, or in several rows."""
+    """Return the layout of a gear in the width of the page, with wrapped names or several rows."""
     room, side = style.width - 2 * WIDE_MARGIN, flow.shown
     assert side is not None  # noqa: S101 - who asks knows
     ways = [
@@ -105,18 +104,23 @@ def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[Flow
         if whole.width <= room:
             return [whole]
     cut = (rows(drawn, room, way) for way in ways)
-    return min(cut, key=lambda own: (max(one.width for one in own) > room, len(own)))
+    return min(
+        cut,
+        key=lambda rows_of_way: (
+            max(row_layout.width for row_layout in rows_of_way) > room,
+            len(rows_of_way),
+        ),
+    )
 
 
 def _all(results: Results, gears: Sequence[FlowGear], style: Style) -> Iterator[Figure]:
-    """Several gears with their names."""
     name = title(results.case, style.text("power flow"))
     room = style.width - 2 * WIDE_MARGIN
     yield from sheets(list(gear_blocks(gears, room, style)), name, "", key, room, style)
 
 
 def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
-    """A gear by itself, whose name is in the title."""
+    """Yield the pages of a single gear, which is named in the title."""
     subject = style.text("power flow")
     name = title(results.case, f"{subject}, {gear_title(gear.flow.gear, style)}")
     room = style.width - 2 * WIDE_MARGIN
@@ -127,8 +131,8 @@ def _alone(results: Results, gear: FlowGear, style: Style) -> Iterator[Figure]:
 
 
 def key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
-    """What colours mean, of those that the picture has."""
-    drawn = [(one.titles, row) for one in shown if one.titles for row in one.rows]
+    """Return the meaning of the colours in the picture."""
+    drawn = [(gear.titles, row) for gear in shown if gear.titles for row in gear.rows]
     pairs = [(said, line.band) for said, row in drawn for line in row.lines]
     loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
     lost = any(box.cell.lost for _, row in drawn for box in row.boxes)

@@ -1,4 +1,4 @@
-"""What is placed in the picture `flow`: nodes, bands, ports and texts."""
+"""Positioned parts of a power flow: nodes, bands, ports and texts."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 
 
 class Box(NamedTuple):
-    """A run of nodes, with its text centred above, and with its loss below."""
+    """Run of nodes, with the text centred above, and the loss below."""
 
     cell: FlowCell
     middle: float
-    """From the left. [pt]"""
+    """Distance from the left. [pt]"""
     top: float
-    """Down from the top. [pt]"""
+    """Distance from the top. [pt]"""
 
     @property
     def left(self) -> float:
-        """[pt]."""
+        """Left side [pt]."""
         return self.middle - self.cell.body / 2
 
     @property
     def right(self) -> float:
-        """[pt]."""
+        """Right side [pt]."""
         return self.middle + self.cell.body / 2
 
     @property
     def bottom(self) -> float:
-        """[pt]."""
+        """Bottom [pt]."""
         return self.top + self.cell.thick
 
     def signs(self) -> Iterator[tuple[Node, float, float]]:
-        """Each node with its left and right side [pt]."""
+        """Yield each node with the left and right side [pt]."""
         x = self.left
         for node, wide in zip(self.cell.run, signs(self.cell.run, self.cell.loss), strict=True):
             yield node, x, x + wide
@@ -44,28 +44,28 @@ class Box(NamedTuple):
 
 
 class Line(NamedTuple):
-    """The middle of a band."""
+    """Centre line of a band."""
 
     band: Band
     width: float
     """Power times scale. [pt]"""
     points: tuple[Point, ...]
-    """Corners of what goes back; else ends of what is level, with curves between these."""
+    """Corners of a returning band, or ends of horizontal parts, with curves in between."""
 
 
 class Stub(NamedTuple):
-    """A port: where it touches its link."""
+    """Port at the contact point with the link."""
 
     link: Node
     port: EndPort
     width: float
-    """[pt]"""
+    """Width of the port. [pt]"""
     x: float
     y: float
 
 
 class Note(NamedTuple):
-    """A text of a band or a loop, by its middle."""
+    """Text of a band or a loop, with the centre."""
 
     x: float
     y: float
@@ -74,22 +74,22 @@ class Note(NamedTuple):
 
     @property
     def loop(self) -> bool:
-        """Whether it is told of power that goes round."""
+        """True for recirculating power."""
         return self.band.loop is not None
 
     @property
     def bottom(self) -> float:
-        """[pt]."""
+        """Bottom [pt]."""
         return self.y + height(self.text) / 2
 
 
 class FlowLayout(NamedTuple):
-    """The picture of a gear."""
+    """Layout of a gear."""
 
     width: float
-    """[pt]"""
+    """Width of the layout. [pt]"""
     height: float
-    """[pt]"""
+    """Height of the layout. [pt]"""
     graph: Graph
     boxes: tuple[Box, ...]
     lines: tuple[Line, ...]

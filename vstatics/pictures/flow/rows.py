@@ -1,4 +1,4 @@
-"""A gear that is wider than the page in rows below one another: cut where few bands cross."""
+"""Division of a gear that is wider than the page into rows, cut where few bands cross."""
 
 from __future__ import annotations
 
@@ -7,49 +7,49 @@ from typing import NamedTuple
 
 from vstatics.core.flow.circulation import Node
 from vstatics.pictures.drawing.labels import Span
-from vstatics.pictures.flow.columns import PORT, SPACE
+from vstatics.pictures.flow.columns import PORT_ARROW, SPACE
 from vstatics.pictures.flow.graph import Band, EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
 
 ELSEWHERE = Node("port", -1, "…")
-"""Where a band goes on in another row."""
+"""Node of a band that continues in a further row."""
 COST_OF_CROSSING = 0.4
-"""Of each further band that is cut, where a row costs 1."""
+"""Cost of each further cut band, relative to a row."""
 COST_OF_RAGGED = 0.1
-"""Of rows as different as can be in their widths."""
+"""Cost of rows of very different widths."""
 NARROWER = 0.93
-"""The room is taken for so much less where a row became wider than it was thought to be."""
+"""Factor of the room after a row became wider than expected."""
 TRIES_OF_ROWS = 6
-"""So often."""
+"""Largest number of reductions of the room."""
 
 
 class RowsCost(NamedTuple):
-    """Rows from the first layer on."""
+    """Rows from the first layer on, with the cost."""
 
     cost: float
     ends: tuple[int, ...]
-    """The last layer of each row."""
+    """Last layer of each row."""
 
 
 def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> list[FlowLayout]:
-    """The rows of a graph, each no wider than the room, as far as it can be cut.
+    """Return the rows of a graph, each no wider than the room if possible.
 
-    Power that goes round is never cut.
+    Recirculating power is never cut.
     """
     whole = lay_out(drawn)
-    found, wanted = [whole], room
-    cuts = {layer: len(own) for layer, own in _cuts(drawn).items()}
+    layouts, wanted = [whole], room
+    cuts = {layer: len(bands) for layer, bands in _cuts(drawn).items()}
     for _ in range(TRIES_OF_ROWS if whole.width > room and cuts else 0):
         ends = _best(_columns(whole), cuts, wanted)
-        found = [lay_out(part) for part in parts(drawn, ends)]
-        if max(one.width for one in found) <= room:
+        layouts = [lay_out(part) for part in parts(drawn, ends)]
+        if max(row_layout.width for row_layout in layouts) <= room:
             break
         wanted *= NARROWER
-    return found
+    return layouts
 
 
 def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
-    """A graph cut behind some layers, of which the last is its last one.
+    """Return a graph cut after given layers, which include the last layer.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.flow.power import flows
@@ -69,14 +69,14 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
         for at, enters in ((band.source, False), (band.target, True))
     ]
     return [
-        _part(drawn, {node for node, row in row_of.items() if row == own}, stubs)
-        for own in range(len(ends))
+        _part(drawn, {node for node, row in row_of.items() if row == row_number}, stubs)
+        for row_number in range(len(ends))
     ]
 
 
 def _cuts(drawn: Graph) -> dict[int, list[Band]]:
-    """The bands that cross behind each layer where no power goes round."""
-    found = {}
+    """Return the bands that cross each layer boundary without recirculating power."""
+    by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]
         crossing = [
@@ -85,17 +85,17 @@ def _cuts(drawn: Graph) -> dict[int, list[Band]]:
             if behind[drawn.place[band.source]] != behind[drawn.place[band.target]]
         ]
         if not any(band.back or band.loop is not None for band in crossing):
-            found[layer] = crossing
-    return found
+            by_layer[layer] = crossing
+    return by_layer
 
 
 def _columns(whole: FlowLayout) -> list[Span]:
-    """From where to where each layer has something [pt]."""
-    own = [box for box in whole.boxes if box.cell.number >= 0]
+    """Return the horizontal range of each layer [pt]."""
+    run_boxes = [box for box in whole.boxes if box.cell.number >= 0]
     sides: list[Span] = []
     for layer in range(1 + max(whole.graph.layers)):
-        boxes = [box for box in own if whole.graph.layers[box.cell.number] == layer]
-        before = sides[-1][1] if sides else 0.0  # nothing but bands may pass a layer
+        boxes = [box for box in run_boxes if whole.graph.layers[box.cell.number] == layer]
+        before = sides[-1][1] if sides else 0.0  # a layer can contain only passing bands
         left = min((box.middle - box.cell.wide / 2 for box in boxes), default=before)
         right = max((box.middle + box.cell.wide / 2 for box in boxes), default=before)
         sides.append((left, right))
@@ -103,13 +103,13 @@ def _columns(whole: FlowLayout) -> list[Span]:
 
 
 def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tuple[int, ...]:
-    """The last layer of each row: few rows, few bands cut, rows alike in width."""
+    """Return the last layer of each row for few rows, few cut bands, and similar widths."""
     last = len(columns) - 1
     best = {-1: RowsCost(0.0, ())}
     for end in (*sorted(cuts), last):
         for start, before in list(best.items()):
-            wide = columns[end][1] - columns[start + 1][0] + 2 * (PORT + SPACE) * (start >= 0)
-            over = max(wide / room - 1, 0.0)  # what cannot be cut is wider
+            wide = columns[end][1] - columns[start + 1][0] + 2 * (PORT_ARROW + SPACE) * (start >= 0)
+            over = max(wide / room - 1, 0.0)  # indivisible parts can be wider
             cost = before.cost + 1 + 1000 * over + COST_OF_RAGGED * (wide / room) ** 2
             cost += COST_OF_CROSSING * (cuts[end] - 1) if end != last else 0.0
             if start < end and (end not in best or cost < best[end].cost):
@@ -118,22 +118,22 @@ def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tupl
 
 
 def _part(drawn: Graph, nodes: set[Node], stubs: Sequence[tuple[Node, EndPort]]) -> Graph:
-    """The runs of some nodes, with ports where their bands are cut."""
-    kept = [place for place, run in enumerate(drawn.runs) if run[0] in nodes]
-    first = min(drawn.layers[place] for place in kept)
+    """Return the runs of nodes, with ports at cut bands."""
+    places = [place for place, run in enumerate(drawn.runs) if run[0] in nodes]
+    first = min(drawn.layers[place] for place in places)
     numbers = [n for n, band in enumerate(drawn.bands) if {band.source, band.target} <= nodes]
-    ports = {node: own for node, own in drawn.ports.items() if node in nodes}
+    ports = {node: nodes_and_ways for node, nodes_and_ways in drawn.ports.items() if node in nodes}
     for node, port in stubs:
         if node in nodes:
             ports[node] = *ports.get(node, ()), port
-    own = nodes.union(*(drawn.bands[number].between for number in numbers))
-    runs = tuple(drawn.runs[place] for place in kept)
+    nodes_and_ways = nodes.union(*(drawn.bands[number].between for number in numbers))
+    runs = tuple(drawn.runs[place] for place in places)
     return Graph(
         runs,
-        tuple(drawn.layers[place] - first for place in kept),
+        tuple(drawn.layers[place] - first for place in places),
         {node: number for number, run in enumerate(runs) for node in run},
         tuple(drawn.bands[number] for number in numbers),
         ports,
-        {node: lost for node, lost in drawn.losses.items() if node in own},
+        {node: lost for node, lost in drawn.losses.items() if node in nodes_and_ways},
         frozenset(at for at, number in enumerate(numbers) if number in drawn.numbered),
     )

@@ -1,4 +1,4 @@
-"""Pages of several gears: beside each other where there is room; plain chains as lines of text."""
+"""Pages of several gears, side by side if possible, with plain chains as lines of text."""
 
 from __future__ import annotations
 
@@ -23,45 +23,45 @@ from vstatics.pictures.flow.texts import heading
 from vstatics.pictures.flow.titles import FlowTitles
 
 FLOW_GEAR_GAP = 20.0
-"""Gears. [pt]"""
-CHAIN_GAP = 6.0
-"""Gears that are lines of text. [pt]"""
+"""Distance between gears. [pt]"""
+CHAIN_LINE_GAP = 6.0
+"""Distance between gears as lines of text. [pt]"""
 LINE_START = 10.0
-"""From the name of a gear to its line. [pt]"""
+"""Distance from the name of a gear to the line. [pt]"""
 LEAST_BLOCK_WIDTH = 190.0
-"""Of a gear beside others, for the line below its name. [pt]"""
+"""Smallest width of a gear on a shared shelf, for the line below the name. [pt]"""
 BELOW_TEXT = 8.0
-"""Between a text of the whole figure and what follows. [pt]"""
+"""Distance between a text of the whole figure and the next part. [pt]"""
 
 
 class FlowGear(NamedTuple):
-    """What is drawn of a gear."""
+    """Drawing of a gear."""
 
     flow: GearFlow
     rows: Sequence[FlowLayout]
-    """Below one another; none where no power is drawn."""
+    """Rows from top to bottom, empty without power."""
     titles: FlowTitles | None
 
     @property
     def wide(self) -> float:
-        """[pt]."""
+        """Width of the widest row [pt]."""
         return max((row.width for row in self.rows), default=0.0)
 
 
 class FlowBlock(NamedTuple):
-    """A gear among others with what stands over it, or one of its rows."""
+    """Gear with heading, or a row of a gear."""
 
     shown: Sequence[FlowGear]
-    """Of what is drawn as bands: for the key."""
+    """Gears with bands, for the key."""
     wide: float
-    """[pt]"""
+    """Width. [pt]"""
     high: float
     gap: float
-    """Between it and another one at least [pt]."""
+    """Smallest distance to the next block. [pt]"""
     draw: Callable[[Pen, float, float], None]
-    """From an upper left corner on."""
+    """Function that draws the block from an upper left corner."""
     is_rest: bool = False
-    """Whether it is a further row of a gear."""
+    """True for a further row of a gear."""
 
 
 def sheets(  # noqa: PLR0913 PLR0917 - a page has these
@@ -72,7 +72,7 @@ def sheets(  # noqa: PLR0913 PLR0917 - a page has these
     room: float,
     style: Style,
 ) -> Iterator[Figure]:
-    """Pages with a title, a note and a key of what is on them, in a width without margins [pt]."""
+    """Yield pages with title, note and key, in a width without margins [pt]."""
 
     def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
         shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
@@ -102,26 +102,26 @@ def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
 
 
 def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
-    """Gears beside each other as far as there is room."""
-    found: list[list[FlowBlock]] = []
+    """Place gears side by side as far as the width permits."""
+    shelves: list[list[FlowBlock]] = []
     taken = room
     for block in blocks:
         if taken + FLOW_GEAR_GAP + block.wide > room:
-            found.append([])
+            shelves.append([])
             taken = -FLOW_GEAR_GAP
-        found[-1].append(block)
+        shelves[-1].append(block)
         taken += FLOW_GEAR_GAP + block.wide
-    return found
+    return shelves
 
 
 def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
-    """As many below one another as there is room for; the rows of a gear are on one page."""
+    """Yield shelves from top to bottom by page; the rows of a gear are on a page if possible."""
     page: list[list[FlowBlock]] = []
-    for own in _together(shelves):
-        if page and _all_high([*page, *own]) > room:
+    for shelf_group in _together(shelves):
+        if page and _all_high([*page, *shelf_group]) > room:
             yield page
             page = []
-        for shelf in own:
+        for shelf in shelf_group:
             if page and _all_high([*page, shelf]) > room:
                 yield page
                 page = []
@@ -130,23 +130,22 @@ def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[lis
 
 
 def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
-    """Each shelf with the further rows of its gear."""
-    found: list[list[list[FlowBlock]]] = []
+    """Yield each shelf with the further rows of the gear."""
+    groups: list[list[list[FlowBlock]]] = []
     for shelf in shelves:
-        if found and shelf[0].is_rest:
-            found[-1].append(shelf)
+        if groups and shelf[0].is_rest:
+            groups[-1].append(shelf)
         else:
-            found.append([shelf])
-    yield from found
+            groups.append([shelf])
+    yield from groups
 
 
 def _all_high(page: Sequence[Sequence[FlowBlock]]) -> float:
-    """Shelves with the gaps between them [pt]."""
     return sum(map(_high, page)) + sum(starmap(_gap, pairwise(page)))
 
 
 def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
-    """Several gears, each with its name."""
+    """Yield several gears, each with a name."""
     names = [gear_title(gear.flow.gear, style) for gear in gears]
     start = LINE_START + max(width(name, bold=True) for name in names)
     for gear, name in zip(gears, names, strict=True):
@@ -165,7 +164,7 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
 
 
 def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
-    """The rows of a gear."""
+    """Return the rows of a gear."""
     return [
         FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, row))
         for row in gear.rows
@@ -173,7 +172,7 @@ def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
 
 
 def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float) -> None:
-    assert gear.titles is not None  # noqa: S101 - it has power, then
+    assert gear.titles is not None  # noqa: S101 - a row has power
     FlowView(pen, left, top, gear.titles).draw(row)
 
 
@@ -190,7 +189,7 @@ def _head_block(name: str, text: str, wide: float) -> FlowBlock:
 
 
 def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
-    """A row below the name of its gear."""
+    """Return a row below the name of the gear."""
     below = head.high + BELOW_TEXT * bool(row.high)
 
     def draw(pen: Pen, left: float, top: float) -> None:
@@ -205,4 +204,4 @@ def _line_block(line: ChainLine, name: str, start: float, room: float) -> FlowBl
         pen.text(left, top, name, va="top", bold=True)
         line.draw(pen, left + start, top)
 
-    return FlowBlock([], room, line.high, CHAIN_GAP, draw)
+    return FlowBlock([], room, line.high, CHAIN_LINE_GAP, draw)

@@ -1,4 +1,4 @@
-"""How the nodes, bands and ports of the picture `flow` are drawn."""
+"""Drawing of the nodes, bands and ports of a power flow."""
 
 from __future__ import annotations
 
@@ -14,37 +14,37 @@ from vstatics.pictures.drawing.labels import Point
 from vstatics.pictures.drawing.line_styles import Look, mixed
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import SIZE, Style
-from vstatics.pictures.flow.columns import LOSS_LENGTH, PORT
+from vstatics.pictures.flow.columns import LOSS_LENGTH, PORT_ARROW
 from vstatics.pictures.flow.graph import Graph
 from vstatics.pictures.flow.places import Box, FlowLayout, Line, Stub
 from vstatics.pictures.flow.titles import FlowTitles
 
 LEAST_BAND_WIDTH = 0.6
-"""Width of a band of hardly any power. [pt]"""
+"""Width of a band with hardly any power. [pt]"""
 TURN_RADIUS = 6.0
 """Radius of the inner side of a turn. [pt]"""
 BAND_COVER = 0.75
-"""How much of a band that goes round covers what it crosses."""
+"""Opacity of a band of recirculating power over other parts. [-]"""
 CURVE_PIECES = 6
-"""Straight pieces of a curve of a thin band."""
+"""Number of straight pieces of a curve of a thin band."""
 HATCH = "////"
-"""Of what a convention divides, and of what may not be in the metal."""
+"""Hatch of power divided by convention, and of possible artefacts of the model."""
 MILD_HATCH = "...."
-"""Of what divides power by its ratio, but for friction."""
+"""Hatch of power divided by the ratio, apart from friction."""
 
 
 class FlowView(NamedTuple):
-    """A gear with its upper left corner at a place of a figure."""
+    """Gear with the upper left corner at a point of a figure."""
 
     pen: Pen
     left: float
-    """[pt]"""
+    """Left edge. [pt]"""
     top: float
-    """[pt]"""
+    """Upper edge. [pt]"""
     titles: FlowTitles
 
     def draw(self, layout: FlowLayout) -> None:
-        """All of a gear."""
+        """Draw all parts of a gear."""
         style = self.pen.style
         for line in layout.lines:
             self._line(line)
@@ -80,30 +80,35 @@ class FlowView(NamedTuple):
             pen.add(PathPatch(path, **look), said)
         for (x, start), (_, end) in (points[1:3], points[3:5]) if band.back else ():
             y, size = (start + end) / 2, min(max(line.width / 4, 2.0), 5.0)
-            tip = math.copysign(size, end - start)  # which way it goes round
+            tip = math.copysign(size, end - start)  # direction of circulation
             shape = (x - size, y - tip), (x + size, y - tip), (x, y + tip)
             pen.area(*shape, color=style.circulating)
 
     def _port(self, stub: Stub) -> None:
-        """A port: the tail of an arrow before its link, or the head of one behind it."""
+        """Draw a port as the tail of an arrow before the link, or the head after the link."""
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
-        notch = min(half, PORT - 4)
+        notch = min(half, PORT_ARROW - 4)
         if stub.port.enters:
-            shape = [(x - PORT, y + half), (x, y + half), (x, y - half), (x - PORT, y - half)]
-            shape.append((x - PORT + notch, y))
+            shape = [
+                (x - PORT_ARROW, y + half),
+                (x, y + half),
+                (x, y - half),
+                (x - PORT_ARROW, y - half),
+            ]
+            shape.append((x - PORT_ARROW + notch, y))
         else:
-            shape = [(x, y + half), (x + PORT - notch, y + half), (x + PORT, y)]
-            shape += [(x + PORT - notch, y - half), (x, y - half)]
+            shape = [(x, y + half), (x + PORT_ARROW - notch, y + half), (x + PORT_ARROW, y)]
+            shape += [(x + PORT_ARROW - notch, y - half), (x, y - half)]
         said = self.titles.port(stub.link, stub.port)
         self.pen.area(*shape, color=self.pen.style.power, title=said)
 
     def _dots(self, stubs: Sequence[Stub]) -> None:
-        """Where bands are cut, once for those that are near to one another."""
+        """Draw dots where bands are cut, once for neighbouring bands."""
         dotted: list[Point] = []
         for stub in stubs:
             way, ha = (-1, "right") if stub.port.enters else (1, "left")
-            x, y = self._at((stub.x + way * (PORT + 2), stub.y))
+            x, y = self._at((stub.x + way * (PORT_ARROW + 2), stub.y))
             if not any(abs(x - left) < 2 * SIZE and abs(y - low) < SIZE for left, low in dotted):
                 dotted.append((x, y))
                 self.pen.text(x, y, "…", ha=ha, va="center_baseline")
@@ -119,10 +124,10 @@ class FlowView(NamedTuple):
         self.pen.text(middle, tip - 1, box.cell.lost, ha="center", va="top", color=lost)
 
     def _signs(self, box: Box, graph: Graph) -> None:
-        """The nodes of a run: bars for links, boxes for devices; their names above."""
+        """Draw the nodes of a run: bars for links, boxes for components, with names above."""
         cell, style, signs = box.cell, self.pen.style, list(box.signs())
-        for (one, _, left), (other, right, _) in pairwise(signs) if cell.number < 0 else ():
-            if not self.titles.divided.isdisjoint([(one, other), (other, one)]):
+        for (before, _, left), (after, right, _) in pairwise(signs) if cell.number < 0 else ():
+            if not self.titles.divided.isdisjoint([(before, after), (after, before)]):
                 look = hatched_look(loop_colour(style), style)
                 self.pen.area(*self._corners(left, right, box), **look)
         for node, left, right in signs:
@@ -143,7 +148,7 @@ class FlowView(NamedTuple):
 
 
 def _curves(points: Sequence[Point]) -> Path:
-    """Through points, level at each."""
+    """Return a smooth path through points, horizontal at each."""
     places, codes = [points[0]], [Path.MOVETO]
     for (left, start), (right, end) in pairwise(points):
         if start == end:
@@ -157,10 +162,10 @@ def _curves(points: Sequence[Point]) -> Path:
 
 
 def _rounded(points: Sequence[Point], wide: float) -> Path:
-    """From corner to corner, each as round as there is room."""
+    """Return a path from corner to corner, with rounded corners as far as possible."""
     places, codes = [points[0]], [Path.MOVETO]
     last = len(points) - 1
-    room = [  # two corners share what is between them
+    room = [  # two corners share the distance between them
         math.dist(*pair) / (1 if place in (0, last - 1) else 2)
         for place, pair in enumerate(pairwise(points))
     ]
@@ -179,17 +184,17 @@ def _towards(place: Point, other: Point, way: float) -> Point:
 
 
 def loop_colour(style: Style) -> str:
-    """Of power that goes round, on paper: as pale as its bands, which show what they cross."""
+    """Return the colour of recirculating power on paper, as pale as the transparent bands."""
     return mixed(style.circulating, style.paper, BAND_COVER)
 
 
 def hatched_look(colour: str, style: Style) -> Look:
-    """Of an area that is divided by convention, or may not be in the metal."""
+    """Return the style of areas divided by convention, or of possible model artefacts."""
     return {"facecolor": colour, "edgecolor": style.paper, "hatch": HATCH}
 
 
 def _outline(path: Path, wide: float) -> list[Point]:
-    """The edge of a band by its middle, in straight pieces."""
+    """Return the edge of a band from the centre line, in straight pieces."""
     pieces, points = round(CURVE_PIECES + wide / 4), []
     curves: Any = path.iter_bezier()
     for curve, code in curves:

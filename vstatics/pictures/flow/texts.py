@@ -1,4 +1,4 @@
-"""What is written in the picture `flow`."""
+"""Texts in the picture of a power flow."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from vstatics.pictures.drawing.words import fault
 from vstatics.pictures.flow.graph import EndPort, Run
 
 LOOP_TEXT_WIDTH = 300.0
-"""What is said of a loop is wrapped to this width. [pt]"""
+"""Width to which the text of a loop is wrapped. [pt]"""
 UNBROKEN = "\u00a0"
-"""A blank at which no line ends."""
+"""Blank at which no line is broken."""
 
 
 class FlowTexts(NamedTuple):
-    """What is written at the nodes, bands and loops of a gear; a text may have lines."""
+    """Texts at the nodes, bands and loops of a gear, possibly with several lines."""
 
     flow: GearFlow
     side: PowerFlow
     style: Style
     short: float = SHORT_NAME
-    """Names of single nodes are wrapped to this width. [pt]"""
+    """Width to which names of single nodes are wrapped. [pt]"""
 
     def power(self, value: float) -> str:
-        """Of a loss, and of a band."""
+        """Return the text of a power."""
         text = number(value) if value >= LEAST_SHOWN_POWER else "<0.001"
         return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
 
@@ -43,9 +43,11 @@ class FlowTexts(NamedTuple):
         *,
         back: bool = False,
     ) -> str:
-        """The names of a run of a width, and the power through it; of ports what differs."""
+        """Return the names of a run with the power, and with different powers of ports."""
         names = [_named(node, ports, self.style) for node in run]
-        names = [one.replace(" ", UNBROKEN) if width(one) <= self.short else one for one in names]
+        names = [
+            name.replace(" ", UNBROKEN) if width(name) <= self.short else name for name in names
+        ]
         between = f"{UNBROKEN}{'<' if back else '>'} "
         joined = between.join(reversed(names) if back else names)
         name = wrapped(
@@ -59,7 +61,7 @@ class FlowTexts(NamedTuple):
         return "\n".join(lines)
 
     def loop(self, number_of_loop: int) -> str:
-        """Power that circulates, and why it may not, by the index of the loop."""
+        """Return the text of a loop: recirculating power, and a remark on possible artefacts."""
         loop, text = self.side.loops[number_of_loop], self.style.text
         said = f"{text('circulates')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
@@ -71,7 +73,7 @@ class FlowTexts(NamedTuple):
 
     @property
     def circulating(self) -> str:
-        """All power that circulates, where there are several loops."""
+        """Text of the total recirculating power of several loops."""
         if len(self.side.loops) < 2 or math.isnan(self.side.circulating):
             return ""
         total = self.power(self.side.circulating).replace("\n", ", ")
@@ -83,27 +85,28 @@ class FlowTexts(NamedTuple):
         return f"{100 * share:.1f}% {self.style.text('of the power in')}"
 
     def _kilowatts(self, power: float) -> str:
-        """A power to three digits."""
         value = power * self.flow.kilowatts
         text = f"{value:.0f}" if value >= 100 else f"{value:#.3g}".removesuffix(".")
         return f"{text} {self.style.text('kW')}"
 
 
 def port_name(node: Node, style: Style) -> str:
-    """Of the input and the output; other ports have the names of their links."""
+    """Return the name of the input or output; further ports have the names of links."""
     ports = {"input": style.text("input"), "output": style.text("output")}
     return ports.get(node.name, node.name)
 
 
 def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
-    """The name of a node, with that of its port if this says more."""
-    own = [port.node for port in ports if port.node.number == node.number and node.kind == "link"]
-    said = [port_name(port, style) for port in own if port.name != node.name]
+    """Return the name of a node, with the name of a port if different."""
+    port_nodes = [
+        port.node for port in ports if port.node.number == node.number and node.kind == "link"
+    ]
+    said = [port_name(port, style) for port in port_nodes if port.name != node.name]
     return ": ".join((*said, node.name))
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
-    """What is to be said of a gear besides its picture."""
+    """Return the remarks on a gear above the picture."""
     lines = [fault(flow.status, style)] if flow.note else []
     side = flow.shown
     if side is None:

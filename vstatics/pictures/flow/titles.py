@@ -1,4 +1,4 @@
-"""What nodes and bands of the picture `flow` say while a pointer rests on them."""
+"""Texts of nodes and bands of a power flow under the pointer."""
 
 from __future__ import annotations
 
@@ -14,38 +14,38 @@ from vstatics.pictures.flow.texts import FlowTexts, port_name
 
 
 class FlowTitles(NamedTuple):
-    """Power, torque and speed of all that is drawn of a gear; relative to those of the input."""
+    """Power, torque and speed of all drawn parts of a gear, relative to the input."""
 
     texts: FlowTexts
     speeds: Mapping[str, float]
-    """By the name of the link."""
+    """Speed by name of the link."""
     torques: Mapping[tuple[Node, str], float]
-    """Which links give to the members of mechanisms, with losses if there are any."""
+    """Torques of links on the members of mechanisms, with losses if available."""
     divided: frozenset[tuple[Node, Node]]
-    """Where power is divided by convention."""
+    """Pairs of nodes where power is divided by convention."""
 
     def is_divided(self, band: Band) -> bool:
-        """Whether the power of a band is divided by convention all the way."""
+        """Return whether the power of a band is divided by convention all the way."""
         return self.divided.issuperset(band.pairs)
 
     def is_open(self, node: Node) -> bool:
-        """Whether a node turns as one piece, and its power is decided by convention."""
+        """Return whether a node rotates as a block, with the power given by convention."""
         return node in self.texts.flow.by_convention
 
     def is_mild(self, node: Node) -> bool:
-        """Whether the power of a node that turns as one piece is open by no more than friction.
+        """Return whether the power of a locked-up node is undetermined by friction only.
 
-        A differential whose members turn alike divides torque by its ratio; what a convention
-        decides is the little that its teeth may hold.
+        A locked-up differential divides torque by its ratio. Only the small friction in the teeth
+        is decided by convention.
         """
         return self.is_open(node) and not any(node in pair for pair in self.divided)
 
     def is_doubtful(self, band: Band) -> bool:
-        """Whether a band is part of a loop that may not be in the metal."""
+        """Return whether a band belongs to a loop that can be an artefact of the model."""
         return band.loop is not None and bool(self.texts.side.loops[band.loop].shared)
 
     def band(self, band: Band) -> str:
-        """What is said of a band; one that goes back has no one speed."""
+        """Return the text of a band; a returning band has no common speed."""
         nodes = band.source, *band.between, band.target
         names = " → ".join(map(str, nodes))
         link = next(node for node in nodes if node.kind == "link")
@@ -60,14 +60,14 @@ class FlowTitles(NamedTuple):
         return f"{names}: {', '.join(said)}"
 
     def port(self, link: Node, port: EndPort) -> str:
-        """What is said of a port, and of a band that is cut."""
+        """Return the text of a port, or of a cut band."""
         if port.cut is not None:
             return self.band(port.cut)
         said = [self._power(port.power), *self._turning(port.power, link.name)]
         return f"{port_name(port.node, self.texts.style)}: {', '.join(said)}"
 
     def node(self, node: Node, power: float, lost: float) -> str:
-        """What is said of a node with the power that is drawn through it, and of its members."""
+        """Return the text of a node with the power through the node, and with members."""
         said = [self._power(power)]
         if node.kind == "link":
             said += self._turning(power, node.name)
@@ -110,7 +110,7 @@ class FlowTitles(NamedTuple):
 
 
 def titles(texts: FlowTexts, state: GearState) -> FlowTitles:
-    """The titles of a gear."""
+    """Return the titles of a gear."""
     case, lossy = state.case, texts.side is texts.flow.lossy
     torques = {
         (Node("mechanism", number, device.name), member): plain(torque)

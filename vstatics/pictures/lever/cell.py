@@ -1,4 +1,4 @@
-"""One lever in one gear: its line, torques at its points, speeds to the side; lengths in points."""
+"""Drawing of a lever in a gear: its line, torques at the points, speeds to the side; in points."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from vstatics.pictures.lever.view import LeverView
 
 
 def draw_lever(view: LeverView, name: str, top: float) -> None:
-    """A lever with its points, its name below a height."""
+    """Draw a lever with points, and the name below a height."""
     cell = view.cell
     if name:
         said, where = _shape(view), (cell.left, top - 2)
@@ -58,24 +58,24 @@ def draw_lever(view: LeverView, name: str, top: float) -> None:
 def lever_names(
     page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
 ) -> list[str]:
-    """What stands over each lever in a gear, in lines that end before the next lever."""
+    """Return the texts above the levers in a gear, in lines that end before the next lever."""
     ends = [
         after.left - BESIDE_LEVER if after and after.band == cell.band else end
         for cell, after in zip(page.cells, [*page.cells[1:], None], strict=True)
     ]
-    found: list[str] = []
+    names: list[str] = []
     for place, (cell, right) in enumerate(zip(page.cells, ends, strict=True)):
         said = [cell.lever.name]
         if gear.is_one_piece(place):
             said.append(style.text("one piece"))
         if place in same:
             said.append(style.text("as in gear {gear}", gear=same[place]))
-        found.append(wrapped(", ".join(said), right - cell.left))
-    return found
+        names.append(wrapped(", ".join(said), right - cell.left))
+    return names
 
 
 def _shape(view: LeverView) -> str:
-    """Where the points of a lever are."""
+    """Return a text with the positions of the points of a lever."""
     lever, style = view.cell.lever, view.style
     places = (
         f"{link_name(view.sheet.page.case, node.link, style)} {number(node.position)}"
@@ -85,13 +85,13 @@ def _shape(view: LeverView) -> str:
 
 
 def _look(link: int, style: Style, *, is_way: bool) -> dict[str, Any]:
-    """Colour and dash of a link, pale where no torque passes."""
+    """Return colour and dash of a link, pale without torque."""
     colour, dash = (style.colour(link - 1), style.dash(link - 1)) if link else (style.ink, "solid")
     return {"colour": colour if is_way else style.faint, "dash": dash}
 
 
 def _draw_line(view: LeverView) -> None:
-    """The line of a lever, with those of rest and of the input's speed beside it."""
+    """Draw the line of a lever, and lines for rest and for the input speed."""
     cell, sheet, style = view.cell, view.sheet, view.style
     heights = [row.at + view.bottom for row in cell.rows.values()]
     low, high = min(heights), max(heights)
@@ -114,7 +114,7 @@ def _draw_line(view: LeverView) -> None:
 
 
 def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
-    """The line of a link across the cell, bent to its point, with its torque and its speed."""
+    """Draw the line of a link, bent to the point on the lever, with torque and speed."""
     cell, sheet, gear = view.cell, view.sheet, view.gear
     link, y, at = cell.lever.nodes[node].link, row.y + view.bottom, row.at + view.bottom
     is_way = view.is_loaded or gear.is_way(link, view.place, view.place)
@@ -122,7 +122,7 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
     left = (cell.left, y), (cell.at - BESIDE_LEVER, y), (cell.at, at)
     sheet.line(*left, (end, at), (end + BESIDE_LEVER, y), (cell.right, y), **look)
     mark = mark_of(link, gear.state, stands=gear.stands(link))
-    others = (abs(one.at - row.at) for other, one in cell.rows.items() if other != node)
+    others = (abs(other_row.at - row.at) for other, other_row in cell.rows.items() if other != node)
     is_over = mark == "out" and min(others, default=MARK_SIZE) < MARK_SIZE
     sheet.point((cell.at, at), mark, view.ink, is_over=is_over)
     speed, torque = view.speed(node), view.torque(node)
@@ -134,7 +134,6 @@ def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
 
 
 def _write(view: LeverView, node: int, row: LeverRow) -> None:
-    """The name of a point, its torque below, its speed at the right."""
     cell, pen, y = view.cell, view.sheet.pen, row.y + view.bottom
     speed, torque, point = view.speed(node), view.torque(node), view.cell.lever.nodes[node]
     name = link_name(view.sheet.page.case, point.link, view.style)
@@ -154,7 +153,7 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
-    """What holds a point, with the names of its brakes; a freewheel by its sign."""
+    """Draw the support of a point, with the names of brakes, or the symbol of a freewheel."""
     style, x, y = view.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
     if any_freewheel(view.sheet.page.case, name.split(", ")):
         freewheel(view.sheet, (x + 1, y))
@@ -167,29 +166,28 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
-    """What shift elements at one place are loaded with."""
-    own = (name for name in names.split(", ") if name in gear.carried)
-    return ", ".join(f"{one}: {quantity('torque', gear.carried[one], style)}" for one in own)
+    loaded = (name for name in names.split(", ") if name in gear.carried)
+    return ", ".join(f"{name}: {quantity('torque', gear.carried[name], style)}" for name in loaded)
 
 
 def draw_route(
     sheet: LeverSheet, gear: LeverGear, route: LeverRoute, feet: Mapping[int, float]
 ) -> None:
-    """The line of a link, a clutch or a spring between levers, as far as their rows are there.
+    """Draw the line of a link, clutch or spring between levers, in the present rows.
 
     Parameters
     ----------
     feet : mapping of int to float
-        Of the rows of levers on a page.
+        Foot of each row of levers on the page.
     """
-    style, one = sheet.pen.style, route.tie
-    if one.name:
-        is_slack = not one.is_spring and gear.is_slack(one.name)
-        colour = style.faint if is_slack else style.soft if one.is_spring else style.engaged
+    style, tie = sheet.pen.style, route.tie
+    if tie.name:
+        is_slack = not tie.is_spring and gear.is_slack(tie.name)
+        colour = style.faint if is_slack else style.soft if tie.is_spring else style.engaged
         look: dict[str, Any] = {"colour": colour, "width": 1.4}
     else:
-        is_way = gear.is_way(one.link, one.ends[0][0], one.ends[1][0])
-        look = _look(one.link, style, is_way=is_way)
+        is_way = gear.is_way(tie.link, tie.ends[0][0], tie.ends[1][0])
+        look = _look(tie.link, style, is_way=is_way)
     for piece in route.pieces:
         places = [(x, y + feet[band]) for band, (x, y) in piece if band in feet]
         if places:
@@ -203,21 +201,21 @@ def draw_route(
 
 
 def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
-    """A clutch, freewheel or spring, and its name beside it, or over it on a level line."""
-    style, one, upright = sheet.pen.style, route.tie, route.is_upright
+    """Draw a clutch, freewheel or spring with the name."""
+    style, tie, upright = sheet.pen.style, route.tie, route.is_upright
     assert route.sign is not None  # noqa: S101 - of who calls
     x, y = route.sign[1][0], route.sign[1][1] + bottom
-    if one.is_spring:
+    if tie.is_spring:
         coil(sheet, (x, y), upright=upright)
-    elif any_freewheel(sheet.page.case, [one.name]):
+    elif any_freewheel(sheet.page.case, [tie.name]):
         freewheel(sheet, (x, y), upright=upright)
     else:
         plates(sheet, (x, y), upright=upright)
-    said, ink = _carried(gear, one.name, style), style.ink if one.is_spring else style.engaged
+    said, ink = _carried(gear, tie.name, style), style.ink if tie.is_spring else style.engaged
     pen = sheet.pen
     if upright:
         where: Look = {"ha": "left", "va": "center"}
-        pen.text(x + BESIDE_SIGN, y, one.name, title=said, color=ink, **where)
+        pen.text(x + BESIDE_SIGN, y, tie.name, title=said, color=ink, **where)
     else:
         where = {"ha": "center", "va": "bottom"}
-        pen.text(x, y + 6.5, one.name, title=said, color=ink, over=True, **where)
+        pen.text(x, y + 6.5, tie.name, title=said, color=ink, over=True, **where)

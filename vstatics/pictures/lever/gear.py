@@ -1,4 +1,4 @@
-"""What levers show of a gear: speeds, torques, what holds them and what ties them together."""
+"""State of the levers in a gear: speeds, torques, supports and connections."""
 
 from __future__ import annotations
 
@@ -17,68 +17,68 @@ from vstatics.pictures.drawing.tolerances import NO_LEVER_TORQUE
 from vstatics.pictures.lever.points import Lever, held_for_good
 
 Spot = tuple[int, int]
-"""A point of a picture: the number of its lever, and of its node."""
+"""Point of a picture: number of the lever, and of the node."""
 
 
 class LeverTie(NamedTuple):
-    """What joins two points: a link that is on two levers, a clutch, a spring as shaft."""
+    """Connection of two points: a link on two levers, a clutch, a spring as a shaft."""
 
     name: str
-    """None of a link."""
+    """Name, empty for a link."""
     link: int
-    """That of the first point."""
+    """Link of the first point."""
     ends: tuple[Spot, Spot]
-    """The left one first, if they are on different levers."""
+    """Both points, the left first if on different levers."""
     is_spring: bool = False
 
 
 class LeverGear(NamedTuple):
-    """A gear on the levers of a case."""
+    """Gear on the levers of a case."""
 
     state: PictureState
     torques: Sequence[Sequence[float]]
-    """On the nodes of each lever, without losses, over the input torque. [-]"""
+    """Torques on the nodes of each lever, without losses, relative to the input torque. [-]"""
     roles: Sequence[set[Role]]
-    """By lever: what its devices do; a shaft is idle or has none."""
+    """Roles of the components of each lever; a shaft is idle or has no role."""
     grounds: dict[Spot, str]
-    """Points that stand by brakes or in the housing, with the names of the brakes."""
+    """Names of brakes by points at rest through brakes or the housing."""
     ties: Sequence[LeverTie]
     carried: dict[str, float]
-    """Name of an engaged element -> its torque without losses. [-]"""
+    """Torque of each engaged element by name, without losses. [-]"""
     loads: dict[int, set[int]]
-    """Link -> the levers at which something gives it torque or takes it."""
+    """Levers at which each link receives or gives torque."""
 
     def is_way(self, link: int, first: int, last: int) -> bool:
-        """Whether torque of a link passes between two levers, or at one."""
+        """Return whether a link transmits torque between two levers, or at a lever."""
         places = self.loads.get(link, set())
         return any(place <= first for place in places) and any(place >= last for place in places)
 
     def is_loaded(self, lever: int) -> bool:
-        """Whether a lever or shaft carries torque, or one that is not known."""
+        """Return whether a lever or shaft carries torque, or unknown torque."""
         return self.roles[lever] != {IDLE}
 
     def is_slack(self, names: str) -> bool:
-        """Whether all shift elements at one place are engaged without torque."""
+        """Return whether all shift elements at a place are engaged without torque."""
         torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
         return all(abs(torque) < NO_LEVER_TORQUE for torque in torques)
 
     def is_one_piece(self, lever: int) -> bool:
-        """Whether a lever carries torque, and nothing in it moves."""
+        """Return whether a lever carries torque and rotates as a block."""
         return ONE_PIECE in self.roles[lever] and "" not in self.roles[lever]
 
     def stands(self, link: int) -> bool:
-        """Whether a link stands, by what it is joined to or by a set that is locked."""
+        """Return whether a link is at rest, by connections or by a locked-up set."""
         return self.state.joined[link] == HOUSING or abs(self.state.speeds[link]) < NO_LEVER_TORQUE
 
     def shown(self, lever: int, nodes: Lever) -> object:
-        """All that the picture of a lever shows of a gear."""
+        """Return a key of everything that the picture of a lever shows in a gear."""
         speeds = [self.state.speeds[node.link] for node in nodes.nodes]
         grounds = {spot: name for spot, name in self.grounds.items() if spot[0] == lever}
         return repr((speeds, self.torques[lever], grounds))
 
 
 def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
-    """A gear on levers that stand in their order from left to right.
+    """Return a gear on levers in order from left to right.
 
     Examples
     --------
@@ -112,11 +112,11 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
 
 
 def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
-    """Points at which something gives torque to a link, or takes it."""
+    """Yield the points at which a link receives or gives torque."""
     yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
-    for one in gear.ties:
-        if one.name and (one.is_spring or not gear.is_slack(one.name)):
-            yield from one.ends
+    for tie in gear.ties:
+        if tie.name and (tie.is_spring or not gear.is_slack(tie.name)):
+            yield from tie.ends
     for place, some in enumerate(gear.torques):
         yield from ((place, node) for node, torque in enumerate(some) if torque)
     given = {gear.state.input, gear.state.output, *gear.state.gear.torques}
@@ -133,22 +133,22 @@ def _torque(
 
 
 def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:
-    """The points of each link, from left to right."""
-    found = grouped(
+    """Return the points of each link, from left to right."""
+    spots = grouped(
         (node.link, (place, number))
         for place, lever in enumerate(drawn)
         for number, node in enumerate(lever.nodes)
     )
     for lever in drawn:
         for link in lever.shaft:
-            found.setdefault(link, found[lever.nodes[0].link])
-    return found
+            spots.setdefault(link, spots[lever.nodes[0].link])
+    return spots
 
 
 def brakes_of(
     case: Transmission, gear: Gear, spots: dict[int, list[Spot]]
 ) -> dict[Spot, list[str]]:
-    """The names of the engaged brakes at the first point of each link."""
+    """Return the names of the engaged brakes at the first point of each link."""
     return grouped(
         (spot, element.name)
         for element in (case.shift_elements[number - 1] for number in gear.engaged)
@@ -160,7 +160,7 @@ def brakes_of(
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
 ) -> dict[Spot, str]:
-    """A link has one ground, with all its brakes; the housing has one at each of its points."""
+    """Return the supports: a single support of a link with all brakes, several of the housing."""
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)
@@ -172,7 +172,7 @@ def _grounds(
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
-    """Links that are on several levers, from each to the next."""
+    """Yield the connections of links on several levers, each to the next lever."""
     for link, some in spots_of(drawn).items():
         places = dict(reversed(some)) if link != HOUSING else {}
         for both in pairwise(sorted(places.items())):
@@ -182,17 +182,17 @@ def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
 def ties_of(
     case: Transmission, elements: Iterable[ShiftElement], spots: dict[int, list[Spot]]
 ) -> Iterator[LeverTie]:
-    """Clutches, and springs between links that are shown, from each of these to the next."""
+    """Yield clutches, and springs between shown links, in pairs of neighbours."""
     for element in elements:
         yield from _tie(element.name, *element.links, spots)
     for spring in case.springs:
         shown = [link for link in spring.form if link in spots]
         for both in pairwise(shown):
-            yield from (one._replace(is_spring=True) for one in _tie(spring.name, *both, spots))
+            yield from (tie._replace(is_spring=True) for tie in _tie(spring.name, *both, spots))
 
 
 def _tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
-    """What joins two links, where they are nearest to one another."""
+    """Yield the connection of two links at the nearest points."""
     pairs = [(a, b) for a in spots.get(first, ()) for b in spots.get(second, ()) if a != b]
     if HOUSING not in (first, second) and pairs:
         a, b = min(pairs, key=lambda pair: abs(pair[0][0] - pair[1][0]))

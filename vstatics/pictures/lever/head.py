@@ -1,4 +1,4 @@
-"""What stands over a gear of a lever diagram: its ratio, which is what one looks for, large."""
+"""Heading of a gear in a lever diagram, with the ratio in large letters."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vstatics.pictures.drawing.words import fault, gear_title
 from vstatics.pictures.lever.gear import LeverGear
 
 RATIO_SIZE = 15.0
-"""Of the letters of a ratio. [pt]"""
+"""Size of the letters of a ratio. [pt]"""
 BETWEEN = 12.0
-"""Between name, ratio and elements. [pt]"""
+"""Distance between name, ratio and elements. [pt]"""
 
 
 class GearHead(NamedTuple):
@@ -24,35 +24,35 @@ class GearHead(NamedTuple):
 
     name: str
     ratio: str
-    """Or what keeps it from being calculated."""
+    """Ratio, or the reason why no ratio exists."""
     elements: str
-    """With speeds that are given, in lines."""
+    """Engaged elements and given speeds, in lines."""
     start: float
-    """Of the elements, from the left."""
+    """Distance of the elements from the left. [pt]"""
 
     @property
     def high(self) -> float:
-        """With the gap below."""
+        """Height with the gap below."""
         return 1.15 * RATIO_SIZE + 4 + max(height(self.elements) - height(""), 0.0)
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """From its left upper corner."""
+        """Draw the heading from the upper left corner."""
         y = top - 0.9 * RATIO_SIZE
         pen.text(x, y, self.name, size=TITLE, bold=True)
         at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)
         pen.text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
-        up = y + 0.75 * SIZE  # of capitals
+        up = y + 0.75 * SIZE  # height of capitals
         pen.text(x + self.start, up, self.elements, color=pen.style.engaged, va="top")
 
 
 def gear_head(
     case: Transmission, gear: LeverGear, room: float, style: Style, *, is_alone: bool
 ) -> GearHead:
-    """The head of a gear in a width [pt]; one that is alone is called in the title, or the page."""
+    """Return the heading of a gear in a width [pt], without a name for a single gear."""
     state = gear.state
     ratios = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
-    ratio = "; ".join(ratios + [fault(one, style) for one in state.faults[:1]])
-    said = [", ".join(case.shift_elements[one - 1].name for one in state.gear.engaged)]
+    ratio = "; ".join(ratios + [fault(message, style) for message in state.faults[:1]])
+    said = [", ".join(case.shift_elements[index - 1].name for index in state.gear.engaged)]
     for link, speed in state.gear.speeds.items():
         said.append(f"{case.link_name(link)} = {typeset(case.speed_text(speed))}")
     name = "" if is_alone else gear_title(state.gear.name, style)

@@ -1,4 +1,4 @@
-"""The lines of ties through the rows of levers of a picture; lengths in points."""
+"""Lines of connections through the rows of levers of a picture; lengths in points."""
 
 from __future__ import annotations
 
@@ -13,39 +13,39 @@ from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.lever.routes import LeverStep, steps
 
 LEAD_IN = 9.0
-"""Of a line that comes from the row before."""
+"""Length of a line that continues from the previous row."""
 BandPoint = tuple[int, Point]
-"""A row of levers, and a place over its foot."""
+"""Row of levers, and a point relative to the foot of the row."""
 
 
 class LeverRoute(NamedTuple):
-    """The line of a tie through the picture."""
+    """Line of a connection through the picture."""
 
     tie: LeverTie
     pieces: Sequence[Sequence[BandPoint]]
-    """One in each row of levers."""
+    """Points of the line in each row of levers."""
     sign: BandPoint | None = None
-    """Where its sign stands, if it has one."""
+    """Position of the symbol, if any."""
     is_upright: bool = False
-    """Whether that is on an upright line."""
+    """True for a symbol on an upright line."""
 
     @property
     def points(self) -> list[BandPoint]:
-        """All of them."""
+        """Points of all pieces."""
         return [point for piece in self.pieces for point in piece]
 
 
 def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
-    """Lines that join points, level but for a place of their own between two levers."""
+    """Return lines that connect points, horizontal except for an upright part between levers."""
     boxes = [lever.ratio is not None for lever in page.levers]
-    found = steps([cell.rows for cell in page.cells], boxes, ties)
-    return [_route(page, own) for own in grouped((step.tie, step) for step in found).values()]
+    all_steps = steps([cell.rows for cell in page.cells], boxes, ties)
+    return [_route(page, own) for own in grouped((step.tie, step) for step in all_steps).values()]
 
 
-def _route(page: LeverPage, own: Sequence[LeverStep]) -> LeverRoute:
+def _route(page: LeverPage, tie_steps: Sequence[LeverStep]) -> LeverRoute:
     pieces: list[list[BandPoint]] = [[]]
     sign: BandPoint | None = None
-    for step in own:
+    for step in tie_steps:
         cell = page.cells[step.gap]
         x, band = cell.right + step.x, cell.band
         pieces[-1] += [(band, (cell.right, step.start))]
@@ -62,5 +62,8 @@ def _route(page: LeverPage, own: Sequence[LeverStep]) -> LeverRoute:
             pieces.append([(after.band, (WIDE_MARGIN - LEAD_IN, step.end))])
         pieces[-1].append((after.band, (after.left, step.end)))
     return LeverRoute(
-        own[0].tie, pieces, sign, any(one.is_signed and one.is_upright for one in own)
+        tie_steps[0].tie,
+        pieces,
+        sign,
+        any(step_.is_signed and step_.is_upright for step_ in tie_steps),
     )

@@ -1,4 +1,4 @@
-"""The key of lever diagrams: those signs that occur; lengths in points."""
+"""Key of lever diagrams with the symbols that occur; lengths in points."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ from vstatics.pictures.lever.places import LeverPage, any_freewheel
 KEY_ROW_HEIGHT = 13.0
 """Height of a row of the key."""
 KEY_SIGN_WIDTH = 24.0
-"""Width of what stands before a text."""
+"""Width of the symbol before a text."""
 
 
 class LeverKey(NamedTuple):
-    """The key of a figure."""
+    """Key of a figure."""
 
     entries: Sequence[tuple[str, str]]
-    """Kind of sign, and what it means."""
+    """Kind and meaning of each symbol."""
     wide: float
-    """Of the figure."""
+    """Width of the figure."""
     arrow: float
-    """Length of the sample of a torque."""
+    """Length of the sample arrow of a torque."""
 
     def _places(self) -> Iterator[Point]:
-        """Where each entry begins, from the left of the first row downwards."""
+        """Yield the start of each entry, from the left of the first row downwards."""
         x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
             size = self._room(kind) + width(text) + WIDE_MARGIN
@@ -55,11 +55,11 @@ class LeverKey(NamedTuple):
 
     @property
     def height(self) -> float:
-        """Of all rows."""
+        """Height of all rows."""
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, sheet: LeverSheet) -> None:
-        """Draw it from the foot of the figure upwards."""
+        """Draw the key from the foot of the figure upwards."""
         top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
             self._sample(sheet, kind, (x, top + down))
@@ -91,7 +91,7 @@ class LeverKey(NamedTuple):
 def key_of(
     page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
-    """The key to what occurs in some gears; an arrow of a round torque tells their scale."""
+    """Return the key of gears, with an arrow for a round torque as the scale."""
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
@@ -111,24 +111,23 @@ def key_of(
         "speed": text("speed; dotted: that of the input"),
         "pale": text("carries no torque"),
     }
-    found = {sign for gear in gears for sign in _signs(page, gear)}
-    return LeverKey([one for one in meanings.items() if one[0] in found], wide, length)
+    signs = {sign for gear in gears for sign in _signs(page, gear)}
+    return LeverKey([entry for entry in meanings.items() if entry[0] in signs], wide, length)
 
 
 def _unit(per_torque: float) -> tuple[float, str]:
-    """A round torque whose arrow is 10 to 25 pt long; its length, and it as text.
+    """Return the length of the arrow of a round torque, 10 to 25 pt, and the torque as text.
 
     >>> _unit(20.0), _unit(3.0)
     ((10.0, '0.5'), (15.0, '5'))
     """
     power = 10.0 ** math.floor(math.log10(10 / per_torque))
     steps = (step * power for step in (1, 2, 5, 10))
-    torque = next(one for one in steps if one * per_torque >= 10)
+    torque = next(candidate for candidate in steps if candidate * per_torque >= 10)
     return torque * per_torque, number(torque).rstrip("0").rstrip(".")
 
 
 def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
-    """The signs of a gear."""
     yield "speed"
     for place, lever in enumerate(page.levers):
         for link in (node.link for node in lever.nodes if node.link != HOUSING):

@@ -1,4 +1,4 @@
-"""Signs of lever diagrams, collected by their look; lengths in points."""
+"""Symbols of lever diagrams, collected by style; lengths in points."""
 
 from __future__ import annotations
 
@@ -27,39 +27,39 @@ MARKS: dict[str, Sequence[Point]] = {
     "port": [(-3.2, -2.4), (0, 3.2), (3.2, -2.4)],
     "": [(-1.7, 0), (0, 1.7), (1.7, 0), (0, -1.7)],
 }
-"""Kind of point -> corners of its mark."""
+"""Corners of the mark of each kind of point."""
 MARK_SIZE = 6.0
-"""Marks of points that are nearer cover each other."""
+"""Distance of points below which marks overlap."""
 
 
 class LeverSheet(NamedTuple):
-    """What all levers of a figure share; lines and areas of one look are drawn at once."""
+    """Figure of levers; lines and areas of equal style are drawn together."""
 
     pen: Pen
     page: LeverPage
     speeds: Span
-    """The least and the largest one. [-]"""
+    """Smallest and largest speed. [-]"""
     per_torque: float
-    """Length of an arrow."""
+    """Length of an arrow per torque."""
     lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
-    """Colour, width, dash -> lines."""
+    """Lines by colour, width and dash."""
     areas: dict[str, list[Path]]
-    """Colour -> polygons."""
+    """Polygons by colour."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
-        """A line through places; those on the way of a level line are left out."""
-        kept = list(places[:1])
+        """Add a line through points, without intermediate points of horizontal parts."""
+        corners_ = list(places[:1])
         for (x, y), (_, after) in pairwise(places[1:]):
-            if not kept[-1][1] == y == after:
-                kept.append((x, y))
-        self.lines.setdefault((colour, width, dash), []).append([*kept, places[-1]])
+            if not corners_[-1][1] == y == after:
+                corners_.append((x, y))
+        self.lines.setdefault((colour, width, dash), []).append([*corners_, places[-1]])
 
     def area(self, *corners: Point, colour: str) -> None:
-        """A filled polygon."""
+        """Add a filled polygon."""
         self.areas.setdefault(colour, []).append(Path([*corners, corners[0]], closed=True))
 
     def point(self, place: Point, kind: str, colour: str, *, is_over: bool = False) -> None:
-        """A mark at a place, perhaps over others; its kind is one of `MARKS`."""
+        """Add a mark of a kind in `MARKS`, optionally with an outline over other marks."""
         x, y = place
         edges = [(x + right, y + up) for right, up in MARKS[kind]]
         if is_over:
@@ -69,7 +69,7 @@ class LeverSheet(NamedTuple):
             self.area(*edges, colour=colour)
 
     def put(self) -> None:
-        """Draw all of it, one artist for each look, broad lines over thin ones."""
+        """Draw everything, with an artist for each style, and broad lines over thin lines."""
         for (colour, width, dash), some in self.lines.items():
             over = 2 + width / 10
             self.pen.lines(some, width=width, color=colour, linestyle=dash, zorder=over)
@@ -79,7 +79,7 @@ class LeverSheet(NamedTuple):
 
 
 def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
-    """What the point of a link is, a key of `MARKS`: also what is joined to input and output.
+    """Return the key of `MARKS` for the point of a link, including links joined to the ports.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.drawing.gear_state import state_of
@@ -92,7 +92,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
     if stands or body == HOUSING:
         return "stands"
     if link == state.output:
-        return "out"  # also where the input is joined to it
+        return "out"  # also in direct drive
     if body == state.joined[state.input]:
         return "in"
     if body == state.joined[state.output]:
@@ -101,7 +101,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
 
 
 def arrow(sheet: LeverSheet, tip: Point, length: float) -> None:
-    """An arrow along a line, to the right up to a place or, if it is negative, from there."""
+    """Draw an arrow that ends at a point, or starts there if the length is negative."""
     (x, y), size, colour = tip, abs(length), sheet.pen.style.ink
     head = min(ARROW_HEAD, max(size, 3.0))
     start, end, way = (x - size, x, 1) if length > 0 else (x, x - size, -1)
@@ -111,7 +111,7 @@ def arrow(sheet: LeverSheet, tip: Point, length: float) -> None:
 
 
 def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
-    """What holds a point: a bar with hatches, right of a place."""
+    """Draw a support on the right of a point: a bar with hatches."""
     x, y = place
     sheet.line((x, y - 5), (x, y + 5), colour=colour, width=1.4)
     for up in (-5, -1.5, 2):
@@ -119,41 +119,41 @@ def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
 
 
 def plates(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """A clutch on a level or upright line: two plates that face one another."""
+    """Draw a clutch on a horizontal or upright line: two opposite plates."""
     for off in (-1.5, 1.5):
         ends = [_turned(place, (off, across), upright=upright) for across in (-5, 5)]
         sheet.line(*ends, colour=sheet.pen.style.engaged, width=1.6)
 
 
 def coil(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """A spring as shaft."""
+    """Draw a spring as a shaft."""
     turns = [(-6 + 2 * step, (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
-    places = [_turned(place, one, upright=upright) for one in (*turns, (6, 0))]
+    places = [_turned(place, turn, upright=upright) for turn in (*turns, (6, 0))]
     sheet.line(*places, colour=sheet.pen.style.ink)
 
 
 def freewheel(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """A freewheel that holds: a wedge against a bar."""
-    wedge = [_turned(place, one, upright=upright) for one in ((-3.5, 4), (-3.5, -4), (3, 0))]
+    """Draw a holding freewheel: a wedge against a bar."""
+    wedge = [_turned(place, off, upright=upright) for off in ((-3.5, 4), (-3.5, -4), (3, 0))]
     sheet.area(*wedge, colour=sheet.pen.style.engaged)
     bar = [_turned(place, (3.5, across), upright=upright) for across in (-5, 5)]
     sheet.line(*bar, colour=sheet.pen.style.engaged, width=1.4)
 
 
 def cut(sheet: LeverSheet, place: Point, colour: str) -> None:
-    """Where a line goes on in the next row of levers, or comes from the one before."""
+    """Mark the point where a line continues in the next or previous row of levers."""
     x, y = place
     sheet.line((x - 2, y + 3), (x + 1, y), (x - 2, y - 3), colour=colour, width=1.2)
 
 
 def _turned(place: Point, off: Point, *, upright: bool) -> Point:
-    """A place beside another one, along and across a line."""
+    """Return a point relative to a place, along and across a line."""
     (x, y), (along, across) = place, off
     return (x + across, y - along) if upright else (x + along, y + across)
 
 
 def box(sheet: LeverSheet, middle: Point, size: Point, colour: str) -> None:
-    """The outline of a rectangle."""
+    """Draw the outline of a rectangle."""
     (x, y), (wide, high) = middle, (size[0] / 2, size[1] / 2)
     edges = corners(x - wide, y - high, x + wide, y + high)
     sheet.line(*edges, edges[0], colour=colour)

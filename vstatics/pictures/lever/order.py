@@ -1,4 +1,4 @@
-"""In which order levers stand, and which of them upside down: so that joins are short."""
+"""Order and orientation of levers for short connections."""
 
 from __future__ import annotations
 
@@ -11,19 +11,21 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 LEVER_SEARCH_ROUNDS = 20
-"""Of a search; more would change little."""
+"""Largest number of rounds of a search; more rounds change little."""
 MOVES = 60
-"""The more, the farther a lever may go at once."""
+"""Number that limits the distance of moves; larger numbers permit longer moves."""
 CROSSING_COST = 2.0
-"""Of two lines in all gears, over the height of a lever."""
+"""Cost of two lines that cross in all gears, relative to the height of a lever."""
 Order = tuple[int, ...]
+"""Permutation of the levers, or orientation of each lever."""
 Move = Callable[[Order], Order]
+"""Change of an order."""
 
 
 def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Levers from left to right: what is joined is near, the input left, the output right.
+    """Return levers from left to right, connected levers close, input left, output right.
 
-    Where nothing is gained they stand as in the case.
+    Levers keep the order of the case where a change has no advantage.
     """
     spots, gear = spots_of(drawn), case.gears[0]
     links = [{place for place, _ in some} for link, some in spots.items() if link != HOUSING]
@@ -43,14 +45,14 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
         return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
 
     start = tuple(range(len(drawn)))
-    reach = MOVES // len(start) + 2  # of many levers only those that are near change places
+    reach = MOVES // len(start) + 2  # among many levers only near ones are exchanged
     pairs = [(one, other) for one, other in combinations(start, 2) if other - one <= reach]
     moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
 
 
 def _moves(one: int, other: int) -> list[Move]:
-    """What can be done between two places: swap, shift to the left or the right, turn round."""
+    """Return the moves between two places: swap, shift left or right, reverse."""
     return [
         lambda o: (*o[:one], o[other], *o[one + 1 : other], o[one], *o[other + 1 :]),
         lambda o: (*o[:one], *o[one + 1 : other + 1], o[one], *o[other + 1 :]),
@@ -60,7 +62,7 @@ def _moves(one: int, other: int) -> list[Move]:
 
 
 def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
-    """What single moves reach, the best of them each time."""
+    """Return the order reached by the best single moves (steepest descent)."""
     reached, least = start, cost(start)
     for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
@@ -72,21 +74,21 @@ def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -
 
 
 def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
-    """All ties that a gear may have: each clutch, and springs."""
+    """Return all connections that any gear can have: clutches and springs."""
     return list(ties_of(case, case.shift_elements, spots_of(drawn)))
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
-    """The height of each node of each lever, from 0 to 1, levers turned over where that helps.
+    """Return the height of each node of each lever, from 0 to 1, with levers turned if useful.
 
-    It helps where lines cross no longer, and then where they are shorter. Shafts stand in the
-    mean of what they are joined to.
+    Turning is useful if it removes crossings, then if it shortens lines. Shafts are at the mean
+    height of their connections.
     """
-    both = [(own, [1 - one for one in own]) for own in map(_heights, drawn)]
+    both = [(upward, [1 - tie for tie in upward]) for upward in map(_heights, drawn)]
     ties = [
-        (one, weight)
+        (tie, weight)
         for some, weight in ((joins(drawn), 1.0), (every(case, drawn), 0.4))
-        for one in some
+        for tie in some
     ]
     in_gears = _in_gears(case, drawn)
 
@@ -94,29 +96,28 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
         heights = [pair[turn] for pair, turn in zip(both, turned, strict=True)]
         rises = sum(
             weight * abs(heights[a][m] - heights[b][n])
-            for one, weight in ties
-            for (a, m), (b, n) in (one.ends,)
+            for tie, weight in ties
+            for (a, m), (b, n) in (tie.ends,)
         )
         crossings = sum(crossings_of(heights, some) for some in in_gears)
         return rises + CROSSING_COST * crossings / len(in_gears)
 
     turns = [_turn(place) for place, lever in enumerate(drawn) if len(lever.nodes) > 1]
     best = _best((0,) * len(drawn), turns, cost)
-    found = [pair[turn] for pair, turn in zip(both, best, strict=True)]
+    chosen = [pair[turn] for pair, turn in zip(both, best, strict=True)]
     for place, lever in enumerate(drawn):
         if not lever.devices:
             near = [
-                found[b][n]
-                for one, _ in ties
-                for (a, _), (b, n) in (one.ends, one.ends[::-1])
+                chosen[b][n]
+                for tie, _ in ties
+                for (a, _), (b, n) in (tie.ends, tie.ends[::-1])
                 if a == place
             ]
-            found[place] = [sum(near) / len(near) if near else 0.5]
-    return found
+            chosen[place] = [sum(near) / len(near) if near else 0.5]
+    return chosen
 
 
 def _in_gears(case: Transmission, drawn: Sequence[Lever]) -> list[list[LeverTie]]:
-    """What joins levers in each gear."""
     spots, always = spots_of(drawn), list(joins(drawn))
     engaged = dict.fromkeys(gear.engaged for gear in case.gears)
     elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
@@ -124,7 +125,7 @@ def _in_gears(case: Transmission, drawn: Sequence[Lever]) -> list[list[LeverTie]
 
 
 def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -> int:
-    """How often lines cross that join levers of such heights.
+    """Return the number of crossing lines between levers with given heights.
 
     >>> ties = [LeverTie("", 1, ((0, 0), (1, 1))), LeverTie("", 2, ((0, 1), (1, 0)))]
     >>> crossings_of([[0.0, 1.0], [0.0, 1.0]], ties), crossings_of([[0.0, 1.0], [1.0, 0.0]], ties)
@@ -144,7 +145,7 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
 
 
 def _cross(one: tuple[float, float, bool], other: tuple[float, float, bool]) -> bool:
-    """Whether two lines of a gap cross: each from a height to a height, or back to its lever."""
+    """Return whether two lines of a gap cross, each between two heights."""
     (start, end, is_back), (start2, end2, is_back2) = one, other
     if is_back and is_back2:
         (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
@@ -162,7 +163,7 @@ def _turn(place: int) -> Move:
 
 def _heights(lever: Lever) -> list[float]:
     low, high = lever.ends
-    if lever.ratio is not None:  # a sign, whose points are at no distances
+    if lever.ratio is not None:  # a symbol without true distances
         turning = [node for node in lever.nodes if node.link != HOUSING]
         return [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
     if low == high:

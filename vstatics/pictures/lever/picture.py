@@ -1,7 +1,7 @@
-"""Lever diagrams: sets as levers side by side, joined at their common links, gear by gear.
+"""Lever diagrams: gear sets as levers side by side, joined at common links, gear by gear.
 
-What is in them follows Benford and Leising (1981): points at true distances, lines between
-levers for links that are on both, grounds for brakes, ties for clutches, torques as forces.
+Following Benford and Leising (1981): points at true distances, lines between levers for common
+links, supports for brakes, ties for clutches, torques as forces.
 """
 
 from __future__ import annotations
@@ -28,87 +28,87 @@ from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.view import LeverView
 
 LEVER_NAME_HEIGHT = 12.0
-"""Height of the names of levers, each in a line, and of what stands above them. [pt]"""
+"""Height of the names of levers in a single line. [pt]"""
 BELOW_LEVERS = 6.0
-"""Below a row of levers. [pt]"""
+"""Space below a row of levers. [pt]"""
 NARROWEST_FIGURE = 320.0
-"""Of a figure, for its title. [pt]"""
+"""Smallest width of a figure, for the title. [pt]"""
 
 
 class LeverBlock(NamedTuple):
-    """A row of levers in a gear; lengths in points."""
+    """Row of levers in a gear; lengths in points."""
 
     head: GearHead | None
-    """What stands over it, if it is the first of its gear."""
+    """Heading, for the first row of a gear."""
     gear: LeverGear
     routes: Sequence[LeverRoute]
     band: int
-    """Which row of levers it is."""
+    """Number of the row of levers."""
     low: float
     high: float
-    """What it takes of the height, from the foot of the levers."""
+    """Extent of the row below and above the foot of the levers."""
     same: dict[int, str]
-    """Levers that are as in a gear before: its name."""
+    """Name of an earlier gear with an equal lever."""
     names: dict[int, str]
-    """What stands over each lever, in lines."""
+    """Text above each lever, in lines."""
 
     @property
     def over(self) -> float:
-        """Height of the names of levers, and of what stands above them."""
+        """Height of the names of levers, and of texts above."""
         return LEVER_NAME_HEIGHT + max(map(height, self.names.values())) - height("")
 
     @property
     def above(self) -> float:
-        """Height of what stands over it."""
+        """Height of the heading."""
         return self.head.high if self.head else 0.0
 
     @property
     def size(self) -> float:
-        """Its whole height."""
+        """Total height."""
         return self.above + self.over + self.high - self.low + BELOW_LEVERS
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
-    """The levers of a case in all gears, or in some; at the same places in each figure.
+    """Yield the levers of a case in all gears, or in selected gears, in a fixed layout.
 
     Raises
     ------
     CaseError
-        If there is no mechanism of two links or more.
+        If no mechanism has two links or more.
     """
     page = page_of(results.case, style)
     if page is None:
         raise CaseError("E403", "the case has no mechanism to draw as a lever")
     for gears in shown:
         numbers = gears or range(1, len(results.case.gears) + 1)
-        yield _pages(page, [in_gear(results, one, page.levers) for one in numbers], style)
+        yield _pages(page, [in_gear(results, number, page.levers) for number in numbers], style)
 
 
 class LeverPaper(NamedTuple):
-    """What the pages of a picture share; lengths in points."""
+    """Common properties of the pages of a picture; lengths in points."""
 
     page: LeverPage
     style: Style
     wide: float
     head: str
-    """In lines."""
+    """Title, in lines."""
     speeds: Span
     per_torque: float
 
     @property
     def above(self) -> float:
-        """Height of the title with what is around it."""
+        """Height of the title with margins."""
         title_high = height(self.head, TITLE) + WIDE_MARGIN / 2 if self.head else 0.0
         return WIDE_MARGIN + title_high
 
     def key(self, gears: Sequence[LeverGear]) -> LeverKey:
-        """The signs of some gears."""
+        """Return the key of gears."""
         return key_of(self.page, gears, self.style, self.wide, self.per_torque)
 
     def figure(self, blocks: Sequence[LeverBlock]) -> Figure:
-        """A page with some rows of levers, one below the other."""
+        """Return a page with rows of levers, from top to bottom."""
         key = self.key([block.gear for block in blocks])
-        high = self.above + sum(one.size for one in blocks) + key.height + WIDE_MARGIN
+        high = self.above + sum(block.size for block in blocks) + key.height + WIDE_MARGIN
         pen = blank(self.wide, high, self.style)
         sheet = LeverSheet(pen, self.page, self.speeds, self.per_torque, {}, {})
         pen.text(WIDE_MARGIN, high - WIDE_MARGIN, self.head, va="top", size=TITLE, bold=True)
@@ -122,10 +122,10 @@ class LeverPaper(NamedTuple):
 
 
 def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Figure]:
-    """The rows of levers of all gears; those of a gear are on one page where they fit one."""
+    """Return the pages of all gears, with the rows of a gear on a common page if possible."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
-    wide = max(wide, page.width + WIDE_MARGIN)  # of one lever that has no room in a narrow page
+    wide = max(wide, page.width + WIDE_MARGIN)  # a single lever can be wider than a narrow page
     subject = style.text("levers")
     if len(gears) == 1:
         subject += f", {gear_title(gears[0].state.gear.name, style)}"
@@ -134,23 +134,26 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Fi
     paper = LeverPaper(page, style, wide, head, *_scales(page, gears))
     room = style.height - paper.above - paper.key(gears).height - WIDE_MARGIN
     sheets: list[list[LeverBlock]] = [[]]
-    for own in _blocks(page, gears, wide, style):
+    for of_gear in _blocks(page, gears, wide, style):
         left = room - sum(block.size for block in sheets[-1])
-        if sheets[-1] and left < sum(block.size for block in own) <= room:
+        if sheets[-1] and left < sum(block.size for block in of_gear) <= room:
             sheets.append([])
-        for block in own:
-            if sheets[-1] and sum(one.size for one in (*sheets[-1], block)) > room:
+        for block in of_gear:
+            if (
+                sheets[-1]
+                and sum(placed_block.size for placed_block in (*sheets[-1], block)) > room
+            ):
                 sheets.append([])
             sheets[-1].append(block)
     return [paper.figure(blocks) for blocks in sheets]
 
 
 def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
-    """Ends of the speeds, and length of a torque, for all levers, so that they can be compared."""
+    """Return the range of speeds, and the arrow length per torque, common to all levers."""
     links = {node.link for lever in page.levers for node in lever.nodes}
     speeds = [gear.state.speeds[link] for gear in gears for link in links]
     reached = [speed for speed in speeds if math.isfinite(speed)] + [0.0, 1.0]
-    torques = [abs(one) for gear in gears for some in gear.torques for one in some]
+    torques = [abs(torque) for gear in gears for some in gear.torques for torque in some]
     largest = max([0.1, *filter(math.isfinite, torques)])
     return (min(reached), max(reached)), ARROW / largest
 
@@ -158,11 +161,11 @@ def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
 def _blocks(
     page: LeverPage, gears: Sequence[LeverGear], wide: float, style: Style
 ) -> Iterator[list[LeverBlock]]:
-    """Each gear with its rows of levers; what a gear before has already is named."""
+    """Yield the rows of levers of each gear, with references to equal levers in earlier gears."""
     seen: dict[object, str] = {}
     for gear in gears:
         name = gear.state.gear.name
-        found = routes(page, gear.ties)
+        lines_of_ties = routes(page, gear.ties)
         same: dict[int, str] = {}
         for place, lever in enumerate(page.levers):
             shown = place, gear.shown(place, lever)
@@ -171,16 +174,16 @@ def _blocks(
             seen.setdefault(shown, name)
         head = gear_head(page.case, gear, wide - 2 * WIDE_MARGIN, style, is_alone=len(gears) == 1)
         names = lever_names(page, gear, same, style, wide - WIDE_MARGIN)
-        own = []
+        rows = []
         for band, places in enumerate(page.bands):
-            lines = [y for route in found for on, (_, y) in route.points if on == band]
+            lines = [y for route in lines_of_ties for on, (_, y) in route.points if on == band]
             heights = [*page.extent(band), *lines]
             here = {place: names[place] for place in places}
-            own.append(
+            rows.append(
                 LeverBlock(
                     None if band else head,
                     gear,
-                    found,
+                    lines_of_ties,
                     band,
                     min(heights),
                     max(heights),
@@ -188,7 +191,7 @@ def _blocks(
                     here,
                 )
             )
-        yield own
+        yield rows
 
 
 def _draw_block(sheet: LeverSheet, block: LeverBlock, top: float) -> None:

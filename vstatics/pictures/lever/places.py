@@ -1,4 +1,4 @@
-"""Where levers and their texts stand in a picture, in rows of a width; lengths in points."""
+"""Positions of levers and texts in a picture, in rows of a given width; lengths in points."""
 
 from __future__ import annotations
 
@@ -17,86 +17,86 @@ from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of, middle_of
 
 ARROW = 26.0
-"""Of the longest torque."""
+"""Length of the arrow of the largest torque."""
 SPEEDS = 32.0
-"""Width of the speeds of a lever."""
-NUMBER = 30.0
+"""Width of the speed lines of a lever."""
+NUMBER_WIDTH = 30.0
 """Width of a number."""
 BESIDE_LEVER = 6.0
-"""Between a lever and the rows of its points."""
+"""Distance between a lever and the rows of points."""
 LEAST, MOST = 62.0, 84.0
-"""Height of levers of three points."""
+"""Smallest and largest height of levers with three points."""
 MOST_FOR_POINT = 22.0
-"""Of each point, of levers that have many."""
+"""Largest height for each point, of levers with many points."""
 GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
-"""Width of the sign of what stands, and of a freewheel before it."""
-BRAKE = 40.0
-"""Room for the name of a brake; a longer one goes on over the speeds."""
+"""Widths of the symbols of a support, and of a freewheel before the support."""
+BRAKE_NAME_WIDTH = 40.0
+"""Room for the name of a brake; longer names extend over the speeds."""
 
 
 class LeverCell(NamedTuple):
-    """A lever with what stands beside it."""
+    """Lever with texts and lines."""
 
     lever: Lever
     rows: dict[int, LeverRow]
-    """By node; the housing of a pair has none."""
+    """Rows by node, without the housing of a pair."""
     left: float
     at: float
-    """Where the lever stands."""
+    """Position of the lever."""
     right: float
-    """Where it ends."""
+    """Right end of the cell."""
     gap: float
-    """Then joins follow for so long."""
+    """Width of the connections on the right."""
     band: int = 0
-    """In which row of levers it stands."""
+    """Number of the row of levers."""
 
     @property
     def speeds(self) -> Span:
-        """Ends of the speeds; of a shaft there is nothing between them."""
-        end = self.right - NUMBER - BESIDE_LEVER
+        """Ends of the speed lines, equal for a shaft."""
+        end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
     @property
     def middle(self) -> float:
-        """Of the lever."""
+        """Height of the middle of the lever."""
         return middle_of(self.rows)
 
 
 class LeverPage(NamedTuple):
-    """The levers of a case in all its pictures."""
+    """Levers of a case in all pictures."""
 
     case: Transmission
     cells: Sequence[LeverCell]
 
     @property
     def levers(self) -> list[Lever]:
-        """From left to right."""
+        """Levers from left to right."""
         return [cell.lever for cell in self.cells]
 
     @property
     def bands(self) -> list[list[int]]:
-        """The levers of each row."""
+        """Levers of each row."""
         places = range(len(self.cells))
         last = self.cells[-1].band
         return [[n for n in places if self.cells[n].band == band] for band in range(last + 1)]
 
     @property
     def width(self) -> float:
-        """With joins behind the last lever of each row."""
+        """Width with the connections after the last lever of each row."""
         return max(cell.right + cell.gap for cell in self.cells)
 
     def extent(self, band: int) -> Span:
-        """The lowest and highest of all rows of points in a row of levers."""
+        """Return the lowest and highest point of a row of levers."""
         spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
 
     def row(self, spot: Spot) -> LeverRow:
-        """The row of a point."""
+        """Return the row of a point."""
         return self.cells[spot[0]].rows[spot[1]]
 
 
 def page_of(case: Transmission, style: Style) -> LeverPage | None:
-    """Where the levers of a case stand; none if it has none."""
+    """Return the positions of the levers of a case, or `None` without levers."""
     drawn = levers(case, merged=style.merged)
     if not drawn:
         return None
@@ -104,23 +104,23 @@ def page_of(case: Transmission, style: Style) -> LeverPage | None:
     shares = heights(case, drawn)
     scale = max(_height(lever, some) for lever, some in zip(drawn, shares, strict=True))
     cells = []
-    for lever, own, held in zip(drawn, shares, _held(case, drawn), strict=True):
-        rows = _rows(case, lever, own, scale, style)
+    for lever, shares_of_lever, held in zip(drawn, shares, _held(case, drawn), strict=True):
+        rows = _rows(case, lever, shares_of_lever, scale, style)
         wide = widest(row.name for row in rows.values())
         at = max(wide, ARROW + 10 if lever.devices else 0.0) + BESIDE_LEVER
         speeds = SPEEDS if lever.devices else 0.0
-        right = at + BESIDE_LEVER + held + BESIDE_LEVER * bool(held) + NUMBER + speeds
+        right = at + BESIDE_LEVER + held + BESIDE_LEVER * bool(held) + NUMBER_WIDTH + speeds
         cells.append(LeverCell(lever, rows, 0.0, at, right, 0.0))
     gaps = gaps_of(case, drawn, [cell.rows for cell in cells])
     cells = [cell._replace(gap=gap) for cell, gap in zip(cells, gaps, strict=True)]
     passing = [*joins(drawn), *every(case, drawn)]
-    cuts = [sum(one.ends[0][0] <= n < one.ends[1][0] for one in passing) for n in range(len(drawn))]
+    cuts = [sum(tie.ends[0][0] <= n < tie.ends[1][0] for tie in passing) for n in range(len(drawn))]
     return LeverPage(case, list(_placed(cells, cuts, style.width - 2 * WIDE_MARGIN)))
 
 
 def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Iterator[LeverCell]:
-    """Levers side by side in as few rows as a width needs."""
-    for band, some in enumerate(broken([(one.right, one.gap) for one in cells], cuts, room)):
+    """Yield levers in as few rows as a width needs."""
+    for band, some in enumerate(broken([(cell.right, cell.gap) for cell in cells], cuts, room)):
         left = WIDE_MARGIN
         for cell in (cells[n] for n in some):
             at, right = left + cell.at, left + cell.right
@@ -129,40 +129,40 @@ def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Ite
 
 
 def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: float) -> list[range]:
-    """Pieces of lengths, each with the gap behind it, in as few rows as there must be.
+    """Break lengths with gaps into the smallest number of rows.
 
-    Of these so that few lines are cut, as many as pass each gap, and no row is longer than it
-    must be.
+    Among such divisions, the fewest lines are cut (`cuts` pass each gap), and the longest row is as
+    short as possible.
 
     >>> broken([(40.0, 5.0)] * 4, [1] * 4, 140.0), broken([(40.0, 5.0)] * 4, [1, 1, 0, 1], 140.0)
     ([range(0, 2), range(2, 4)], [range(0, 3), range(3, 4)])
     """
     best: list[tuple[int, int, float, list[range]]] = [(0, 0, 0.0, [])]
     for end in range(1, len(sizes) + 1):
-        found = []
+        divisions = []
         for start in range(end):
             long = sum(wide + gap for wide, gap in sizes[start:end])
             if long <= room or end - start == 1:
                 count, cost, most, rows = best[start]
                 rows = [*rows, range(start, end)]
-                found.append((count + 1, cost + cuts[end - 1], max(most, long), rows))
-        best.append(min(found, key=lambda one: one[:3]))
+                divisions.append((count + 1, cost + cuts[end - 1], max(most, long), rows))
+        best.append(min(divisions, key=lambda division: division[:3]))
     return best[-1][3]
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
-    """Width of the signs of what stands at each lever, with the names of its brakes."""
+    """Return the widths of the support symbols at each lever, with the names of brakes."""
     spots = spots_of(drawn)
-    found = [0.0] * len(drawn)
+    widths = [0.0] * len(drawn)
     good = (spots[link][0] for link in held_for_good(case) if link in spots)
     for place, _ in (*spots.get(HOUSING, ()), *good):
-        found[place] = GROUND_WIDTH
+        widths[place] = GROUND_WIDTH
     for gear in [*case.gears, Gear(case.freewheels)]:
         for (place, _), some in brakes_of(case, gear, spots).items():
-            named = min(width(", ".join(some)), BRAKE)
+            named = min(width(", ".join(some)), BRAKE_NAME_WIDTH)
             sign = GROUND_WIDTH + FREEWHEEL_WIDTH * any_freewheel(case, some)
-            found[place] = max(found[place], sign + named)
-    return found
+            widths[place] = max(widths[place], sign + named)
+    return widths
 
 
 def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:

@@ -1,8 +1,8 @@
-"""The levers of a case: a point for each link of a set, at its true distance (lever analogy).
+"""Levers of a case, with a point for each link of a gear set at a true distance (lever analogy).
 
-In a set of planets all speeds against the carrier are proportional to one another. So a lever
-with the carrier at 0 and each wheel at its relative speed has the speeds of all its links on
-one straight line, and the torques on it are in balance as forces (Benford and Leising 1981).
+In a set of planets, all speeds relative to the carrier are proportional. On a lever with the
+carrier at 0 and each gear at its relative speed, the speeds of all links are on a straight line,
+and the torques balance like forces (Benford and Leising 1981).
 """
 
 from __future__ import annotations
@@ -21,56 +21,58 @@ from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.labels import Span
 
 Source = tuple[int, str, float]
-"""Index of a device, its member, and by what its torque is multiplied."""
+"""Index of a component, member, and factor of the torque."""
 
 
 class LeverNode(NamedTuple):
-    """A point of a lever."""
+    """Point of a lever."""
 
     member: str
-    """What the link is in the element, or nothing."""
+    """Member of the gear set, or empty."""
     link: int
-    """0 is the housing."""
+    """Link; 0 is the housing."""
     position: float
-    """Along the lever: the carrier, or third link, at 0, the second link at 1. [-]"""
+    """Position along the lever: carrier or third link at 0, second link at 1. [-]"""
     sources: tuple[Source, ...] = ()
-    """What the torque on it adds up from."""
+    """Terms of the torque on the point."""
 
 
 class Lever(NamedTuple):
-    """A mechanism, or planets that mesh with one another and their wheels; or a shaft alone."""
+    """Mechanism, or meshing planets with central gears, or a single shaft."""
 
     name: str
     nodes: tuple[LeverNode, ...]
-    """In the order of their positions."""
+    """Points in the order of positions."""
     devices: tuple[int, ...] = ()
-    """Indices of the devices that it shows; of a shaft none."""
+    """Indices of the shown components, empty for a shaft."""
     ratio: float | None = None
-    """Of a pair of wheels in the housing, which is no lever but a plain sign; NaN where it varies,
-    of a variator or converter. [-]"""
+    """Ratio of a gear pair in the housing, which is drawn as a box. [-]
+
+    NaN for a variator or converter.
+    """
     shaft: tuple[int, ...] = ()
-    """Links that springs join to that of a shaft."""
+    """Links connected to a shaft by springs."""
 
     @property
     def ends(self) -> Span:
-        """The positions of the first and the last node [-]."""
+        """Positions of the first and the last node [-]."""
         return self.nodes[0].position, self.nodes[-1].position
 
     def is_shown(self, node: int) -> bool:
-        """Whether a picture has a node; the housing that bears a pair of wheels is left out."""
+        """Return whether a node is drawn, unlike the housing of a gear pair."""
         return self.ratio is None or self.nodes[node].link != HOUSING
 
 
 def levers(case: Transmission, *, merged: bool = False) -> list[Lever]:
-    """The levers of a case, in the order of its elements and mechanisms.
+    """Return the levers of a case, in the order of gear sets and mechanisms.
 
-    Planets that mesh with one another make one lever with all their wheels, so a
-    Ravigneaux set is a lever of four links. A link that is held for good has none.
+    Meshing planets form a lever with all their central gears, so a Ravigneaux set is a lever with
+    four links. A permanently held link has no lever.
 
     Parameters
     ----------
     merged : bool
-        Two sets with two common links are one lever, too.
+        True to merge two sets with two common links into a lever.
 
     Examples
     --------
@@ -79,13 +81,13 @@ def levers(case: Transmission, *, merged: bool = False) -> list[Lever]:
     >>> [(node.link, node.position) for node in lever.nodes]
     [(1, -2.5), (3, 0.0), (2, 1.0)]
     """
-    found = [lever for lever in _all(case) if len(_turning(lever)) > 1]
-    return _merged(found) if merged else found
+    drawn = [lever for lever in _all(case) if len(_turning(lever)) > 1]
+    return _merged(drawn) if merged else drawn
 
 
 def held_for_good(case: Transmission) -> set[int]:
-    """Links that a mechanism joins to the housing alone."""
-    return {link for one in map(_turning, _all(case)) for link in one if len(one) == 1}
+    """Return the links that a mechanism connects to the housing alone."""
+    return {link for links in map(_turning, _all(case)) for link in links if len(links) == 1}
 
 
 def _all(case: Transmission) -> Iterator[Lever]:
@@ -126,50 +128,52 @@ def _of_part(device: int, part: DrawnPart) -> Iterator[Lever]:
 
 
 def _sorted(name: str, nodes: list[LeverNode], device: int, members: Sequence[str]) -> Lever:
-    """A lever whose nodes know their torques: what has no member of its own balances the rest."""
+    """Return a lever with sorted nodes; a node without a member balances all other torques."""
     others = tuple((device, member, -1.0) for member in members if member)
-    told = [
+    with_sources = [
         node._replace(sources=((device, member, 1.0),) if member else others)
         for node, member in zip(nodes, members, strict=True)
     ]
-    return Lever(name, tuple(sorted(told, key=lambda node: node.position)), (device,))
+    return Lever(name, tuple(sorted(with_sources, key=lambda node: node.position)), (device,))
 
 
 def _merged(drawn: list[Lever]) -> list[Lever]:
-    """Pairs of levers with two common links become one, again and again."""
-    for one, other in combinations([lever for lever in drawn if lever.ratio is None], 2):
-        common = {node.link for node in one.nodes} & {node.link for node in other.nodes}
-        if len(common) == 2 and (joined := _joined(one, other, sorted(common))):
-            rest = [joined if lever is one else lever for lever in drawn if lever is not other]
-            return _merged(rest)
+    """Merge pairs of levers with two common links repeatedly."""
+    for first, second in combinations([lever for lever in drawn if lever.ratio is None], 2):
+        common = {node.link for node in first.nodes} & {node.link for node in second.nodes}
+        if len(common) == 2 and (joined := _joined(first, second, sorted(common))):
+            remaining = [
+                joined if lever is first else lever for lever in drawn if lever is not second
+            ]
+            return _merged(remaining)
     return drawn
 
 
-def _joined(one: Lever, other: Lever, common: Sequence[int]) -> Lever | None:
-    """Two levers on one line: the points of the second go where the common links are."""
+def _joined(first: Lever, second: Lever, common: Sequence[int]) -> Lever | None:
+    """Return two levers as a lever, with the points of the second aligned at common links."""
     ours, theirs = (
         [node.position for link in common for node in lever.nodes if node.link == link]
-        for lever in (one, other)
+        for lever in (first, second)
     )
     if len({*ours}) < 2 or len({*theirs}) < 2 or len(ours) + len(theirs) > 4:
         return None
     (a, b), (c, d) = ours, theirs
-    nodes = {node.link: node for node in one.nodes}
-    for node in other.nodes:
+    nodes = {node.link: node for node in first.nodes}
+    for node in second.nodes:
         place = a + (node.position - c) * (b - a) / (d - c)
         if node.link in nodes:
             known = nodes[node.link]
             nodes[node.link] = known._replace(member="", sources=known.sources + node.sources)
         else:
             nodes[node.link] = node._replace(position=place)
-    name, devices = f"{one.name} + {other.name}", one.devices + other.devices
+    name, devices = f"{first.name} + {second.name}", first.devices + second.devices
     return Lever(name, tuple(sorted(nodes.values(), key=lambda node: node.position)), devices)
 
 
 def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Links on no lever that something is done to, by an element or from outside, or is between.
+    """Return links outside levers that are loaded, or between components.
 
-    Those that springs join to one another are one shaft, called by the first of these.
+    Links connected by springs form a shaft, named after the first loaded link.
     """
     on_levers = {node.link for lever in drawn for node in lever.nodes} | {HOUSING}
     bodies = {link: {link} for link in range(1, case.own_links + 1) if link not in on_levers}
@@ -179,26 +183,26 @@ def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
             bodies |= dict.fromkeys(both, both)
     touched = _touched(case)
     forms = [set(spring.form) for spring in case.springs]
-    found: list[Lever] = []
+    levers_of_shafts: list[Lever] = []
     for link, body in bodies.items():
         named = sorted(body & touched.keys(), key=touched.__getitem__)
         is_between = sum(bool(form & body and form - body) for form in forms) > 1
         if link == min(body) and (named or is_between):
             node = LeverNode("", (named or [link])[0], 0.0)
-            found.append(Lever("", (node,), shaft=tuple(sorted(body))))
-    return found
+            levers_of_shafts.append(Lever("", (node,), shaft=tuple(sorted(body))))
+    return levers_of_shafts
 
 
 def _touched(case: Transmission) -> dict[int, int]:
-    """Links that something is done to; inputs, then outputs, then others."""
-    found: dict[int, int] = {}
+    """Return the links with inputs, outputs, given values or shift elements, in order."""
+    order: dict[int, int] = {}
     for gear in case.gears:
-        found[case.gear_input(gear)] = 0
-        found.setdefault(case.gear_output(gear), 1)
+        order[case.gear_input(gear)] = 0
+        order.setdefault(case.gear_output(gear), 1)
     for gear in case.gears:
         for link in (*gear.speeds, *gear.torques):
-            found.setdefault(link, 2)
+            order.setdefault(link, 2)
     for element in case.shift_elements:
         for link in element.links:
-            found.setdefault(link, 3)
-    return found
+            order.setdefault(link, 3)
+    return order

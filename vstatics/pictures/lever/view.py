@@ -1,4 +1,4 @@
-"""A lever in one gear at its place in a figure."""
+"""Lever in a gear, at a place in a figure."""
 
 from __future__ import annotations
 
@@ -11,46 +11,46 @@ from vstatics.pictures.lever.places import LeverCell
 
 
 class LeverView(NamedTuple):
-    """A lever in a gear, and where it stands in a figure."""
+    """Lever in a gear, with the position in a figure."""
 
     sheet: LeverSheet
     gear: LeverGear
     place: int
-    """Of the lever, from the left."""
+    """Number of the lever from the left."""
     bottom: float
-    """Its foot."""
+    """Height of the foot."""
     same: str | None
-    """The gear before that shows the same; numbers are left out then."""
+    """Earlier gear with an equal lever, whose numbers are not repeated."""
 
     @property
     def cell(self) -> LeverCell:
-        """The lever."""
+        """Cell of the lever."""
         return self.sheet.page.cells[self.place]
 
     @property
     def style(self) -> Style:
-        """Of the figure."""
+        """Style of the figure."""
         return self.sheet.pen.style
 
     @property
     def is_loaded(self) -> bool:
-        """Whether it carries torque; else it is pale."""
+        """True for a lever with torque."""
         return self.gear.is_loaded(self.place)
 
     @property
     def ink(self) -> str:
-        """Of texts."""
+        """Colour of texts."""
         return self.style.ink if self.is_loaded else self.style.soft
 
     def torque(self, node: int) -> float:
-        """On a point; a shaft has none of its own [-]."""
+        """Return the torque on a point [-], 0 for a shaft."""
         return self.gear.torques[self.place][node] if self.cell.lever.devices else 0.0
 
     def speed(self, node: int) -> float:
-        """Of a point [-]."""
+        """Return the speed of a point [-]."""
         return self.gear.state.speeds[self.cell.lever.nodes[node].link]
 
     def across(self, speed: float) -> float:
-        """Where a speed is."""
+        """Return the horizontal position of a speed."""
         (start, end), (low, high) = self.cell.speeds, self.sheet.speeds
         return start + (speed - low) / (high - low) * (end - start)

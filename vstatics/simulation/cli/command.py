@@ -17,7 +17,6 @@ from vstatics.core.cli.shared.options import needs, refuse
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known
-from vstatics.simulation.cli.documents import read_with_case
 from vstatics.simulation.cli.options import SimulateOptions, options
 from vstatics.simulation.cli.scenario_run import expect_fatigue, run_problems
 from vstatics.simulation.cli.watched import watched
@@ -77,6 +76,8 @@ def simulate(asked: SimulateOptions) -> int:
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
+    from vstatics.simulation.cli.documents import read_with_case  # needless for help
+
     read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
     if asked.damage:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vstatics.core.readers.reading import Reading
     from vstatics.core.statics.results import Results
     from vstatics.simulation.record.motion import Motion
+    from vstatics.simulation.scenario.file import ScenarioFile
 
 INSTANTS = 400
 """Of a run that is drawn, at least."""
@@ -55,6 +56,8 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     ReadError
         If it can't begin, with the places of what keeps it from that; of columns that are not.
     """
+    from vstatics.simulation.scenario.file import ScenarioFile  # needless for help
+
     read = outcome.scenario
     if not isinstance(read, ScenarioFile):
         return None

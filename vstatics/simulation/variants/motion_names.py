@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vstatics.core.errors import Place, listed, nearest, quoted, typed_number
+from vstatics.core.model.paths import by_name, dotted
 from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Language
@@ -144,7 +145,7 @@ class MotionNames(RunNames):
                 return VariedNumber(column)
         if self.subject.follows_teeth(found):
             case = self.subject.base_case
-            of_mechanism = target(".".join(found.keys[1:]), case, place)
+            of_mechanism = target(dotted(by_name(found.keys)), case, place)
             table = PART_NUMBERS[of_mechanism.quantity]
             return Selection(table, 0, of_mechanism.owner, len(case.mechanisms))
         return Constant(self.subject.written_number(found, place))

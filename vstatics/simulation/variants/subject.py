@@ -12,6 +12,7 @@ from itertools import zip_longest
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.elements.part_numbers import are_assembled
 from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.core.extras import require
 from vstatics.core.jobs.input_files import read_file
@@ -29,7 +30,6 @@ from vstatics.simulation.variants.numbers import ScenarioNumbers, number_paths
 from vstatics.sweep.chunk import INVALID, NOT_ASSEMBLED, STOPPED
 from vstatics.sweep.results.documents import RunOutcome, SweptDocument
 from vstatics.sweep.results.meanings import Selection
-from vstatics.sweep.variants.part_numbers import are_assembled
 from vstatics.sweep.variants.scenario_numbers import NumberPath
 from vstatics.sweep.variants.subject import Document, varied_beside_teeth
 from vstatics.sweep.variants.targets import Varied, refusal

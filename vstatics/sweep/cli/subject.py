@@ -15,7 +15,7 @@ from vstatics.core.errors import Problem, ReadError
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.documents import case_document
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.readers.named.node_paths import child
+from vstatics.core.readers.named.node_numbers import child
 from vstatics.core.readers.named.nodes import Mapping, Node, Scalar
 from vstatics.core.readers.reading import Reading
 from vstatics.sweep.options import PlacedFile, SweepOptions

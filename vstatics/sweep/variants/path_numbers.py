@@ -7,32 +7,24 @@ behind them, and are turned into SI where they are calculated with.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Hashable
 from typing import Any, Literal, NamedTuple
 
+from vstatics.core.elements.part_numbers import PartNumber, own_part_number, part_numbers
 from vstatics.core.errors import listed, nearest, quoted
 from vstatics.core.model.parts import Law, OfLoad, SpeedOf
+from vstatics.core.model.paths import OWNERS, dotted, plain, plain_keys, with_unit
 from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.readers.named.si_units import measured
 from vstatics.core.readers.named.units import quantity
 from vstatics.core.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
-from vstatics.sweep.variants.part_numbers import PartNumber, own_part_number, part_numbers
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
-_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
-_QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
 EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 
-_ROOTS = ("load", "gears", "drag", "mesh_efficiency")
-"""First words of paths that are no names."""
-
-
-_KEYS_OF_PARTS = ("elements", "mechanisms", "shift_elements", "springs")
-"""Keys of a case with parts that have names, by which a path may begin too."""
 _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
 """Keys of a case whose numbers no table of a gear depends on."""
 
@@ -126,29 +118,13 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     >>> case_path("load.speed [rpm]", case).name, case_path("gears.*.torques.out", case).quantity
     ('load.speed [rpm]', 'torques')
     """
+    numbers, parts = numbers_of(case), part_numbers(case)
     path, unit = text, None
-    if text not in numbers_of(case) and text not in part_numbers(case):  # names may have quotes
-        unit = _UNIT.search(text)
-        typed = (text[: unit.start()] if unit else text).strip()
-        path = _QUOTED.sub(lambda found: found[1] or found[2] or "", typed)
-    of, part = numbers_of(case).get(path, ()), part_numbers(case).get(path)
-    if not (of or part):
-        return None
-    return CasePath(path, of, None if of else part, unit[1].strip() if unit else "")
-
-
-def by_name(text: str) -> str:
-    """Return the path of a number by the name of its part, where the key of the case is before it.
-
-    >>> by_name("inertias.wl [kg*m^2]"), by_name("springs.damper.stiffness"), by_name("D1.ratio")
-    ('wl.inertia [kg*m^2]', 'damper.stiffness', 'D1.ratio')
-    """
-    key, dot, path = text.strip().partition(".")
-    if dot and key == "inertias":
-        unit = _UNIT.search(path)
-        end = unit.start() if unit else len(path)
-        return f"{path[:end]}.inertia{path[end:]}"
-    return path if dot and key in _KEYS_OF_PARTS else text
+    if text not in numbers and text not in parts:  # names may have quotes
+        path, unit = with_unit(text)
+        path = plain(path.strip())
+    of, part = numbers.get(path, ()), parts.get(path)
+    return CasePath(path, of, None if of else part, unit or "") if of or part else None
 
 
 def known_paths(case: Transmission) -> list[str]:
@@ -172,19 +148,19 @@ def no_path(text: str, case: Transmission) -> str:
     there is no number `load.sped`, expected `load.` and one of speed, torque
     did you mean `load.speed`?
     """
-    parts = _QUOTED.sub(lambda found: found[1] or found[2] or "", text).split(".")
+    parts = plain_keys(text)
     paths = known_paths(case)
     if len(parts) > 1 and parts[0] in _FIXED and parts[0] not in _names_in(case):
         message = f"numbers of {quoted(parts[0])} don't vary in a sweep of a case, which is of"
         return f"{message} tables of gears: expected one of those, such as `load.speed`"
-    known = [path.split(".") for path in paths]
+    known = [*map(plain_keys, paths)]
     depth = max(n for n in range(len(parts) + 1) if any(one[:n] == parts[:n] for one in known))
-    if len(parts) == 1 or (len(parts) == 2 and parts[0] not in _ROOTS and depth < 2):
+    if len(parts) == 1 or (len(parts) == 2 and parts[0] not in OWNERS and depth < 2):
         return ""
     message = f"there is no number {quoted(text)}"
     if not depth:
         return message + nearest(text, paths)
-    before = ".".join(parts[:depth])
+    before = dotted(parts[:depth])
     longer = [one for one in known if one[:depth] == parts[:depth] and len(one) > depth]
     if not longer:
         return f"{message}, expected `{before}`"

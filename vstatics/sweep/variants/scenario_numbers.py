@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Hashable, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
 from vstatics.core.errors import Place, nearest, quoted
-from vstatics.core.model.shape import UNIT_OF
-from vstatics.core.readers.named.node_paths import (
+from vstatics.core.model.paths import (
+    BODIES,
     Keys,
     NoValueError,
     PathPart,
+    in_document,
+    split,
+    with_unit,
+    written,
+)
+from vstatics.core.model.shape import UNIT_OF
+from vstatics.core.readers.named.node_numbers import (
     WrittenNumber,
     child,
     found,
@@ -20,14 +26,11 @@ from vstatics.core.readers.named.node_paths import (
     number_of,
     number_text,
     replaced,
-    split,
-    written,
 )
 from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar
 from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.sweep.variants.targets import refusal
 
-_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 _SPELLED: dict[str, dict[type[Node], str]] = {
     "controls": {Listing: "points", Scalar: "formula"},
     "torques": {Listing: "points", Scalar: "formula"},
@@ -37,17 +40,6 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
 """What stands short for a mapping with one key: `controls.C.scale` where C is a formula."""
 _ALL_GIVEN = ("numbers", "set")
 """Where a name that is not there is one of which no formula knows."""
-_HEAVY = ("inertias", "masses")
-_OF_A_CASE = {
-    "ratio": ("mechanisms", "elements"),
-    "efficiency": ("mechanisms", "elements"),
-    "stiffness": ("springs", "shift_elements", "mechanisms", "elements"),
-    "compliance": ("springs", "shift_elements", "mechanisms", "elements"),
-    "damping": ("springs", "shift_elements", "mechanisms", "elements"),
-}
-"""Where what a sweep of a case calls `D1.ratio` may stand."""
-_PARTS = ("elements", "mechanisms", "shift_elements")
-"""Where other numbers of a part may stand, as `P1.teeth.sun`."""
 
 
 class NumberPath(NamedTuple):
@@ -99,8 +91,7 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
     ReadError
         If there is no such number; it names the nearest.
     """
-    unit = _UNIT.search(text)
-    typed = text[: unit.start()] if unit else text
+    typed, unit = with_unit(text)
     try:
         parts = split(typed)
         path = _path(parts, trees)
@@ -116,7 +107,7 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         raise refusal(f"{quoted(written(path.keys))} {error}", place, 0) from None
     except NoValueError as error:
         raise refusal(str(error), place, error.at) from None
-    return path._replace(unit=unit[1].strip() if unit else "")
+    return path._replace(unit=unit or "")
 
 
 def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
@@ -135,7 +126,7 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
         return NumberPath(keys, of_case=False)
     if keys[0] in case:
         return NumberPath(keys, of_case=True)
-    for other in _spelled_of_a_case(keys):
+    for other in in_document(keys):
         if trees.case and _leads(trees.case, other):
             return NumberPath(other, of_case=True)
     known = [*own, *(key for key in case if key not in own)]
@@ -146,18 +137,10 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
     raise NoValueError(message + nearest(keys[0], known), parts[0].at)
 
 
-def _spelled_of_a_case(keys: Keys) -> list[Keys]:
-    """What `D1.ratio` may mean in a document."""
-    if len(keys) == 2 and keys[1] == "inertia":
-        return [(owner, keys[0]) for owner in _HEAVY]
-    of_quantity = _OF_A_CASE.get(keys[-1], _PARTS) if len(keys) == 2 else _PARTS
-    return [(owner, *keys) for owner in of_quantity if len(keys) > 1]
-
-
 def _leads(root: Node, keys: Keys) -> bool:
     """Whether all but the last key are there, and of inertias that one too."""
     node: Node | None = root
-    for key in keys if keys[0] in _HEAVY else keys[:-1]:
+    for key in keys if keys[0] in BODIES else keys[:-1]:
         node = node and child(node, key)
     return node is not None
 

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 from vstatics.core.errors import Place, Problem, ReadError, nearest
+from vstatics.core.model.paths import typed_by_name
 from vstatics.core.model.transmission import Transmission
-from vstatics.sweep.variants.path_numbers import CasePath, by_name, case_path, known_paths, no_path
+from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusal, target
 
 
@@ -92,7 +93,7 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
     """
     path = case_path(text, case)
     if path is None:
-        text = by_name(text)
+        text = typed_by_name(text)
         path = case_path(text, case)
     if path is not None and path.quantity not in OF_MECHANISM:
         return path

@@ -19,6 +19,7 @@ from vstatics.core.errors import (
     typed_number,
 )
 from vstatics.core.model.parts import Mechanism, ShiftElement, damping
+from vstatics.core.model.paths import owner_and_key
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -101,7 +102,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     'front.ratio'
     """
     begin = len(text) - len(text.lstrip())
-    name, dot, read = map(str.strip, text.strip().rpartition("."))
+    name, dot, read = owner_and_key(text)
     known = {quantity: owner for quantity, owner in OWNERS.items() if _usable(owner, case)}
     if not known:
         raise refusal("the case has no mechanisms, so there is nothing to vary", place, begin)

@@ -8,5 +8,5 @@ and points; `references` knows the names of links and shift elements. Single val
 `si_units`. `joined_links` gathers the links of a case that lists none, `drawing` makes those of
 drawn elements. `headings` and `csv_rows` read tables of numbers in files. `arguments` has what
 `Transmission` takes, `reader` does all this in order.
-`schema` makes the JSON Schema of the same shape, `node_paths` finds numbers by dotted paths.
+`schema` makes the JSON Schema of the same shape, `node_numbers` finds numbers by paths.
 """

@@ -10,6 +10,7 @@ from vstatics.core.elements.keys import with_elements
 from vstatics.core.errors import Problem
 from vstatics.core.model.keys import CASE
 from vstatics.core.model.parts import Gear
+from vstatics.core.model.paths import BODIES
 from vstatics.core.model.shape import (
     ByKey,
     ByKind,
@@ -33,7 +34,7 @@ from vstatics.core.readers.named.nodes import (
 )
 from vstatics.core.readers.named.walk import Walk
 
-_HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in ("inertias", "masses")))
+_HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES))
 
 
 def is_listed(root: nodes.Mapping) -> bool:

@@ -10,7 +10,8 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from vstatics.core.readers.named.node_paths import Keys, number_of, number_text
+from vstatics.core.model.paths import Keys, dotted
+from vstatics.core.readers.named.node_numbers import number_of, number_text
 from vstatics.core.readers.named.nodes import Listing, Node, Scalar, encoding_of
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
@@ -122,7 +123,7 @@ def with_written(
         spot = spots[keys]
         new = text[spot.start : spot.end] if value == spot.value else number_text(value)
         if changed.setdefault(spot.start, (spot.end, new)) != (spot.end, new):
-            raise ValueError(f"{'.'.join(keys)} stands where another number stands, too")
+            raise ValueError(f"{dotted(keys)} stands where another number stands, too")
     for start in sorted(changed, reverse=True):
         end, new = changed[start]
         text = text[:start] + new + text[end:]

@@ -13,9 +13,8 @@ from typing import Any, NamedTuple
 
 from vstatics.core.elements.keys import with_elements
 from vstatics.core.model.keys import CASE, ELEMENT, GEAR, MECHANISM
+from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
-from vstatics.core.readers.named.node_paths import PathPart, split, written
-from vstatics.core.tables.names import in_quotes
 
 CASE_SHEET = "case"
 """Of paths and values: what has no sheet of its own."""

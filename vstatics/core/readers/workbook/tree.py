@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NoReturn
 
 from vstatics.core.errors import CellPlace, Place, ReadError, nearest, quoted
-from vstatics.core.readers.named.node_paths import NoValueError
+from vstatics.core.model.paths import NoValueError
 from vstatics.core.readers.named.nodes import Found, Listing, Node, Scalar
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 from vstatics.core.readers.reading import Source

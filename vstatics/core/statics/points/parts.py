@@ -1,7 +1,7 @@
 """Numbers of parts that vary at operating points: each set of them is a case of its own.
 
-Which numbers a case has of its parts, and what case others make, knows the room of sweeps: it
-gives `part_numbers` and `with_part_numbers` to `Transmission`.
+`elements.part_numbers` lists the numbers of parts and creates the cases; `Transmission` has both as
+methods.
 """
 
 from __future__ import annotations

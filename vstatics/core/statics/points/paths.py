@@ -6,11 +6,12 @@ Names stand as the case has them; the power of a battery is in W. Gears may be `
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple, get_args
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, nearest, quoted
+from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.model.shape import Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 OfLoads = Literal["load.speed", "load.torque"]
+_OF_LOADS: Mapping[Keys, OfLoads] = {
+    ("load", "speed"): "load.speed",
+    ("load", "torque"): "load.torque",
+}
 
 
 class CaseNumber(NamedTuple):
@@ -90,7 +95,7 @@ def columns_of(
     >>> columns_of(case, {"load.torque": np.array([100.0, 200.0])})
     {CaseNumber(gear=None, quantity='load.torque', owner=0): array([100., 200.])}
     """
-    known = dict(_named(case))
+    known = {dotted(keys): numbers for keys, numbers in _named(case)}
     columns: dict[CaseNumber, Floats] = {}
     for path, column in arrays.items():
         numbers = known.get(path)
@@ -114,7 +119,7 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
     >>> numbers_of(case)["gears.1.torques.2"]
     (CaseNumber(gear=0, quantity='torques', owner=2),)
     """
-    return {path: tuple(numbers) for path, numbers in _named(case) if numbers}
+    return {dotted(keys): tuple(numbers) for keys, numbers in _named(case) if numbers}
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
@@ -135,11 +140,10 @@ def wrong_numbers(quantity: str, numbers: Floats) -> Booleans:
     return _wrong(quantity, numbers)[0]
 
 
-def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     """All paths of a case, each with its numbers."""
-    quantities: tuple[OfLoads, ...] = get_args(OfLoads)
-    for quantity in quantities:
-        yield quantity, [CaseNumber(None, quantity)]
+    for keys, quantity in _OF_LOADS.items():
+        yield keys, [CaseNumber(None, quantity)]
     everywhere = range(len(case.gears))
     by_gear = [("*", everywhere), *((gear.name, [n]) for n, gear in enumerate(case.gears))]
     links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
@@ -154,17 +158,17 @@ def _named(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
         "open_drag": elements,
     }
     for gear, numbers in by_gear:
-        for quantity in quantities:
-            yield f"gears.{gear}.{quantity}", [CaseNumber(n, quantity) for n in numbers]
+        for keys, quantity in _OF_LOADS.items():
+            yield ("gears", gear, *keys), [CaseNumber(n, quantity) for n in numbers]
         for of_gear, named in owners.items():
             for name, owner in named.items():
                 own = [CaseNumber(n, of_gear, owner) for n in numbers]
                 if own := own if of_gear != "speed_ratios" else _acting(case, own):
-                    yield f"gears.{gear}.{of_gear}.{name}", own
+                    yield ("gears", gear, of_gear, name), own
     for name, link in links.items():
-        yield f"drag.{name}", [CaseNumber(n, "drag", link) for n in everywhere]
+        yield ("drag", name), [CaseNumber(n, "drag", link) for n in everywhere]
     for name, number in elements.items():
-        yield f"{name}.drag", [CaseNumber(n, "open_drag", number) for n in everywhere]
+        yield (name, "drag"), [CaseNumber(n, "open_drag", number) for n in everywhere]
     yield from _of_balances(case)
     yield from _of_mechanisms(case, free)
 
@@ -179,25 +183,26 @@ def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumbe
 
 def _of_mechanisms(
     case: Transmission, free: Mapping[str, int]
-) -> Iterator[tuple[str, list[CaseNumber]]]:
+) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     """Numbers of mechanisms and drawn elements, the same in all gears."""
     everywhere = range(len(case.gears))
     for name, number in free.items():
         if own := _acting(case, [CaseNumber(n, "speed_ratios", number) for n in everywhere]):
-            yield f"{name}.speed_ratio", own
+            yield (name, "speed_ratio"), own
     indexed = enumerate(case.mechanisms)
     mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
     mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
     for name, indices in mechanisms.items():
         for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ("efficiency",):
             own = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
-            yield f"{name}.{of_mechanism}", own
+            yield (name, of_mechanism), own
 
 
-def _of_balances(case: Transmission) -> Iterator[tuple[str, list[CaseNumber]]]:
+def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     balanced = [n for n, gear in enumerate(case.gears) if gear.balance]
     for name, numbers in [("*", balanced), *((case.gears[n].name, [n]) for n in balanced)]:
-        yield f"gears.{name}.balance.battery", [CaseNumber(n, "battery") for n in numbers]
+        own = [CaseNumber(n, "battery") for n in numbers]
+        yield ("gears", name, "balance", "battery"), own
 
 
 def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) -> None:

@@ -90,10 +90,10 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         most = MOST_NAMED
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
-        if is_within(layout, wide) or letters >= most:
+        length = _length(layout)
+        if length <= wide * letters + ROUNDED or letters >= most:
             break
-        low, high = extent(layout)
-        lack = (high[0] - low[0]) / (wide * letters)
+        lack = length / (wide * letters)
         letters *= max(lack ** (1 + tried // SLOW_FITS), LEAST_STEP)  # faster where names fill it
         letters = min(letters, most)
     return layout
@@ -101,8 +101,13 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
 
 def is_within(layout: CoaxialLayout, wide: float) -> bool:
     """Whether a half-section is no wider than it may be [pt]."""
+    return _length(layout) <= wide * layout.letters + ROUNDED
+
+
+def _length(layout: CoaxialLayout) -> float:
+    """Return the length of a half-section along its axis, with its ports [pt]."""
     low, high = extent(layout)
-    return high[0] - low[0] <= wide * layout.letters + ROUNDED
+    return high[0] - low[0]
 
 
 def fits(layout: CoaxialLayout, wide: float) -> bool:

@@ -153,23 +153,28 @@ def middle_of(section: HalfSection) -> float:
 
 def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
     """The lower left and the upper right corner, with room for all but the head."""
-    left, right = ends_of(layout)
     places, train = layout.places, layout.own.train
     before, behind = (
         (ARROW + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
         for link in (train.start, train.end)
     )
-    rooms = [room for up in layout.uprights for room in rooms_of(layout, up)]
+    rooms = _placed_rooms(layout)
     low = min(places.axis - 8, *(room.low for room in rooms)) - 3
     high = max(room.high for room in rooms) + 4
+    left, right = min(room.left for room in rooms), max(room.right for room in rooms)
     return (left - before, low), (right + behind, high)
 
 
 def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
     """Left and right end of a half-section, without ports."""
-    xs = [
-        (at + room.left, at + room.right)
+    rooms = _placed_rooms(layout)
+    return min(room.left for room in rooms), max(room.right for room in rooms)
+
+
+def _placed_rooms(layout: CoaxialLayout) -> list[SignRoom]:
+    """Return the room of everything, from the origin of the picture."""
+    return [
+        room._replace(left=at + room.left, right=at + room.right)
         for up, at in zip(layout.uprights, layout.places.at, strict=True)
         for room in rooms_of(layout, up)
     ]
-    return min(left for left, _ in xs), max(right for _, right in xs)

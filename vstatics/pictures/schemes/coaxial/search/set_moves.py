@@ -17,6 +17,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     SectionState,
     SweepStep,
     fresh,
+    in_two_parts,
     links_of,
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
@@ -146,14 +147,12 @@ class SetMoves(NamedTuple):
         """Wheels end at their planes where nothing else joins them."""
         below, above, done = state
         bars = below + above
-        ended = {
-            bar
-            for bar in bars
-            if bar >> 3 != carrier
-            and not self.train.masks[bar >> 3] & ~done
-            and fresh(bar >> 3, bars) is not None
-        }
-        low, high = (tuple(bar for bar in row if bar not in ended) for row in (below, above))
+        masks = self.train.masks
+        ended = {bar >> 3 for bar in bars if not masks[bar >> 3] & ~done} - {carrier}
+        if not ended:
+            return state
+        ended -= in_two_parts(bars)
+        low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
         return SectionState(low, high, done)
 
     def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:

@@ -7,6 +7,7 @@ are not joined yet must be, further right.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 Bars = tuple[int, ...]
@@ -56,6 +57,15 @@ class Move(NamedTuple):
 def links_of(bars: Bars) -> set[int]:
     """The links that have bars."""
     return {bar >> 3 for bar in bars}
+
+
+def in_two_parts(bars: Bars) -> set[int]:
+    """Return the links with bars of two parts.
+
+    >>> in_two_parts((8, 16, 9, 8))
+    {1}
+    """
+    return {one >> 3 for one, other in pairwise(sorted({*bars})) if one >> 3 == other >> 3}
 
 
 def fresh(link: int, bars: Bars) -> int | None:

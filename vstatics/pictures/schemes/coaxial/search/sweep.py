@@ -25,7 +25,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     Bars,
     SectionState,
     SweepStep,
-    fresh,
+    in_two_parts,
 )
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
@@ -218,8 +218,11 @@ class _SweepSearch(NamedTuple):
         """Without the bars of links that nothing more joins."""
         below, above, done = state
         masks, bars = self.moves.train.masks, below + above
-        kept = {b for b in bars if masks[b >> 3] & ~done or fresh(b >> 3, bars) is None}
-        low, high = (tuple(bar for bar in row if bar in kept) for row in (below, above))
+        ended = {bar >> 3 for bar in bars if not masks[bar >> 3] & ~done}
+        if not ended:
+            return state
+        ended -= in_two_parts(bars)
+        low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
         return SectionState(low, high, done)
 
     def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:

@@ -4,15 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from vstatics.core.readers.named.node_paths import (
-    NoValueError,
-    found,
-    number_of,
-    number_text,
-    replaced,
-    split,
-    written,
-)
+from vstatics.core.model.paths import NoValueError, split, written
+from vstatics.core.readers.named.node_numbers import found, number_of, number_text, replaced
 from vstatics.core.readers.named.nodes import Node, decode
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
 

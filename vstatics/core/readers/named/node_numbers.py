@@ -1,90 +1,23 @@
-"""Dotted paths to the values of a document: `shifts.1.overlap`, `controls."F 1".2.1`.
-
-Keys are names, items of a list count from 1. A name with a dot or a sign in it goes in quotes.
-"""
+"""Numbers in the nodes of a document by the keys of their paths: found, read, replaced."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 from vstatics.core.errors import nearest, quoted, spoken, typed_number
+from vstatics.core.model.paths import NoValueError, PathPart, written
 from vstatics.core.readers.named.arithmetic import calculated, dimensionless
 from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, what
-from vstatics.core.tables.names import in_quotes
 
-Keys: TypeAlias = tuple[str, ...]
-"""The parts of a path, without quotes."""
-
-MOST_PATH_PARTS = 16
-"""So many parts has a path at most, as documents nest."""
 MOST_KNOWN = 12
 """So many names are listed where one is not known."""
 
-_PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
-_BARE = re.compile(r"\w+(?:[- ]\w+)*")
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
 """No unit begins with one of these."""
-
-
-class PathPart(NamedTuple):
-    """A part of a path as it was typed."""
-
-    name: str
-    at: int
-    """Where it begins in the text, from 0."""
-
-
-class NoValueError(Exception):
-    """There is no such value; where in the typed path that shows, from 0."""
-
-    def __init__(self, message: str, at: int) -> None:
-        super().__init__(message)
-        self.at = at
-
-
-def split(text: str) -> list[PathPart]:
-    """The parts of a typed path.
-
-    Raises
-    ------
-    NoValueError
-
-    Examples
-    --------
-    >>> [part.name for part in split('controls."F 1.a".2.1')]
-    ['controls', 'F 1.a', '2', '1']
-    """
-    parts: list[PathPart] = []
-    at = len(text) - len(text.lstrip())
-    end = len(text.rstrip())
-    while True:
-        found = _PART.match(text, at, end)
-        if not found:
-            quote = text[at : at + 1] in ('"', "'") and at < end
-            message = "the quote is not closed" if quote else "read nothing, expected a name"
-            raise NoValueError(f"{message} between the points of a path", at)
-        name = next(group for group in found.groups() if group is not None)
-        parts.append(PathPart(name.strip() if found[3] else name, at))
-        at = found.end()
-        if at == end:
-            return parts
-        if text[at] != "." or len(parts) == MOST_PATH_PARTS:
-            expected = f"at most {MOST_PATH_PARTS} parts" if text[at] == "." else "a point"
-            raise NoValueError(f"read {quoted(text[at:end])}, expected {expected}", at)
-        at += 1
-
-
-def written(keys: Sequence[str]) -> str:
-    """A path as it can be typed.
-
-    >>> written(("controls", "F.1", "2"))
-    'controls."F.1".2'
-    """
-    return ".".join(key if _BARE.fullmatch(key) else in_quotes(key) for key in keys)
 
 
 def keys_of(node: Node) -> list[str]:

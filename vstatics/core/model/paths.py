@@ -1,0 +1,180 @@
+"""Paths to the numbers of a document: `P1.teeth.sun`, `gears.low.speeds.MG1`, `shifts.1.overlap`.
+
+A path is a list of keys with points between them. Items of a list count from 1. A key with a point
+or a sign in it goes in quotes. The unit of the values can follow in brackets: `load.speed [rpm]`.
+The name of a part is enough: `P1.teeth.sun` is `elements.P1.teeth.sun` in the document.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, TypeAlias
+
+from vstatics.core.errors import quoted
+
+Keys: TypeAlias = tuple[str, ...]
+"""The parts of a path, without quotes."""
+
+PARTS = ("shift_elements", "elements", "mechanisms", "springs")
+"""Keys of a case that a path leaves out: the name of the part is enough."""
+BODIES = ("inertias", "masses")
+"""Keys of a case with a number for each link: a path calls all of them its `inertia`."""
+OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
+"""Keys of a case that begin a path, and the number of keys that name the owner of the number."""
+MOST_PATH_PARTS = 16
+"""Largest number of keys in a path, as documents nest."""
+
+_PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
+_QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
+_BARE = re.compile(r"\w+(?:[- ]\w+)*")
+_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
+
+
+class PathPart(NamedTuple):
+    """A part of a path as it was typed."""
+
+    name: str
+    at: int
+    """Where it begins in the text, from 0."""
+
+
+class NoValueError(Exception):
+    """No value is there; `at` is the place in the typed path where that shows, from 0."""
+
+    def __init__(self, message: str, at: int) -> None:
+        super().__init__(message)
+        self.at = at
+
+
+def split(text: str) -> list[PathPart]:
+    """Return the parts of a typed path.
+
+    Raises
+    ------
+    NoValueError
+
+    Examples
+    --------
+    >>> [part.name for part in split('controls."F 1.a".2.1')]
+    ['controls', 'F 1.a', '2', '1']
+    """
+    parts: list[PathPart] = []
+    at = len(text) - len(text.lstrip())
+    end = len(text.rstrip())
+    while True:
+        found = _PART.match(text, at, end)
+        if not found:
+            quote = text[at : at + 1] in ('"', "'") and at < end
+            message = "the quote is not closed" if quote else "read nothing, expected a name"
+            raise NoValueError(f"{message} between the points of a path", at)
+        name = next(group for group in found.groups() if group is not None)
+        parts.append(PathPart(name.strip() if found[3] else name, at))
+        at = found.end()
+        if at == end:
+            return parts
+        if text[at] != "." or len(parts) == MOST_PATH_PARTS:
+            expected = f"at most {MOST_PATH_PARTS} parts" if text[at] == "." else "a point"
+            raise NoValueError(f"read {quoted(text[at:end])}, expected {expected}", at)
+        at += 1
+
+
+def in_quotes(name: str) -> str:
+    """Return a name between quotes that do not occur in it, unless both do."""
+    mark = "'" if '"' in name else '"'
+    return f"{mark}{name}{mark}"
+
+
+def written(keys: Sequence[str]) -> str:
+    """Return a path as it can be typed.
+
+    >>> written(("controls", "F.1", "2"))
+    'controls."F.1".2'
+    """
+    return dotted([key if _BARE.fullmatch(key) else in_quotes(key) for key in keys])
+
+
+def dotted(keys: Sequence[str]) -> str:
+    """Return a path without quotes, as columns, fields and changes are called."""
+    return ".".join(keys)
+
+
+def plain(text: str) -> str:
+    """Return a typed path without its quotes.
+
+    >>> plain('gears."1 [a]".load.speed')
+    'gears.1 [a].load.speed'
+    """
+    return _QUOTED.sub(lambda found: found[1] or found[2] or "", text)
+
+
+def plain_keys(text: str) -> list[str]:
+    """Return the parts between the points of a path without quotes."""
+    return plain(text).split(".")
+
+
+def owner_and_key(text: str) -> tuple[str, str, str]:
+    """Return the text before the last point of a path, the point, and the key behind it.
+
+    >>> owner_and_key(" P.x. inertia"), owner_and_key("inertia")
+    (('P.x', '.', 'inertia'), ('', '', 'inertia'))
+    """
+    owner, point, key = map(str.strip, text.strip().rpartition("."))
+    return owner, point, key
+
+
+def owner_and_number(path: str) -> tuple[Keys, Keys]:
+    """Return the keys that name the owner of a number, and the keys of the number below it.
+
+    >>> owner_and_number("P1.teeth.sun"), owner_and_number("gears.low.speeds.MG1")
+    ((('P1',), ('teeth', 'sun')), (('gears', 'low'), ('speeds', 'MG1')))
+    """
+    keys = tuple(path.split("."))
+    count = OWNERS.get(keys[0], 1)
+    return keys[:count], keys[count:] or keys
+
+
+def with_unit(text: str) -> tuple[str, str | None]:
+    """Return a typed path and the unit in brackets behind it, None without brackets.
+
+    >>> with_unit("load.speed [rpm]"), with_unit("load.speed")
+    (('load.speed', 'rpm'), ('load.speed', None))
+    """
+    unit = _UNIT.search(text)
+    return (text[: unit.start()], unit[1].strip()) if unit else (text, None)
+
+
+def by_name(keys: Keys) -> Keys:
+    """Return the path of a number of a case by the name of its part, from its keys in the document.
+
+    >>> by_name(("springs", "damper", "stiffness")), by_name(("inertias", "wheel"))
+    (('damper', 'stiffness'), ('wheel', 'inertia'))
+    """
+    if len(keys) == 2 and keys[0] in BODIES:
+        return keys[1], "inertia"
+    return keys[1:] if len(keys) > 1 and keys[0] in PARTS else keys
+
+
+def typed_by_name(text: str) -> str:
+    """Return a typed path by the name of its part, where the key of the case is before it.
+
+    >>> typed_by_name("inertias.wl [kg*m^2]"), typed_by_name("D1.ratio")
+    ('wl.inertia [kg*m^2]', 'D1.ratio')
+    """
+    path, _ = with_unit(text)
+    keys = tuple(path.strip().split(".", 1))
+    shorter = by_name(keys)
+    return text if shorter == keys else dotted(shorter) + text[len(path) :].rstrip()
+
+
+def in_document(keys: Keys) -> list[Keys]:
+    """Return the keys in a document that a path by the name of a part can stand for.
+
+    >>> in_document(("wheel", "inertia"))
+    [('inertias', 'wheel'), ('masses', 'wheel')]
+    >>> in_document(("P1", "teeth", "sun"))[1]
+    ('elements', 'P1', 'teeth', 'sun')
+    """
+    if len(keys) == 2 and keys[1] == "inertia":
+        return [(key, keys[0]) for key in BODIES]
+    return [(key, *keys) for key in PARTS] if len(keys) > 1 else []
