@@ -67,7 +67,7 @@ def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
 
     Here and below a test is skipped where the annex of the command is not installed.
     """
-    skip_without_command(*arguments[:1])
+    skip_without_command(*arguments)
     result = CliRunner().invoke(
         main, [str(one) for one in arguments], input=stdin, catch_exceptions=False
     )
@@ -84,7 +84,7 @@ def process(
     *arguments: object, stdin: bytes = b"", cwd: Path = ROOT, **variables: str
 ) -> tuple[int, bytes, bytes]:
     """Call ``python -m vstatics`` as a process; exit status, stdout and stderr."""
-    skip_without_command(*arguments[:1])
+    skip_without_command(*arguments)
     done = subprocess.run(
         [sys.executable, "-m", "vstatics", *map(str, arguments)],
         input=stdin,
@@ -117,7 +117,7 @@ def on_terminal(
     *arguments: str, cwd: Path = ROOT, terminal: str = "xterm-256color", **variables: str
 ) -> str:
     """What a command shows on a terminal of 80 columns."""
-    skip_without_command(*arguments[:1])
+    skip_without_command(*arguments)
     main, other = pty.openpty()
     fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
     command = [sys.executable, "-m", "vstatics", *arguments]

@@ -27,6 +27,8 @@ COMMANDS = {
     "serve": "page",
 }
 """The annex of each command that is not of the core."""
+OPTIONS = {"--duty": "vehicle", "--box": "synthesis"}
+"""The annex of each option that a command of the core has of it."""
 NAMES = {
     **dict.fromkeys(("Picture", "plot"), "pictures"),
     **dict.fromkeys(("Chunk", "Sweep", "sweep"), "sweep"),
@@ -41,6 +43,7 @@ NAMES = {
 """The annex of each public name of the package that is not of the core."""
 FILES: dict[str, tuple[str, ...]] = {
     "page/serve/test_bare_units.py": ("simulation",),
+    "page/serve/test_paths_of_numbers.py": ("sweep", "simulation"),
     "page/serve/test_random_numbers.py": ("sweep",),
     "simulation/published/test_pages.py": ("torsion",),
     "simulation/published/test_published_starts.py": ("torsion",),
@@ -82,8 +85,10 @@ def skip_without(*names: str) -> None:
 
 
 def skip_without_command(*words: object) -> None:
-    """Skip the rest of a test where the annex of a command is not installed."""
-    skip_without(*(COMMANDS[word] for word in words if isinstance(word, str) and word in COMMANDS))
+    """Skip the rest of a test where the annex of a command or of its option is not installed."""
+    known = [COMMANDS.get(str(word), "") for word in words[:1]]
+    known += [OPTIONS.get(str(word), "") for word in words[1:]]
+    skip_without(*filter(None, known))
 
 
 def used_in(text: str) -> set[str]:

@@ -9,8 +9,9 @@ import pytest
 
 from tests.chance import generator
 from tests.commands import CASES
+from tests.installed import needs
 from tests.sweep.sweeps import DIFFERENTIAL
-from vstatics import CaseError, Load, load, load_varied, loads, solve, sweep
+from vstatics import CaseError, Load, load, loads, solve, sweep
 
 pytest.importorskip("xarray")
 BOX = """
@@ -139,7 +140,10 @@ def test_variables_of_a_dataset_have_the_units_that_those_of_results_have() -> N
     assert [parallel[one].attrs.get("units") for one in ("x", "max(speeds_rpm)")] == [None, "rpm"]
 
 
+@needs("simulation")
 def test_what_swings_and_what_runs_has_units_too() -> None:
+    from vstatics import load_varied
+
     sprung = load(CASES / "moskvich412.yaml")
     data = sweep(sprung, {"propshaft.stiffness": [5e4]}, out="omega[1,1]").to_xarray()
     assert data["propshaft.stiffness"].attrs == {"units": "N*m/rad"}

@@ -12,6 +12,7 @@ import pytest
 import yaml
 
 from tests.commands import ROOT, vstatics
+from tests.installed import needs
 
 pytestmark = pytest.mark.usefixtures("files")
 FILES = ("bad.yaml", "neutral.yaml", "tied.yaml", "none.yaml")
@@ -143,6 +144,7 @@ def test_a_red_job_has_a_red_report(form: str) -> None:
     assert vstatics("check", "neutral.yaml", "-q").out == ""
 
 
+@needs("simulation")
 def test_a_case_that_several_scenarios_name_is_told_of_once() -> None:
     """But in JUnit, where each file has its own verdict."""
     names = ("8hp70-upshift", "8hp70-downshift")

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import CASES, process, vstatics
+from tests.installed import skip_without
 
 SECONDS = 10
 CASE = """\
@@ -130,6 +131,8 @@ def test_a_file_that_a_user_names_is_read_up_to_its_bound(
 def test_a_file_that_another_file_names_is_a_regular_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, kind: str
 ) -> None:
+    if name == "checked":
+        skip_without("simulation")
     hostile(tmp_path, kind)
     call = BY_FILE[name]
     said = told(tmp_path, monkeypatch, call)

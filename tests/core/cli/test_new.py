@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.commands import vstatics
+from tests.installed import needs
 from vstatics.core.cli.new import TEMPLATES, template
 from vstatics.core.examples import example_files
 
@@ -55,6 +56,7 @@ def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:
     assert vstatics("run", deck, "-q").status == 0
 
 
+@needs("simulation")
 def test_a_scenario_that_lacks_its_case_tells_how_to_write_it(tmp_path: Path) -> None:
     folder = tmp_path / "runs"
     folder.mkdir()

@@ -13,6 +13,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, vstatics
+from tests.installed import ANNEXES, needs
 from vstatics.core.cli.schemas import schemas, text
 
 SCHEMAS = ROOT / "schemas"
@@ -34,6 +35,7 @@ def complaints(command: str, document: Any) -> list[str]:
     ]
 
 
+@needs(*ANNEXES)
 @pytest.mark.parametrize("name", schemas())
 def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
     made = schemas()[name]
@@ -42,6 +44,7 @@ def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
     assert file.read_text(encoding="utf-8") == text(made), "write them: make schema"
 
 
+@needs(*ANNEXES)
 def test_the_page_of_results_leads_to_every_schema() -> None:
     page = (ROOT / "docs/results.md").read_text(encoding="utf-8")
     rows = "".join(line for line in page.splitlines() if line.startswith("| "))
@@ -66,6 +69,7 @@ def test_what_changed_between_results_fits(tmp_path: Path) -> None:
     assert [*validator("compare").iter_errors(written)] != []
 
 
+@needs(*ANNEXES)
 def test_no_schema_is_left_over() -> None:
     assert {path.name for path in SCHEMAS.iterdir()} == {f"{n}.schema.json" for n in schemas()}
 

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
 from tests.chance import count
+from tests.installed import needs
 from tests.strategies import transmissions
 from vstatics.core.elements.keys import DRAWN
 from vstatics.core.errors import ReadError
@@ -67,6 +68,7 @@ def test_it_is_a_schema() -> None:
     Draft202012Validator.check_schema(json_schema())
 
 
+@needs("torsion", "vehicle")
 @pytest.mark.parametrize("file", sorted((ROOT / "cases").glob("*.yaml")), ids=lambda f: f.name)
 def test_shipped_cases_are_valid(file: Path) -> None:
     assert VALIDATOR.is_valid(yaml.safe_load(file.read_text(encoding="utf-8")))
