@@ -224,7 +224,7 @@ class Results(PhysicalResults):
 
     def gear_at(self, index: int) -> GearState:
         """Return the state of a gear of a single case by the index of the gear, calculated once."""
-        state = _state_of(_Calculated(self.case, self.points), index)
+        state = _state_of(_CaseAtPoints(self.case, self.points), index)
         if self.points and self.undecided[index] and not state.search.undecided:
             # no torque of the gear agrees with the load-dependent efficiencies
             lossy = no_solution(state.ideal, (math.nan,) * len(self.case.mechanisms))
@@ -291,7 +291,7 @@ class Results(PhysicalResults):
         return bool(self.tied_up.any() or self.conflict.any())
 
 
-class _Calculated:
+class _CaseAtPoints:
     """A case at its operating points, compared by identity: comparing all parts is slow."""
 
     __slots__ = ("case", "points")
@@ -300,7 +300,7 @@ class _Calculated:
         self.case, self.points = case, points
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, _Calculated):
+        if not isinstance(other, _CaseAtPoints):
             return NotImplemented
         return self.case is other.case and self.points is other.points
 
@@ -309,7 +309,7 @@ class _Calculated:
 
 
 @lru_cache(maxsize=REMEMBERED_STATES)
-def _state_of(calculated: _Calculated, index: int) -> GearState:
+def _state_of(calculated: _CaseAtPoints, index: int) -> GearState:
     """Calculate the state of a gear by the index of the gear."""
     case, points = calculated.case, calculated.points
     gear = points.gears[index] if points else case.gears[index]
