@@ -20,7 +20,15 @@ import vstatics
 TESTS = Path(__file__).parent
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
-    *("core.start", "core.annexes", "core.errors", "core.extras", "core.arguments", "core.texts"),
+    *(
+        "core.start",
+        "core.annexes",
+        "core.record",
+        "core.errors",
+        "core.extras",
+        "core.arguments",
+        "core.texts",
+    ),
     *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
     *("core.tables", "core.readers", "core.examples", "core.checking"),
     *("sweep", "torsion", "simulation", "core.writers", "core.flow"),

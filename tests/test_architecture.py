@@ -91,8 +91,6 @@ def test_only_the_command_line_and_the_report_draw() -> None:
 
 
 ANNEXES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
-UNFINISHED = {"page": {"simulation", "sweep"}}
-"""Annex, or core -> annexes that it still knows although its record does not name them."""
 
 
 @cache
@@ -118,7 +116,7 @@ def test_annexes_know_only_what_their_records_need() -> None:
     needs = {annex.name: {*annex.needs} for annex in annexes()}
     for name in modules().keys() - {"vstatics", "vstatics.core.annexes"}:
         own = home(name)
-        known = annexes_known(name) - needs.get(own, set()) - UNFINISHED.get(own, set())
+        known = annexes_known(name) - needs.get(own, set())
         assert not known, f"{name} knows {known}"
 
 

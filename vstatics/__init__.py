@@ -29,11 +29,12 @@ from typing import TYPE_CHECKING, Any
 
 from vstatics.core.annexes import module_of_name, public_names
 from vstatics.core.errors import CaseError, Place, Problem, ReadError, VstaticsError
-from vstatics.core.extras import HIGHER, __version__, later
+from vstatics.core.extras import __version__, later
 from vstatics.core.model.parts import Damping, Load
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.readers import load, loads
+from vstatics.core.record import CORE
 
 if TYPE_CHECKING:
     from vstatics.core.checking import check
@@ -148,53 +149,9 @@ _FIRST = (
     *("ShiftElement", "Spring", "Transmission", "VstaticsError", "__version__", "load", "loads"),
 )
 """Public names that are imported with the package."""
-_LATER = {
-    "CentralWheel": "vstatics.core.elements",
-    "Drawing": "vstatics.core.elements.drawing",
-    "Element": "vstatics.core.elements.element",
-    "Explanation": "vstatics.core.explain.explanation",
-    "GearExercise": "vstatics.core.explain.exercise",
-    "GearFlow": "vstatics.core.flow.power_flow",
-    "GearState": "vstatics.core.statics.state",
-    "MeshEfficiency": "vstatics.core.elements",
-    "Message": "vstatics.core.statics.result_arrays",
-    "PlanetMass": "vstatics.core.elements.element",
-    "PowerFlow": "vstatics.core.flow.power_flow",
-    "Results": "vstatics.core.statics.results",
-    "Summary": "vstatics.core.summary",
-    "Verdict": "vstatics.core.comparison.verdicts",
-    "check": "vstatics.core.checking",
-    "compare": "vstatics.core.comparison.compare",
-    "distribution_matrix": "vstatics.core.statics.matrix",
-    "example": "vstatics.core.examples",
-    "exercise": "vstatics.core.explain.exercise",
-    "explain_gear": "vstatics.core.explain.explanation",
-    "flows": "vstatics.core.flow.power",
-    "save": "vstatics.core.writers.saving",
-    "solve": "vstatics.core.statics.solve",
-    "summarize": "vstatics.core.summary",
-    "transmission": "vstatics.core.elements",
-}
-"""Names that are imported when somebody asks for them, as they cost start-up time."""
 
 
-HIGHER.update(
-    by_name="vstatics.core.tables.names",
-    explanation_grids="vstatics.core.explain.tables",
-    flow_grids="vstatics.core.flow.rows",
-    from_dict="vstatics.core.readers",
-    part_numbers="vstatics.core.elements.part_numbers",
-    results_html="vstatics.core.summary.pretty",
-    summary_grids="vstatics.core.summary.tables",
-    to_dataframe="vstatics.core.tables.dataframe",
-    to_json="vstatics.core.writers.result_json",
-    to_xarray="vstatics.core.tables.dataset",
-    with_part_numbers="vstatics.core.elements.part_numbers",
-)
-"""What methods do, in rooms, or modules, of which those of their classes must know nothing."""
-
-
-_later = later(__name__, _LATER, module_of_name)
+_later = later(__name__, CORE.names, module_of_name)
 _elements = ModuleType("vstatics.elements", "Gear sets with teeth: names that `vstatics` has, too.")
 _of_elements = ("CentralWheel", "Drawing", "Element", "MeshEfficiency", "PlanetMass")
 vars(_elements)["__getattr__"] = later(
@@ -226,4 +183,4 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """Return the public names of the core and of the annexes that are installed."""
-    return sorted([*_FIRST, *_LATER, *public_names()])
+    return sorted([*_FIRST, *CORE.names, *public_names()])

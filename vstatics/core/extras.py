@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from vstatics.core.annexes import PURPOSES, module, module_of_method, not_installed
 from vstatics.core.errors import CaseError
+from vstatics.core.record import CORE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -80,17 +81,13 @@ class AnyPicture(Protocol):
     def _repr_svg_(self) -> str: ...
 
 
-HIGHER: dict[str, str] = {}
-"""By the name of a function the module that has it: the package says so in its `__init__`."""
-
-
 def higher(function: str, purpose: str = "") -> Any:
     """A function of a room above, by which a class has a method although its room knows none.
 
     Parameters
     ----------
     function : str
-        Its name. Where it is, is known to the package and to the records of annexes.
+        Its name in the record of the core or of an annex.
     purpose : str
         What needs the function, one of `PURPOSES`, for the message that its annex is not installed.
 
@@ -105,7 +102,7 @@ def higher(function: str, purpose: str = "") -> Any:
     >>> higher("to_dataframe").__module__
     'vstatics.core.tables.dataframe'
     """
-    name = HIGHER.get(function) or module_of_method(function)
+    name = CORE.methods.get(function) or module_of_method(function)
     if not name and purpose:
         raise CaseError("E014", not_installed(purpose, PURPOSES[purpose]))
     return getattr(module(name), function)

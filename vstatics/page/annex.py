@@ -4,7 +4,7 @@ from vstatics.core.annexes import Annex, Command
 
 ANNEX = Annex(
     name="page",
-    needs=("pictures",),
+    needs=("pictures", "sweep", "simulation"),
     commands={
         "serve": Command(
             "vstatics.page.cli.serve",

@@ -7,7 +7,7 @@ Words of a command line go in; results go to stdout, messages to stderr, and an 
 >>> said.exit_code, said.stderr.rstrip()
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
-`_CORE` lists the commands of the core; annexes have theirs in their records and their `cli`.
+The record of the core and those of the annexes list the commands.
 `shared` has what all of them share: input and output, cases, values of options. `templates` are
 the cases of `new`. `schemas` writes the JSON Schemas of all.
 """
@@ -23,7 +23,7 @@ from typing import Any
 
 import click
 
-from vstatics.core.annexes import Command, annexes
+from vstatics.core.annexes import annexes
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, WRONG_USE, stopped_by
 from vstatics.core.cli.shared.lazy_group import LazyGroup, Modules
@@ -31,31 +31,9 @@ from vstatics.core.errors import ReadError, printable
 from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
+from vstatics.core.record import CORE
 
 click.UsageError.exit_code = WRONG_USE
-
-_CORE = {
-    "new": Command("vstatics.core.cli.new", "Write a commented case to start from.", 10),
-    "run": Command("vstatics.core.cli.run", "Calculate every gear of each case.", 20),
-    "flow": Command(
-        "vstatics.core.cli.flow", "Show where the power goes, what is lost, what circulates.", 40
-    ),
-    "summary": Command(
-        "vstatics.core.cli.summary", "Ratios, steps, spread, transitions, largest values.", 50
-    ),
-    "explain": Command(
-        "vstatics.core.cli.explain", "Write out the equations and the ratio of a gear.", 70
-    ),
-    "check": Command(
-        "vstatics.core.cli.check", "Report problems of the input, and the conditions per gear.", 150
-    ),
-    "convert": Command(
-        "vstatics.core.cli.convert", "Convert a case between deck, YAML and JSON.", 160
-    ),
-    "compare": Command("vstatics.core.cli.compare", "Compare two results: what changed.", 170),
-}
-"""Commands of the core; annexes add theirs."""
-
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
 """Commands that have words in other languages, by --lang."""
@@ -66,13 +44,13 @@ class Commands(LazyGroup):
 
     def listed(self) -> Modules:
         """Return the commands of the core and of the annexes in the order of their places."""
-        found = _CORE | {name: own for annex in annexes() for name, own in annex.commands.items()}
-        ordered = sorted(found.items(), key=lambda entry: entry[1].place)
-        return {name: (own.module, own.help) for name, own in ordered}
+        commands = [pair for record in (CORE, *annexes()) for pair in record.commands.items()]
+        ordered = sorted(commands, key=lambda pair: pair[1].place)
+        return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
         """Return the module of a command; records are read for those of annexes alone."""
-        return _CORE[name].module if name in _CORE else super().module(name)
+        return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
         """As click does; messages are safe to print, and that of the version may fail."""

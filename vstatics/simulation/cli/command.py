@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from vstatics.core.tables.grid import Grid
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
+    from vstatics.simulation.scenario.parts import Scenario
 
 MOST_STEPS = 1_000_000
 """So many multiples of a step may be written."""
@@ -72,7 +73,6 @@ def simulate(asked: SimulateOptions) -> int:
         from vstatics.simulation.cli.samples import run_samples
 
         return run_samples(asked)
-    out = asked.sampling.out
     _check_format(asked, to.form)
     if to.form == "parquet":
         needs("parquet", "Parquet")
@@ -85,11 +85,6 @@ def simulate(asked: SimulateOptions) -> int:
     _check_step(asked.step, read.scenario.duration)
     from vstatics.simulation.run import simulate as simulated
 
-    columns: Sequence[tuple[str, str]] = ()
-    if out is not None:
-        from vstatics.simulation.variants.asked import read_asked  # it takes the annex `sweep`
-
-        columns = read_asked(out, read.scenario)
     try:
         with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
             motion = simulated(
@@ -98,7 +93,7 @@ def simulate(asked: SimulateOptions) -> int:
                 rtol=asked.rtol,
                 method=asked.method,
                 watch=watch,
-                columns=columns,
+                columns=_columns(asked.sampling.out, read.scenario),
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
@@ -112,6 +107,15 @@ def simulate(asked: SimulateOptions) -> int:
         return stopped_by(signal.SIGINT)
     failed = motion.stopped is not None or telling.fails(problems)
     return FAILED if failed else DONE
+
+
+def _columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
+    """Return the additional columns that an option names."""
+    if out is None:
+        return ()
+    from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
+
+    return read_asked(out, scenario)
 
 
 def _check_method(asked: SimulateOptions) -> None:

@@ -90,8 +90,7 @@ def _certain(grid: Grid) -> Grid:
 def _by_event(grid: Grid) -> Grid:
     """A table of events with what happens before its time.
 
-    >>> from vstatics.core.statics.results import Results
-    from vstatics.core.tables.grid import Column, exact
+    >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]
     >>> _by_event(Grid("Events", columns, [[exact(0.5), "B", "locks"]], key="events")).texts
     [['B locks', '.500']]
