@@ -25,6 +25,7 @@ ROOMS = (
         "core.annexes",
         "core.record",
         "core.errors",
+        "core.suggestions",
         "core.extras",
         "core.arguments",
         "core.texts",

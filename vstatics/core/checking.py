@@ -12,21 +12,14 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import (
-    CaseError,
-    Problem,
-    ReadError,
-    not_allowed,
-    plural,
-    spoken,
-    why_not_allowed,
-)
+from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, plural, spoken
 from vstatics.core.model.checks import hints
 from vstatics.core.readers.kinds import document_function
 from vstatics.core.readers.reading import Reading
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
+from vstatics.core.suggestions import why_not_allowed
 
 
 @refusing()

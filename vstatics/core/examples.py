@@ -18,8 +18,9 @@ from typing import Any, NamedTuple, overload
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, nearest, quoted
+from vstatics.core.errors import CaseError, quoted
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.suggestions import nearest
 
 
 class ExampleFile(NamedTuple):

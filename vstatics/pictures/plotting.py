@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from vstatics.core.annexes import module_of_name
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import nearest
 from vstatics.core.extras import require
 from vstatics.core.jobs.page_files import replace_pages
 from vstatics.core.statics.results import Results, expect_one_case
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.suffixes import format_of, known
 from vstatics.core.texts import Language
 from vstatics.pictures import drawn_kinds, misplaced, pages, picture, render

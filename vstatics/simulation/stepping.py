@@ -9,7 +9,8 @@ from numbers import Real
 import numpy as np
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, listed, nearest, quoted
+from vstatics.core.errors import CaseError, listed, quoted
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.course import EventRun
 from vstatics.simulation.record.motion import Event
 from vstatics.simulation.run import begun

@@ -10,8 +10,9 @@ from typing import Any, ParamSpec, TypeVar
 
 from vstatics.core.arguments.types import fits, hints
 from vstatics.core.arguments.words import expected, is_no_choice, type_and_value
-from vstatics.core.errors import CaseError, listed, nearest
+from vstatics.core.errors import CaseError, listed
 from vstatics.core.extras import needed
+from vstatics.core.suggestions import nearest
 
 Asked = ParamSpec("Asked")
 Given = TypeVar("Given")

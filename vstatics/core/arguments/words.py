@@ -9,7 +9,8 @@ from types import NoneType, UnionType
 from typing import Any, Literal
 
 from vstatics.core.arguments.types import fits, is_of_rows
-from vstatics.core.errors import nearest, spoken
+from vstatics.core.errors import spoken
+from vstatics.core.suggestions import nearest
 
 MAKERS = {
     "Transmission": "vstatics.load reads a file",

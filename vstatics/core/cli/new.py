@@ -11,10 +11,11 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import completing
 from vstatics.core.cli.shared.values import value
-from vstatics.core.errors import ReadError, nearest, of_file
+from vstatics.core.errors import ReadError, of_file
 from vstatics.core.examples import example_file, example_files
 from vstatics.core.jobs.files import STDOUT
 from vstatics.core.readers import format_of, format_of_name
+from vstatics.core.suggestions import nearest
 
 TEMPLATES = (
     "planetary",

@@ -18,9 +18,10 @@ from vstatics.core.elements.group_checks import LARGEST_WHEEL
 from vstatics.core.elements.kinds import GROUP, KINDS, Kind, Planetary, Simple
 from vstatics.core.elements.lower import at_meshes, part_of
 from vstatics.core.elements.mesh_losses import LEAST_RING, mesh_losses
-from vstatics.core.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.core.errors import Path, Problem, quoted, spoken
 from vstatics.core.model.part_checks import of_back_efficiency, of_efficiency, sets_side_by_side
 from vstatics.core.model.torsional_checks import not_negative, of_elastic
+from vstatics.core.suggestions import nearest
 
 
 def problems(drawing: DrawingFields) -> Iterator[Problem]:

@@ -8,8 +8,9 @@ from fractions import Fraction
 from vstatics.core.elements.element import CentralWheel, Element
 from vstatics.core.elements.group import PlanetGroup, group_of
 from vstatics.core.elements.kinds import GROUP
-from vstatics.core.errors import Path, Problem, nearest
+from vstatics.core.errors import Path, Problem
 from vstatics.core.model.parts import HOUSING
+from vstatics.core.suggestions import nearest
 
 LARGEST_WHEEL = 10**6
 """Limit of teeth or a diameter, far above any gear, for which ratios can be calculated."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.core.annexes import KEYS
-from vstatics.core.errors import Path, Problem, spoken, why_not_allowed
+from vstatics.core.errors import Path, Problem, spoken
 from vstatics.core.model.carried import CaseKey, installed_keys
 from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.core.model.part_checks import (
@@ -30,6 +30,7 @@ from vstatics.core.model.parts import (
     mechanism_names,
 )
 from vstatics.core.model.springs import spring_names
+from vstatics.core.suggestions import why_not_allowed
 
 MOST_FREEWHEELS = 8
 """All sets of them are tried in every gear."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, runtime_checkable
 
-from vstatics.core.errors import Problem, listed, nearest, typed_number
+from vstatics.core.errors import Problem, listed, typed_number
 from vstatics.core.model.bodies import Bodies, join
 from vstatics.core.model.parts import (
     Direction,
@@ -25,6 +25,7 @@ from vstatics.core.model.parts import (
     related,
 )
 from vstatics.core.model.springs import Spring, ends
+from vstatics.core.suggestions import nearest
 
 if TYPE_CHECKING:  # who has none does without
     from vstatics.core.model.converters import Converter

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from vstatics.core.errors import Path, Problem, nearest, quoted
+from vstatics.core.errors import Path, Problem, quoted
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import called, expect, of_characteristic, of_link
 from vstatics.core.model.parts import HOUSING, Damping, damping, element_names, mechanism_names
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit
 from vstatics.core.model.springs import Spring, SpringLimit, ends, spring_names
+from vstatics.core.suggestions import nearest
 
 _TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 

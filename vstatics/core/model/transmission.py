@@ -8,7 +8,7 @@ from itertools import count
 from typing import Any
 
 from vstatics.core.arguments import refuse_fields
-from vstatics.core.errors import CaseError, nearest, plural
+from vstatics.core.errors import CaseError, plural
 from vstatics.core.extras import higher
 from vstatics.core.model.checks import carried_keys, problems
 from vstatics.core.model.fields import AnyDrawing, IdleConvention, TransmissionFields
@@ -27,6 +27,7 @@ from vstatics.core.model.parts import (
     related,
 )
 from vstatics.core.model.springs import Spring, SpringLimit, spring_name
+from vstatics.core.suggestions import nearest
 
 __all__ = [
     "HOUSING",

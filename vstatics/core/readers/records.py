@@ -8,13 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import Place, Problem, ReadError, listed, nearest, quoted
+from vstatics.core.errors import Place, Problem, ReadError, listed, quoted
 from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
 from vstatics.core.readers.named.headings import TableColumn, with_unit, without_titles
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 
 

@@ -7,12 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, cast
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Place, ReadError, listed, nearest, quoted, typed_number
+from vstatics.core.errors import Place, ReadError, listed, quoted, typed_number
 from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.matrix import distribution_matrix
 from vstatics.core.statics.result_arrays import Rows, row_names
 from vstatics.core.statics.results import Results
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 

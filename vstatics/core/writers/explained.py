@@ -16,7 +16,8 @@ from functools import cache
 from importlib import resources
 from typing import NamedTuple
 
-from vstatics.core.errors import DOUBTS, Severity, nearest, quoted, severity
+from vstatics.core.errors import DOUBTS, Severity, quoted, severity
+from vstatics.core.suggestions import nearest
 
 _FOLDER = resources.files("vstatics.core.writers").joinpath("messages")
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.core.annexes import report_parts
-from vstatics.core.errors import nearest
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.grid import Grid
 
 _PLACES = {

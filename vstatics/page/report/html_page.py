@@ -244,6 +244,7 @@ def _styles(title: str) -> Markup:
     return joined(
         *map(Markup, (f"{one}\n" for one in (light, dark, letters, running))),
         _resource("style.css"),
+        _resource("print.css"),
     )
 
 

@@ -9,10 +9,11 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, listed, nearest, quoted
+from vstatics.core.errors import CaseError, listed, quoted
 from vstatics.core.model.converters import Converter
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.account import heat_and_losses
 from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, nearest, quoted
+from vstatics.core.errors import CaseError, Path, Problem, ReadError, listed, quoted
 from vstatics.core.model.checks import left_out
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import HOUSING
@@ -22,6 +22,7 @@ from vstatics.core.model.springs import SpringLimit
 from vstatics.core.model.torsional_checks import of_converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,

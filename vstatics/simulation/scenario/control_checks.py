@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import chain, pairwise
 
-from vstatics.core.errors import Path, Problem, nearest, quoted, spoken
+from vstatics.core.errors import Path, Problem, quoted, spoken
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep

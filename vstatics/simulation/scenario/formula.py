@@ -12,12 +12,13 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from vstatics.core.errors import listed, nearest, quoted, spoken
+from vstatics.core.errors import listed, quoted, spoken
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.scenario.algebra import parts, slope, variables
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.crossings import crossings

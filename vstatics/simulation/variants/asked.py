@@ -12,10 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from vstatics.core.errors import Problem, ReadError, listed, nearest, quoted
+from vstatics.core.errors import Problem, ReadError, listed, quoted
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Tree, parse
 from vstatics.core.readers.expressions.operands import TableName
+from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.asked import ALWAYS, TABLES
 from vstatics.simulation.record.rows import rows_of_kind
 from vstatics.simulation.scenario.parts import Scenario

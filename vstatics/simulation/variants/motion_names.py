@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from vstatics.core.errors import Place, listed, nearest, quoted, typed_number
+from vstatics.core.errors import Place, listed, quoted, typed_number
 from vstatics.core.model.paths import by_name, dotted
 from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import written
 from vstatics.simulation.record.rows import Kind
 from vstatics.simulation.variants.motion_tables import TABLES, along_time

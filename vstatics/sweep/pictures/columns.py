@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, listed, nearest, quoted
+from vstatics.core.errors import CaseError, listed, quoted
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 

@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vstatics.core.arguments import naming, refusing
-from vstatics.core.errors import nearest, spoken
+from vstatics.core.errors import spoken
 from vstatics.core.extras import require
 from vstatics.core.jobs.page_files import replace_pages
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.written_results import GEAR, WrittenSweep
 from vstatics.core.texts import Language
 from vstatics.pictures.drawing.lengths import checked_width

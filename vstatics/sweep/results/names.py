@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from vstatics.core.errors import nearest, quoted, typed_number
+from vstatics.core.errors import quoted, typed_number
 from vstatics.core.extras import higher
 from vstatics.core.model.fields import gear_place, numbered_gear
 from vstatics.core.model.parts import Law
@@ -16,6 +16,7 @@ from vstatics.core.readers.expressions.grammar import Applied, Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
 from vstatics.core.statics.physical import known_units, lacking_load
 from vstatics.core.statics.result_arrays import Rows
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import (
     ROWS,
     nearest_quantity,

@@ -11,7 +11,7 @@ from collections.abc import Hashable
 from typing import Any, Literal, NamedTuple
 
 from vstatics.core.elements.part_numbers import PartNumber, own_part_number, part_numbers
-from vstatics.core.errors import listed, nearest, quoted
+from vstatics.core.errors import listed, quoted
 from vstatics.core.model.parts import Law, OfLoad, SpeedOf
 from vstatics.core.model.paths import OWNERS, dotted, plain, plain_keys, with_unit
 from vstatics.core.model.shape import UNIT_OF, Measure
@@ -20,6 +20,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.readers.named.si_units import measured
 from vstatics.core.readers.named.units import quantity
 from vstatics.core.statics.points.paths import CaseNumber, measure_of, numbers_of, wrong_numbers
+from vstatics.core.suggestions import nearest
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
 EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}

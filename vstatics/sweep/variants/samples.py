@@ -10,8 +10,9 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, nearest
+from vstatics.core.errors import CaseError, Problem
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.suggestions import nearest
 from vstatics.sweep.variants.numbered import checked_targets, empty_block
 from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Values, Variation
 

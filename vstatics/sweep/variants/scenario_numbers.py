@@ -6,7 +6,7 @@ from collections.abc import Hashable, Sequence
 from contextlib import suppress
 from typing import NamedTuple
 
-from vstatics.core.errors import Place, nearest, quoted
+from vstatics.core.errors import Place, quoted
 from vstatics.core.model.paths import (
     BODIES,
     Keys,
@@ -29,6 +29,7 @@ from vstatics.core.readers.named.node_numbers import (
 )
 from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar
 from vstatics.core.readers.named.si_units import in_any_unit
+from vstatics.core.suggestions import nearest
 from vstatics.sweep.variants.targets import refusal
 
 _SPELLED: dict[str, dict[type[Node], str]] = {

@@ -9,9 +9,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
-from vstatics.core.errors import Place, Problem, ReadError, nearest
+from vstatics.core.errors import Place, Problem, ReadError
 from vstatics.core.model.paths import typed_by_name
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.suggestions import nearest
 from vstatics.sweep.variants.path_numbers import CasePath, case_path, known_paths, no_path
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusal, target
 

@@ -12,7 +12,7 @@ from typing import IO, NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import Place, Problem, ReadError, nearest, of_file
+from vstatics.core.errors import Place, Problem, ReadError, of_file
 from vstatics.core.jobs.spool import Spool
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import (
@@ -25,6 +25,7 @@ from vstatics.core.readers.named.csv_rows import (
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.readers.sweep_tables import NUMBER, STATUS
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.variants.numbered import VariantTable

@@ -8,16 +8,7 @@ from typing import Literal, NamedTuple, Protocol, get_args
 
 import numpy as np
 
-from vstatics.core.errors import (
-    Place,
-    Problem,
-    ReadError,
-    listed,
-    nearest,
-    quoted,
-    spoken,
-    typed_number,
-)
+from vstatics.core.errors import Place, Problem, ReadError, listed, quoted, spoken, typed_number
 from vstatics.core.model.parts import Mechanism, ShiftElement, damping
 from vstatics.core.model.paths import owner_and_key
 from vstatics.core.model.springs import Spring
@@ -25,6 +16,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.readers.deck.places import LISTS
 from vstatics.core.statics.matrix import impossible as impossible_of_mechanism
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import no_row, rows_called, several
 
 OfMechanism = Literal["ratio", "efficiency"]

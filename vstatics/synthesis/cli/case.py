@@ -10,9 +10,10 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.values import separated, value, wrong_value
-from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, Problem, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.core.suggestions import nearest
 from vstatics.synthesis.cli.case_file import case_format, write_case
 from vstatics.synthesis.gears.case_of_scheme import MOST_OF_SCHEME, NEUTRAL, scheme_case
 from vstatics.synthesis.gears.names import set_name

@@ -13,8 +13,9 @@ from itertools import combinations as subsets
 import numpy as np
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, listed, nearest, plural, quoted, typed_number
+from vstatics.core.errors import CaseError, listed, plural, quoted, typed_number
 from vstatics.core.model.transmission import HOUSING, ShiftElement, Transmission
+from vstatics.core.suggestions import nearest
 from vstatics.core.summary.unused_sets import needed
 from vstatics.synthesis.gears.kinds import (
     EngagedKind,

@@ -9,21 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import (
-    CaseError,
-    Problem,
-    listed,
-    nearest,
-    plural,
-    quoted,
-    spoken,
-    typed_number,
-)
+from vstatics.core.errors import CaseError, Problem, listed, plural, quoted, spoken, typed_number
 from vstatics.core.explain.bodies import OwnLinks, on_own_links
 from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.solve import solve
 from vstatics.core.statics.status import STATUSES
+from vstatics.core.suggestions import nearest
 from vstatics.core.summary.design_table import is_same
 from vstatics.synthesis.ratios.arrays import reach
 from vstatics.synthesis.ratios.formula import GearFormula, gear_formula

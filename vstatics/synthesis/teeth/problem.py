@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 from vstatics.core.elements.group_checks import LARGEST_WHEEL
 from vstatics.core.elements.teeth.conditions import SHIFT
-from vstatics.core.errors import CaseError, Problem, listed, nearest, quoted
+from vstatics.core.errors import CaseError, Problem, listed, quoted
 from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.solve import solve
+from vstatics.core.suggestions import nearest
 from vstatics.synthesis.ratios.formula import ONE, GearFormula, gear_formula
 from vstatics.synthesis.ratios.problem import on_engaged_links, ratio_fault
 from vstatics.synthesis.teeth.layout import TeethLayout, named_ratios, teeth_layouts

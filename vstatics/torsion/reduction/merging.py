@@ -11,8 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, nearest, quoted
+from vstatics.core.errors import CaseError, quoted
 from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.suggestions import nearest
 from vstatics.torsion.reduction.chain import Chain, PartialSystem, chain_of, scheme_of
 from vstatics.torsion.reduction.condensation import tidied
 from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies, stiffness_matrix

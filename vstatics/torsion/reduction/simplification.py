@@ -25,8 +25,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, NamedTuple, get_args
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, Problem, listed, nearest, spoken
+from vstatics.core.errors import CaseError, Problem, listed, spoken
 from vstatics.core.numerics.tolerances import TIE
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.numbers import certain
 from vstatics.torsion.reduction.chain import (
     Chain,

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Path, listed, nearest, plural, spoken
+from vstatics.core.errors import CaseError, Path, listed, plural, spoken
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.core.model.parts import RAD_PER_RPM
@@ -23,6 +23,7 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
+from vstatics.core.suggestions import nearest
 from vstatics.torsion.system.converters import WorkingConverter, working_converter
 from vstatics.torsion.system.gear_system import torsional_system
 from vstatics.torsion.tolerances import (

@@ -11,8 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, listed, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, listed, quoted, spoken
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.answer import told
 from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import vibrating

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from vstatics.core.errors import Problem, listed, nearest, quoted
+from vstatics.core.errors import Problem, listed, quoted
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.parts import element_names, mechanism_names
 from vstatics.core.model.springs import spring_names
 from vstatics.core.model.torsional_checks import above_0, not_negative
+from vstatics.core.suggestions import nearest
 from vstatics.vehicle.case.fatigue import strengths
 
 THICKEST_SHAFT = 1.0

@@ -12,9 +12,9 @@ import pytest
 
 from tests.chance import count, seeded
 from vstatics import CaseError, ReadError, solve
-from vstatics.core.errors import lookalike
 from vstatics.core.readers import loads, read
 from vstatics.core.readers.named.scalars import number
+from vstatics.core.suggestions import lookalike
 
 BLANKS = "\u00a0\u202f\u2009"
 """No-break, narrow no-break, thin."""

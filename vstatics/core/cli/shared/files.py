@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vstatics.core.errors import CaseError, Problem, ReadError, excerpt, nearest, of_file, printable
+from vstatics.core.errors import CaseError, Problem, ReadError, excerpt, of_file, printable
 from vstatics.core.jobs.files import (
     STDIN_NAME,
     STDOUT,
@@ -24,6 +24,7 @@ from vstatics.core.jobs.files import (
     unwritable,
 )
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream, unreadable
+from vstatics.core.suggestions import nearest
 
 if TYPE_CHECKING:
     from vstatics.core.jobs.state_files import StateFolder

@@ -8,7 +8,8 @@ from typing import ClassVar
 
 import click
 
-from vstatics.core.errors import nearest, quoted
+from vstatics.core.errors import quoted
+from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
 """Name of a command -> its module, which has a function of that name, and its summary."""

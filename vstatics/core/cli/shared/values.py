@@ -13,7 +13,8 @@ from typing import TypeVar
 
 import click
 
-from vstatics.core.errors import CaseError, quoted, why_not_allowed
+from vstatics.core.errors import CaseError, quoted
+from vstatics.core.suggestions import why_not_allowed
 
 Value = TypeVar("Value")
 Given = TypeVar("Given")

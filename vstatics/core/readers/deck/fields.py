@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import accumulate, pairwise
 
-from vstatics.core.errors import Path, Problem, nearest
+from vstatics.core.errors import Path, Problem
 from vstatics.core.readers.deck.numbers import Number, integer, loose_count
 from vstatics.core.readers.deck.places import Places, label_in
 from vstatics.core.readers.deck.table import FIELDS
@@ -19,6 +19,7 @@ from vstatics.core.readers.deck.values import (
     take_rows,
     values_in_words,
 )
+from vstatics.core.suggestions import nearest
 
 
 class Fields:

@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vstatics.core.errors import nearest, quoted
+from vstatics.core.errors import quoted
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.operands import (
     Constant,
@@ -29,6 +29,7 @@ from vstatics.core.readers.expressions.operands import (
     read_number,
     read_subscripts,
 )
+from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import NAME
 
 MOST_CHARACTERS = 2000

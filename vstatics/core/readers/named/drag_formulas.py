@@ -9,12 +9,13 @@ from typing import Any, Self
 
 import numpy as np
 
-from vstatics.core.errors import ReadError, nearest, quoted
+from vstatics.core.errors import ReadError, quoted
 from vstatics.core.model.parts import Law
 from vstatics.core.readers.expressions.evaluation import evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import DottedName, TableName
+from vstatics.core.suggestions import nearest
 
 SPEED = "w"
 """The magnitude of the speed of a link, or of the slip of a shift element. [rad/s]"""

@@ -15,10 +15,11 @@ from itertools import chain, islice, pairwise, repeat
 from types import MappingProxyType
 from typing import NamedTuple
 
-from vstatics.core.errors import nearest, quoted, spoken
+from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.readers.named.csv_rows import cells_of, headings_of, separator_of
 from vstatics.core.readers.named.si_units import measured
+from vstatics.core.suggestions import nearest
 
 MOST_TITLE_LINES = 100
 """Number of lines in which the headings are looked for."""

@@ -6,10 +6,11 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.core.errors import nearest, quoted, spoken, typed_number
+from vstatics.core.errors import quoted, spoken, typed_number
 from vstatics.core.model.paths import NoValueError, PathPart, written
 from vstatics.core.readers.named.arithmetic import calculated, dimensionless
 from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar, is_null, what
+from vstatics.core.suggestions import nearest
 
 MOST_KNOWN = 12
 """So many names are listed where one is not known."""

@@ -13,9 +13,10 @@ from functools import cached_property
 from itertools import accumulate, islice
 from typing import NamedTuple, NoReturn, TypeAlias
 
-from vstatics.core.errors import Path, Place, Problem, ReadError, nearest, path_text
+from vstatics.core.errors import Path, Place, Problem, ReadError, path_text
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
+from vstatics.core.suggestions import nearest
 
 MOST_DEEP = 16
 MOST_PROBLEMS = 100

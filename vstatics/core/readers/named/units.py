@@ -6,7 +6,6 @@ import math
 import re
 from typing import Literal, Self
 
-from vstatics.core.errors import mixed_letters, nearest
 from vstatics.core.model.shape import UNITS
 from vstatics.core.readers.named.arithmetic import (
     ARITHMETIC,
@@ -15,6 +14,7 @@ from vstatics.core.readers.named.arithmetic import (
     expected,
     slip,
 )
+from vstatics.core.suggestions import mixed_letters, nearest
 
 Quantity = Literal["speed", "torque", "power"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NoReturn
 
-from vstatics.core.errors import CellPlace, Place, ReadError, nearest, quoted
+from vstatics.core.errors import CellPlace, Place, ReadError, quoted
 from vstatics.core.model.paths import NoValueError
 from vstatics.core.readers.named.nodes import Found, Listing, Node, Scalar
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
@@ -27,6 +27,7 @@ from vstatics.core.readers.workbook.sheets import (
     path_parts,
     text_cell,
 )
+from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
 """A node has one number for its line, so that of its sheet stands above its row."""

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, nearest, quoted
+from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.model.shape import Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.statics import matrix
 from vstatics.core.statics.variants import OF_MECHANISMS, OfGear, OfMechanism
+from vstatics.core.suggestions import nearest
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, Problem, quoted, spoken
+from vstatics.core.suggestions import nearest
 
 
 class BoxFigures(NamedTuple):

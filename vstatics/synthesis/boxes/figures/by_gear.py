@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.errors import CaseError, Problem, nearest, quoted, spoken
+from vstatics.core.errors import CaseError, Problem, quoted, spoken
+from vstatics.core.suggestions import nearest
 from vstatics.synthesis.boxes.box import BoxSearch
 from vstatics.synthesis.gears.names import names_of_mean
 from vstatics.synthesis.tolerances import NO_FIGURE

@@ -1,0 +1,110 @@
+"""Suggestions for mistyped names: the nearest known name, and letters of another script."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from vstatics.core.errors import DOUBTS, quoted, spoken
+
+_LEAST_PART = 4
+"""Number of letters from which a part of a word identifies the word."""
+
+
+_LATIN = {
+    "Cyrillic": ("АВЕКМНОРСТУХІЈЅԚԜаеорсухіјѕ", "ABEKMHOPCTYXIJSQWaeopcyxijs"),
+    "Greek": ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοιν", "ABEZHIKMNOPTYXoiv"),
+}
+"""Letters of other scripts, and the Latin letters that look like them."""
+_SCRIPTS = {letter: script for script, (letters, _) in _LATIN.items() for letter in letters}
+_LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*pairs, strict=True)))
+
+
+def lookalike(word: str, known: Iterable[str]) -> str:
+    """Return a hint that names the known word which looks like another one; else nothing.
+
+    >>> lookalike("\u0421_1", ["B", "C_1"])
+    '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
+    """
+    looks = word.translate(_LOOKS)
+    name = next((name for name in known if name != word and name.translate(_LOOKS) == looks), "")
+    if not name:
+        return ""
+    places: dict[tuple[str, str], list[int]] = {}
+    for place, (read, meant) in enumerate(zip(word, name, strict=True)):
+        if read != meant:
+            both = _SCRIPTS.get(read, "Latin"), _SCRIPTS.get(meant, "Latin")
+            places.setdefault(both, []).append(place)
+    said = "; ".join(
+        f"{_letters(word, which)} {read} in what was read, but {meant} in this name"
+        for (read, meant), which in places.items()
+    )
+    return f"; did you mean `{name}`? {said}"
+
+
+def mixed_letters(word: str) -> str:
+    """Return a hint on letters of another script among Latin ones, which look like these.
+
+    >>> mixed_letters("k\u0435g"), mixed_letters("kg"), mixed_letters("\u0442\u043e\u043d")
+    ('; letter 2, `\u0435`, is Cyrillic', '', '')
+    """
+    if not any("a" <= letter.casefold() <= "z" for letter in word):
+        return ""
+    said = [
+        f"{_letters(word, which)} {script}"
+        for script, (letters, _) in _LATIN.items()
+        if (which := [place for place, letter in enumerate(word) if letter in letters])
+    ]
+    return "".join(f"; {part[0].lower()}{part[1:]}" for part in said)
+
+
+def _letters(word: str, places: Sequence[int]) -> str:
+    numbers = spoken(str(place + 1) for place in places)
+    letters = ", ".join(f"`{word[place]}`" for place in places)
+    return (
+        f"Letter {numbers}, {letters}, is"
+        if len(places) == 1
+        else f"Letters {numbers}, {letters}, are"
+    )
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return a hint that names the known word nearest to a mistyped word; empty without one.
+
+    The shortest word that contains the mistyped word comes first.
+
+    >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
+    ('; did you mean `ratio`?', '; did you mean `ETA`?')
+    >>> nearest("wilson", ["simpson", "wilson-preselector"])
+    '; did you mean `wilson-preselector`?'
+    >>> nearest("xyz", ["ratio", "efficiency"])
+    ''
+    """
+    import difflib  # costs start-up time, and only mistakes need it
+
+    names = [*known]
+    if alike := lookalike(word, names):
+        return alike
+    words: dict[str, list[str]] = {}
+    for name in names:
+        words.setdefault(name.casefold(), []).append(name)
+    asked = word.casefold()
+    longer = [name for name in words if asked in name and len(asked) >= _LEAST_PART]
+    matches = sorted(longer, key=len) or difflib.get_close_matches(asked, words, n=1)
+    if not matches:
+        return ""
+    [match] = difflib.get_close_matches(word, words[matches[0]], n=1, cutoff=0)
+    return f"; did you mean `{match}`?"
+
+
+def why_not_allowed(identity: str) -> str:
+    """Explain why messages of an id cannot be allowed; return an empty text if they can.
+
+    >>> why_not_allowed("E234"), why_not_allowed("W999")
+    ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')
+    """
+    if identity in DOUBTS:
+        return ""
+    if re.fullmatch(r"E\d{3}", identity):
+        return f"{quoted(identity)} is an error, expected a warning or a note"
+    return f"there is no message {quoted(identity)}{nearest(identity, DOUBTS)}"
