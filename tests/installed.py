@@ -12,21 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from vstatics.core.annexes import annexes
+from vstatics.core.annexes import COMMANDS, annexes
 
 TESTS = Path(__file__).parent
-COMMANDS = {
-    "plot": "pictures",
-    "sweep": "sweep",
-    "torsion": "torsion",
-    "simulate": "simulation",
-    "synth": "synthesis",
-    "cycle": "vehicle",
-    "damage": "vehicle",
-    "report": "page",
-    "serve": "page",
-}
-"""The annex of each command that is not of the core."""
 OPTIONS = {"--duty": "vehicle", "--box": "synthesis"}
 """The annex of each option that a command of the core has of it."""
 NAMES = {
@@ -42,9 +30,6 @@ NAMES = {
 }
 """The annex of each public name of the package that is not of the core."""
 FILES: dict[str, tuple[str, ...]] = {
-    "page/serve/test_bare_units.py": ("simulation",),
-    "page/serve/test_paths_of_numbers.py": ("sweep", "simulation"),
-    "page/serve/test_random_numbers.py": ("sweep",),
     "simulation/published/test_pages.py": ("torsion",),
     "simulation/published/test_published_starts.py": ("torsion",),
     "simulation/report/runs/test_browser.py": ("page",),

@@ -17,7 +17,8 @@ import pytest
 import vstatics
 from tests import commands
 from tests.commands import BAD, CASES, NEUTRAL, ROOT, TIED_UP
-from tests.installed import ANNEXES, COMMANDS, HERE, needs, skip_without
+from tests.installed import ANNEXES, HERE, needs, skip_without
+from vstatics.core.annexes import COMMANDS
 
 WRITTEN = "written.json"
 

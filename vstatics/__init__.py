@@ -169,7 +169,7 @@ class _Package(ModuleType):
     """
 
     def __setattr__(self, name: str, value: object) -> None:
-        own = getattr(value, name, value) if isinstance(value, ModuleType) else value
+        own = vars(value).get(name, value) if isinstance(value, ModuleType) else value
         super().__setattr__(name, own)
 
 

@@ -11,9 +11,9 @@ import pytest
 import vstatics
 from tests import commands
 from tests.commands import CASES
-from tests.installed import COMMANDS, NAMES
+from tests.installed import NAMES
 from tests.without import removed_with
-from vstatics.core.annexes import DOCUMENTS, annexes
+from vstatics.core.annexes import COMMANDS, DOCUMENTS, annexes
 from vstatics.core.cli import main
 
 

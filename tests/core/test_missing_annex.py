@@ -10,8 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from tests import commands
 from tests.commands import ROOT
-from vstatics import check, loads, solve
+from tests.installed import needs
+from vstatics import CaseError, check, loads, solve
 from vstatics.core import annexes
 from vstatics.core.readers.named.schema import json_schema
 from vstatics.core.summary import summarize
@@ -48,6 +50,30 @@ def test_the_rest_of_the_case_is_calculated() -> None:
 
 
 @pytest.mark.usefixtures("without_vehicle")
+def test_data_of_a_missing_annex_is_refused_and_not_lost(tmp_path: Path) -> None:
+    file = tmp_path / "car.yaml"
+    file.write_text(CASE)
+    converted = commands.vstatics("convert", file, "-", "--to", "json")
+    assert (converted.status, converted.out) == (1, "")
+    assert f"car.yaml:4:1: error: {MESSAGE}" in converted.err
+    with pytest.raises(CaseError, match=MESSAGE):
+        loads(CASE.partition("vehicle")[0]).replace(vehicle=3)
+
+
+@pytest.mark.usefixtures("without_vehicle")
+def test_a_command_and_a_method_of_a_missing_annex_name_the_annex(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert annexes.missing_command("cycle") == MESSAGE.replace("vehicle", "cycle", 1)
+    assert [annexes.missing_command(name) for name in ("plot", "run", "cycl")] == ["", "", ""]
+    others = tuple(annex for annex in annexes.annexes() if annex.name != "pictures")
+    monkeypatch.setattr(annexes, "annexes", lambda: others)
+    with pytest.raises(CaseError, match=r"plot belongs to vstatics\.pictures, which is not"):
+        solve(loads(CASE)).plot("lever")
+
+
+@needs("torsion")
+@pytest.mark.usefixtures("without_vehicle")
 def test_the_schema_of_cases_has_no_keys_of_a_missing_annex() -> None:
     keys = json_schema()["properties"]
     assert [key in keys for key in ("vehicle", "fatigue", "dump")] == [False, False, True]
@@ -68,4 +94,7 @@ def test_commands_work_in_a_tree_without_the_annex(tmp_path: Path) -> None:
         done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         assert f"case.yaml:4:1: warning: {MESSAGE} [W807]" in done.stdout + done.stderr
-        assert "Traceback" not in done.stderr
+    words = [sys.executable, "-m", "vstatics", "cycle", "case.yaml", "trace.csv"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, MESSAGE.replace("vehicle", "cycle", 1) in done.stderr) == (2, True)
+    assert "Traceback" not in done.stderr

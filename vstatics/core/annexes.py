@@ -9,11 +9,13 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType, ModuleType
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
+
+Found = TypeVar("Found")
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
 _NOTHING: Mapping[str, str] = MappingProxyType({})
@@ -30,7 +32,29 @@ DOCUMENTS = MappingProxyType(
 
 The names of the annexes are known here, too, so that a message can name one that is missing.
 """
-PURPOSES = MappingProxyType({"omega": "torsion"})
+COMMANDS = MappingProxyType(
+    {
+        "plot": "pictures",
+        "sweep": "sweep",
+        "torsion": "torsion",
+        "simulate": "simulation",
+        "synth": "synthesis",
+        "cycle": "vehicle",
+        "damage": "vehicle",
+        "report": "page",
+        "serve": "page",
+    }
+)
+"""Command -> the annex that it belongs to, installed or not."""
+PURPOSES = MappingProxyType(
+    {
+        "omega": "torsion",
+        "plot": "pictures",
+        "plot_sweep": "sweep",
+        "plot_motion": "simulation",
+        **dict.fromkeys(("damages", "torque_life", "vehicle_section"), "vehicle"),
+    }
+)
 """Other things that are asked for by name -> the annex that they belong to."""
 
 
@@ -115,7 +139,7 @@ class Annex(NamedTuple):
     names: Mapping[str, str] = _NOTHING
     """Public name of the package -> the module that defines it."""
     methods: Mapping[str, str] = _NOTHING
-    """Function that the core calls by its name alone -> the module that defines it."""
+    """Function that the core or an earlier annex calls by name -> the module that defines it."""
     groups: Mapping[str, Mapping[str, tuple[str, str]]] = MappingProxyType({})
     """Command -> its sub-commands: name -> module, and the line of help about it."""
     own_names: Mapping[str, str] = _NOTHING
@@ -158,13 +182,18 @@ def module(name: str) -> ModuleType:
     return import_module(name)
 
 
+def _first(tables: Iterable[Mapping[str, Found]], name: str) -> Found | None:
+    """Return the entry of a name in the first table that has the name."""
+    return next((table[name] for table in tables if name in table), None)
+
+
 def module_of_name(name: str) -> str:
     """Return the module of an annex that defines a public name; empty if there is none.
 
     >>> module_of_name("nothing")
     ''
     """
-    return next((annex.names[name] for annex in annexes() if name in annex.names), "")
+    return _first((annex.names for annex in annexes()), name) or ""
 
 
 def public_names() -> list[str]:
@@ -174,20 +203,9 @@ def public_names() -> list[str]:
 
 def module_of_method(name: str) -> str:
     """Return the module of an annex that defines the function of a method; empty if none does."""
-    return next((annex.methods[name] for annex in annexes() if name in annex.methods), "")
+    return _first((annex.methods for annex in annexes()), name) or ""
 
 
-def module_of_own_name(annex: str, name: str) -> str:
-    """Return the module that defines a public name of an annex itself; empty if there is none."""
-    return next(own.own_names.get(name, "") for own in annexes() if own.name == annex)
-
-
-def sub_commands(command: str) -> Mapping[str, tuple[str, str]]:
-    """Return the sub-commands of a command of an annex: name -> module, line of help."""
-    return next(annex.groups[command] for annex in annexes() if command in annex.groups)
-
-
-@cache
 def picture_kinds() -> Mapping[str, PictureKind]:
     """Return all kinds of pictures in the order of their places."""
     found = {kind: own for annex in annexes() for kind, own in annex.pictures.items()}
@@ -201,17 +219,24 @@ def picture_options() -> Mapping[str, str]:
 
 def document_kind(kind: str) -> DocumentKind | None:
     """Return what is declared of a kind of documents; None if its annex is not installed."""
-    return next((annex.documents[kind] for annex in annexes() if kind in annex.documents), None)
+    return _first((annex.documents for annex in annexes()), kind)
 
 
 def module_of_key(key: str) -> str:
     """Return the module that declares a key of a case; empty if its annex is not installed."""
-    return next((annex.keys[key] for annex in annexes() if key in annex.keys), "")
+    return _first((annex.keys for annex in annexes()), key) or ""
 
 
 def module_of_type(name: str) -> str:
     """Return the module that defines a type of a part of an answer; empty if none does."""
-    return next((annex.types[name] for annex in annexes() if name in annex.types), "")
+    return _first((annex.types for annex in annexes()), name) or ""
+
+
+def missing_command(name: str) -> str:
+    """Return the message that the annex of a command is not installed; empty if it is."""
+    if name not in COMMANDS or COMMANDS[name] in {annex.name for annex in annexes()}:
+        return ""
+    return not_installed(name, COMMANDS[name])
 
 
 def not_installed(what: str, annex: str) -> str:
@@ -223,7 +248,6 @@ def not_installed(what: str, annex: str) -> str:
     return f"{what} belongs to vstatics.{annex}, which is not installed here"
 
 
-@cache
 def report_parts() -> Mapping[str, ReportPart]:
     """Return the sections that annexes add to the page of a case."""
     return {key: part for annex in annexes() for key, part in annex.report.items()}

@@ -89,7 +89,8 @@ def higher(function: str, purpose: str = "") -> Any:
     function : str
         Its name in the record of the core or of an annex.
     purpose : str
-        What needs the function, one of `PURPOSES`, for the message that its annex is not installed.
+        Thing that needs the function, one of `PURPOSES`, for the message that its annex is not
+        installed. Without it: the function.
 
     Raises
     ------
@@ -103,8 +104,9 @@ def higher(function: str, purpose: str = "") -> Any:
     'vstatics.core.tables.dataframe'
     """
     name = CORE.methods.get(function) or module_of_method(function)
-    if not name and purpose:
-        raise CaseError("E014", not_installed(purpose, PURPOSES[purpose]))
+    if not name:
+        what = purpose or function
+        raise CaseError("E014", not_installed(what, PURPOSES[what]))
     return getattr(module(name), function)
 
 

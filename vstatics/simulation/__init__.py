@@ -27,11 +27,10 @@ Vehicle dynamics, Minsk, 1981 (chapters 1.3 to 1.5 and 3).
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
-from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
+from vstatics.simulation.annex import ANNEX
 
 if TYPE_CHECKING:
     from vstatics.core.model.converters import Converter
@@ -63,7 +62,7 @@ __all__ = [
 ]
 
 
-__getattr__ = later(__name__, {}, partial(module_of_own_name, "simulation"))
+__getattr__ = later(__name__, ANNEX.own_names)
 
 
 def __dir__() -> list[str]:

@@ -23,11 +23,10 @@ wheels get `teeth`. `boxes` finds whole gearboxes at once. `pictures` draws thos
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
-from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
+from vstatics.synthesis.annex import ANNEX
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.box import BoxSearch
@@ -65,7 +64,7 @@ __all__ = [
     "schemes",
 ]
 
-__getattr__ = later(__name__, {}, partial(module_of_own_name, "synthesis"))
+__getattr__ = later(__name__, ANNEX.own_names)
 
 
 def __dir__() -> list[str]:

@@ -21,11 +21,10 @@ Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981 (chapters 1 to 3, append
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
-from vstatics.core.annexes import module_of_own_name
 from vstatics.core.extras import later
+from vstatics.torsion.annex import ANNEX
 
 if TYPE_CHECKING:
     from vstatics.torsion.clutch.dumped import DumpTorque, dump
@@ -71,7 +70,7 @@ __all__ = [
     "simplify",
 ]
 
-__getattr__ = later(__name__, {}, partial(module_of_own_name, "torsion"))
+__getattr__ = later(__name__, ANNEX.own_names)
 
 
 def __dir__() -> list[str]:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import pytest
 
 from tests.commands import NEUTRAL, Said, vstatics
-from tests.installed import COMMANDS as ANNEX_OF
 from tests.installed import HERE, missing
+from vstatics.core.annexes import COMMANDS as ANNEX_OF
 
 CASES = tuple(f"{name}.yaml" for name in "abcdef")
 PIECES = 3

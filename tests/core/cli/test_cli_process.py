@@ -47,7 +47,7 @@ def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
         return process("--version", cwd=tmp_path, PYTHONPATH=str(tmp_path))[1]
 
     assert told() == process("--version")[1]
-    (copy / "cli" / "templates" / "simpson_train.yaml").write_text("#", encoding="utf-8")
+    (copy / "core" / "cli" / "templates" / "simpson_train.yaml").write_text("#", encoding="utf-8")
     assert told() != process("--version")[1]
 
 

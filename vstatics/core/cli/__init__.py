@@ -145,7 +145,7 @@ def main() -> None:
     Examples:
       vstatics new gearbox.yaml --template ravigneaux
       vstatics run gearbox.dat                 tables of every gear
-      vstatics run gearbox.dat -f source       the published listing, word for word
+      vstatics run gearbox.dat -f source       the published listing, verbatim
       vstatics run gearbox.yaml -f json        the same for programs
       vstatics check gearbox.yaml              what is wrong or doubtful
       vstatics convert gearbox.dat gearbox.yaml

@@ -58,6 +58,8 @@ def convert(
             ".xlsx, or --to"
         )
     reading = arguments.read_data(*files.read_input(source), input_format, telling)
+    if left_out := [problem for problem in reading.warnings if problem.id == "W807"]:
+        raise ReadError(problem._replace(id="E014") for problem in left_out)
     try:
         data, lost = case_data(reading.case, wanted)
     except CaseError as error:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from vstatics.core.annexes import KEYS
-from vstatics.core.errors import Path, Problem, spoken
+from vstatics.core.annexes import KEYS, module_of_key, not_installed
+from vstatics.core.errors import CaseError, Path, Problem, spoken
 from vstatics.core.model.carried import CaseKey, installed_keys
 from vstatics.core.model.fields import MOST_CYLINDERS, TransmissionFields
 from vstatics.core.model.part_checks import (
@@ -82,6 +82,9 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
 def carried_keys(case: TransmissionFields) -> list[CaseKey]:
     """Return the keys of annexes under which a case has data."""
     names = [name for name in KEYS if getattr(case, name) not in (None, {})]
+    for name in names:
+        if not module_of_key(name):
+            raise CaseError("E014", not_installed(name, KEYS[name]))
     return installed_keys(names) if names else []
 
 

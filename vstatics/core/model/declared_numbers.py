@@ -53,13 +53,9 @@ def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
 
     Examples
     --------
-    >>> from vstatics.simulation.scenario.keys import SCENARIO
-    >>> bare_unit(SCENARIO, ["duration"]), bare_unit(SCENARIO, ["speeds", "out", "2", "2"])
-    ('s', 'rad/s')
-    >>> bare_unit(SCENARIO, ["torques", "out", "road", "radius"])
-    'm'
-    >>> bare_unit(SCENARIO, ["torques", "out", "road", "slope"])
-    ''
+    >>> from vstatics.core.model.keys import CASE
+    >>> bare_unit(CASE, ["inertias", "w"]), bare_unit(CASE, ["springs", "s", "stiffness"])
+    ('kg*m^2', 'N*m/rad')
     """
     leaf = leaf_at(shape, keys)
     if isinstance(leaf, Parsed):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
+from vstatics.synthesis.annex import ANNEX
 
 
 class SynthesisCommands(LazyGroup):
     """The commands of `vstatics synth`."""
 
-    modules = sub_commands("synth")
+    modules = ANNEX.groups["synth"]
 
 
 @click.group(cls=SynthesisCommands)

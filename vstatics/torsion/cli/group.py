@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
+from vstatics.torsion.annex import ANNEX
 
 
 class TorsionCommands(LazyGroup):
     """The commands of `vstatics torsion`."""
 
-    modules = sub_commands("torsion")
+    modules = ANNEX.groups["torsion"]
 
 
 @click.group(cls=TorsionCommands)

@@ -12,6 +12,5 @@ the command fail.
 
 What a command shows of a case becomes text in `texts`. `one_or_many` carries a command out for
 its cases: one by itself, several by `many`, to a directory or a stream. Of a command that takes one
-case only `one_case` does all but the calculation. `scenario_run` and `found_boxes` stand in for a
-case: the run of a scenario, the boxes of a search. No module here imports a command.
+case only `one_case` does all but the calculation. No module here imports a command.
 """

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 import click
 
+from vstatics.core.annexes import missing_command
 from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
@@ -47,6 +48,8 @@ class LazyGroup(click.Group):
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
+        if message := missing_command(name):
+            raise click.UsageError(message, ctx)
         hint = nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 

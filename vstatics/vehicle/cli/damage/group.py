@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import click
 
-from vstatics.core.annexes import sub_commands
 from vstatics.core.cli.shared.lazy_group import LazyGroup
+from vstatics.vehicle.annex import ANNEX
 
 
 class DamageCommands(LazyGroup):
     """The commands of `vstatics damage`; what names none is a case and its record."""
 
-    modules = sub_commands("damage")
+    modules = ANNEX.groups["damage"]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """As click does."""
