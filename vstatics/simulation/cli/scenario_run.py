@@ -13,7 +13,6 @@ from vstatics.core.cli.shared.cases import CalculatedCase
 from vstatics.core.cli.shared.options import needs
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.extras import higher
-from vstatics.simulation.scenario.file import ScenarioFile
 
 if TYPE_CHECKING:
     from vstatics.core.readers.reading import Reading
