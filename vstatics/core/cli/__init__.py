@@ -32,6 +32,7 @@ from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.core.record import CORE
+from vstatics.core.suggestions import nearest
 
 click.UsageError.exit_code = WRONG_USE
 
@@ -101,7 +102,7 @@ def _safely_told() -> Iterator[None]:
         if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
             *most, last = with_languages()
             message += f" {', '.join(most)} and {last} have it."
-        raise click.UsageError(message + _slip(message), error.ctx) from None
+        raise click.UsageError(_with_hint(message), error.ctx) from None
 
 
 def with_languages() -> list[str]:
@@ -110,14 +111,21 @@ def with_languages() -> list[str]:
     return [name for name in WITH_LANGUAGES if name in installed]
 
 
-def _slip(message: str) -> str:
-    """How a number is written, behind what click says of one as it stands in print."""
-    read = re.search(r"'([^']*)' is not a valid float", message)
-    if read is None:
-        return ""
+def _with_hint(message: str) -> str:
+    """Return a message of click with a hint on the spelling of a number or of a choice.
+
+    >>> _with_hint("'stik' is not one of 'stick', 'flow'.")
+    "'stik' is not one of 'stick', 'flow'; did you mean `stick`?"
+    """
+    if choice := re.search(r"'([^']*)' is not one of ('.*')\.$", message):
+        hint = nearest(choice[1], re.findall(r"'([^']*)'", choice[2]))
+        return message.removesuffix(".") + hint if hint else message
+    number = re.search(r"'([^']*)' is not a valid float", message)
+    if number is None:
+        return message
     from vstatics.core.readers.named.arithmetic import slip  # needless at the start of commands
 
-    return slip(read[1])
+    return message + slip(number[1])
 
 
 def _tell_version(context: click.Context, _: click.Parameter, value: bool) -> None:
