@@ -1,6 +1,6 @@
 """Numbers of the parts of a case by their keys in YAML: `P1.teeth.sun`, `C1.capacity`.
 
-A variant is the case with other such parts, created and checked like any case.
+A variant with other numbers is a new case, created and checked like any other case.
 """
 
 from __future__ import annotations
@@ -27,44 +27,44 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 _ELSEWHERE = (
     *("ratio", "efficiency", "stiffness", "compliance", "damping", "inertia", "speed_ratio"),
 )
-"""Keys of a part whose numbers vary without another case."""
+"""Keys of numbers that vary without a new case, as the solver takes them as arrays."""
 _TORQUE = "relative_torque"
 
 
 class PartNumber(NamedTuple):
-    """A number of an element, of a shift element or mechanism, or that all elements have."""
+    """Number of a gear set, shift element or mechanism, or of all gear sets together."""
 
     keys: Keys
-    """In the document: `("elements", "P1", "teeth", "sun")`."""
+    """Keys in the document: `("elements", "P1", "teeth", "sun")`."""
     kind: str
-    """Of its leaf in the declaration of keys."""
+    """Kind of the number in the declaration of keys."""
 
     @property
     def measure(self) -> Measure | None:
-        """What it is measured in; None for a number without a unit."""
+        """Unit of the number; None for a number without a unit."""
         if self.kind == _TORQUE:
             return "si_torque"
         return self.kind if self.kind in get_args(Measure) else None  # type: ignore[return-value] # as it says
 
     @property
     def expected(self) -> str:
-        """What may stand there."""
+        """Phrase for the values that the number can have, in messages."""
         return "a whole number" if self.kind == "count" else "a finite number"
 
     def impossible(self, values: Floats) -> Booleans:
-        """Which values can't stand there, whatever stands beside them."""
+        """Return marks of values that the number can never have."""
         wrong = ~np.isfinite(values)
         return wrong | (values != np.rint(values)) if self.kind == "count" else wrong
 
     def written(self, value: float) -> float:
-        """A value in SI as its part has it."""
+        """Return a value in SI units as the part stores it."""
         if self.kind == _TORQUE:
             return OfLoad(value, 1.0)
         return int(value) if self.kind == "count" else value
 
 
 def part_numbers(case: Transmission) -> dict[str, PartNumber]:
-    """All such numbers of a case by their paths, those too that it leaves out.
+    """Return the numbers of all parts of a case by their paths, including omitted numbers.
 
     >>> from vstatics import Gear
     >>> from vstatics.core.elements import Drawing, Element, transmission
@@ -77,7 +77,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
 
 
 def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
-    """Return the keys of all numbers of parts, with their declarations."""
+    """Yield the keys of all numbers of parts, with their declarations."""
     for key, parts in _tree(case).items():
         if key == "mesh_efficiency":
             yield from numbers_below(MESH_EFFICIENCY, parts, (key,)) if drawing_of(case) else ()
@@ -96,14 +96,14 @@ def _shape(key: str, part: Any) -> Shape:
 
 
 def own_part_number(case: Transmission, number: PartNumber) -> float | None:
-    """Return a number as the case has it; None if it leaves it out."""
+    """Return the number that a case gives; None if the number is omitted."""
     parts: Any = _tree(case)
     own: float | None = reduce(value_at, number.keys, parts)
     return own
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
-    """Return the parts of a case by their keys in a document, elements as records."""
+    """Return the parts of a case by their keys in a document, gear sets as records."""
     drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
     return {
         "shift_elements": {element.name: element for element in case.shift_elements},
@@ -116,19 +116,19 @@ def _tree(case: Transmission) -> dict[str, Any]:
 def with_part_numbers(
     case: Transmission, numbers: Sequence[PartNumber], values: Sequence[float]
 ) -> Transmission:
-    """The case with other numbers of its parts.
+    """Return a case with other numbers of its parts.
 
     Parameters
     ----------
     case : Transmission
     numbers : sequence of PartNumber
     values : sequence of float
-        In SI.
+        Values of the numbers, in SI units.
 
     Raises
     ------
     CaseError
-        If there can be no such case.
+        If a case with these numbers is impossible.
 
     Examples
     --------
@@ -165,7 +165,7 @@ def with_part_numbers(
 
 
 def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """Return the element of a record, without the keys that it leaves out."""
+    """Return the gear set of a record, in which an omitted key has the value None."""
     given = {key: value for key, value in record.items() if value is not None}
     for kind in ("suns", "rings"):
         wheels = given[kind]
@@ -174,7 +174,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with another number somewhere below it."""
+    """Return a part with another number at some depth of keys."""
     if not keys:
         return number
     key, *others = keys
@@ -187,14 +187,14 @@ def _put(part: Any, keys: Keys, number: float) -> Any:
 
 
 def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
-    """Whether the elements to which numbers belong can be put together with their teeth."""
+    """Return whether the gear sets to which the numbers belong can be assembled."""
     return are_assembled(
         case, {number.keys[1] for number in numbers if number.keys[0] == "elements"}
     )
 
 
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
-    """Whether the elements of such names can be put together with their teeth."""
+    """Return whether the named gear sets can be assembled; doubts that the case allows are left out."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
     found = [fault for one in elements if one.name in names for fault in misfits(one)]
     return all(one in case.untold for one in found)

@@ -1,7 +1,8 @@
-"""Heavy parts of a case that moves: bodies, and the inertias that stand for planets of sets.
+"""Planets as heavy bodies, and the inertias of links that replace them.
 
-Source: Tarasik, Puzanova, Kurstak, 2018, as checked: with a planet's speed ``w_q = w_h + alpha
-(w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)`` its energy goes exactly to three links.
+With the speed of a planet ``w_q = w_h + alpha (w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)``, the
+kinetic energy of the planet is exactly the energy of three inertias on the links a, b and h. Source:
+Tarasik, Puzanova, Kurstak, 2018; the formulas were derived again.
 """
 
 from __future__ import annotations
@@ -18,24 +19,24 @@ from vstatics.core.numerics.motions import Form
 
 
 class Body(NamedTuple):
-    """What is heavy: a link, or the planets of a set."""
+    """Heavy body: a link, or the planets of a set."""
 
     name: str
     form: Form
-    """Its speed by those of links (indices from 0). [-]"""
+    """Coefficients of the link speeds, by index of the link, whose sum is the speed. [-]"""
     inertia: float
-    """[kg*m^2]"""
+    """Moment of inertia. [kg*m^2]"""
 
 
 Shares = Mapping[int, float]
-"""Index of a link -> its share of an inertia, which may be below 0. [kg*m^2]"""
+"""Share of each link in an inertia, by index of the link; can be negative. [kg*m^2]"""
 
 
 def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
-    """The planets that have a mass or an inertia: their spin, then their orbit with the carrier.
+    """Yield the planets with a mass or an inertia: their spin, then their orbit with the carrier.
 
-    Each with the inertias that stand for it on the links: these are what the equation of a
-    mechanism with constant links has, so torques of mechanisms follow from them.
+    Each planet has the inertias of links that replace it. With these inertias the torques of
+    mechanisms follow from the equations of the links.
     """
     drawing = drawing_of(case)
     for motion in planet_inertias(drawing) if drawing else ():
@@ -53,7 +54,7 @@ def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
 
 
 def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
-    """The shares of the first, second and third link of a set in the inertia of a planet."""
+    """Return the shares of the first, second and third link in a unit inertia of a planet."""
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]
@@ -74,7 +75,7 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
 
 
 def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
-    """``alpha``: the planet's speed by that of the first link, both against the third."""
+    """Return ``alpha``: planet speed divided by first-link speed, both relative to the third."""
     if mechanism.first in speed and mechanism.first != HOUSING:
         return speed[mechanism.first]
     if mechanism.second in speed and mechanism.second != HOUSING:

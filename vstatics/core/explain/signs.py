@@ -75,7 +75,7 @@ def signs_of(state: GearState) -> list[PowerSign]:
 
 
 MOST_TRIED = 3
-"""Number of mechanisms above which sets of signs are too many to show."""
+"""Largest number of moving mechanisms with losses whose sets of signs are all shown."""
 
 
 class TriedSigns(NamedTuple):
@@ -93,6 +93,8 @@ class TriedSigns(NamedTuple):
 
 def tried_signs(state: GearState) -> list[TriedSigns]:
     """Return all sets of signs of a self-locking gear, with the contradiction of each.
+
+    The list is empty for any other gear, and for more than `MOST_TRIED` moving mechanisms.
 
     Examples
     --------

@@ -124,7 +124,7 @@ def solve_with_certainty(
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """Return the arithmetic for equations, according to the first number that is not a float."""
+    """Return the arithmetic for equations, by the first number that is neither float nor int."""
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):

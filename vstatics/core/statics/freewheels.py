@@ -1,9 +1,9 @@
 """Freewheels: find by trial which of them hold in a gear.
 
 A freewheel keeps its first link from turning backward relative to the second. If it holds, the
-torque on its first link is not above 0; if it overruns, its slip is not below 0. Both signs are
-reversed where the unit is negative: the unit of speed for an input that turns backward, the unit of
-torque for such an input and when coasting.
+torque that its first link gives to it is not above 0; if it overruns, its slip is not below 0. Both
+signs are reversed where the unit is negative: the unit of speed for an input that turns backward,
+the unit of torque for such an input and when coasting.
 """
 
 from __future__ import annotations

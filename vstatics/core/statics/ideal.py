@@ -89,7 +89,7 @@ def converter_slip(variant: Variant, place: int) -> Number:
 
 
 def no_torques(torques: Torques) -> Torques:
-    """Return NaN for all torques, without an equilibrium."""
+    """Return torques that are all NaN, for a gear without an equilibrium."""
     nan = math.nan
     return Torques(
         [nan] * len(torques.on_first_link), dict.fromkeys(torques.holding, nan), consistent=False

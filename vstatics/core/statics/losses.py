@@ -94,7 +94,7 @@ def check_signs(
 
 
 def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
-    """Return NaN for all torques with losses, with signs that are not admissible."""
+    """Return torques and losses that are all NaN, with signs that are not admissible."""
     nan = math.nan
     return LossyTorques(
         signs=signs,

@@ -168,7 +168,7 @@ class PhysicalResults(ResultFields):
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
     def in_own_unit(self, name: str) -> Floats:
-        """Return an array as calculated: relative to 1 N*m in gears without an input torque."""
+        """Return an array relative to the input torque, or to 1 N*m in gears without one."""
         if name.endswith("output_torque"):
             return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
         array: Floats = ResultFields.__dict__[name].__get__(self)

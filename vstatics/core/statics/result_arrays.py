@@ -106,8 +106,8 @@ class ResultFields(_NamedFields):
     torques: Floats
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
 
-    Torques act on the first link of each device; a spring has its own torque. The last is the
-    output torque, given to the load. A drawn gear set has a row for each member: the torque that
+    The torque of a device is the torque that its first link gives to it; a spring has its own
+    torque. The last is the output torque, given to the load. A drawn gear set has a row for each member: the torque that
     its links give to the member.
     """
     holding_torques: Floats

@@ -55,7 +55,7 @@ class SignSearch(NamedTuple):
 
 
 class Admissible(NamedTuple):
-    """Admissible signs of the largest efficiency."""
+    """Admissible signs that give the largest efficiency."""
 
     lossy: LossyTorques | None = None
     """Torques under the signs; missing if self-locking or if the search was cut short."""
@@ -188,7 +188,8 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
     if reduce(or_, (lossy.admissible for lossy in tried), nothing):
         return _best(ideal, tried, start)
     if not free and any(x for x, still in zip(start.signs, start.still, strict=True) if still):
-        # No moving mechanism could lock, so the convention for idle mechanisms does not suit.
+        # No mechanism with losses moves, so nothing can lock: only the signs assumed for locked-up
+        # mechanisms contradict the flow. These mechanisms count as lossless instead.
         signs = tuple(
             0.0 if still else x for x, still in zip(start.signs, start.still, strict=True)
         )
@@ -197,7 +198,7 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
-    """Return the admissible signs of the largest efficiency.
+    """Return the admissible signs that give the largest efficiency.
 
     Unloaded mechanisms without flow keep their sign.
     """

@@ -158,7 +158,7 @@ class Torques(NamedTuple):
     """Torques of a gear; NaN if not unique."""
 
     on_first_link: list[Number]
-    """Torque on the first link of each device, then the output torque. [-]
+    """Torque that the first link gives to each device, then the output torque. [-]
 
     A shift element that is not engaged has the torque of its drag.
     """

@@ -216,7 +216,7 @@ def _forms(
 
 @lru_cache(maxsize=REMEMBERED)
 def _placeholder(kind: type, shape: tuple[int, ...]) -> Any:
-    """Return a read-only array of NaN that takes no memory."""
+    """Return a read-only array of NaN, True in an array of booleans, that takes no memory."""
     return np.broadcast_to(kind(np.nan), shape)
 
 

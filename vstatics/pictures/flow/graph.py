@@ -51,7 +51,7 @@ class Graph(NamedTuple):
     """Drawn parts of a gear."""
 
     runs: tuple[Run, ...]
-    """Nodes, except nodes on ways back."""
+    """All nodes in runs, except nodes on ways back."""
     layers: tuple[int, ...]
     """Layer of each run, from 0 on the left."""
     place: Mapping[Node, int]

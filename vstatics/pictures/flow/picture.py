@@ -45,7 +45,7 @@ NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Figure]]:
     """Yield the power flow of all gears, or of a selection, in a common scale.
 
-    Power runs from left to right, and the width of a band is its power. Losses leave downwards, and
+    Power runs from left to right, and bands are as wide as their power. Losses leave downwards, and
     recirculating power returns below. Losses are included if the gear has a flow with losses. Among
     several gears, a gear without branches is a line of text.
 

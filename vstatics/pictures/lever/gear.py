@@ -163,7 +163,7 @@ def brakes_of(
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
 ) -> dict[Spot, str]:
-    """Return the supports: a single support of a link with all brakes, several of the housing."""
+    """Return the names of brakes at each support: one support of a link, all of the housing."""
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)

@@ -59,7 +59,7 @@ class LeverKey(NamedTuple):
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, sheet: LeverSheet) -> None:
-        """Draw the key from the foot of the figure upwards."""
+        """Draw the key at the foot of the figure."""
         top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
             self._sample(sheet, kind, (x, top + down))

@@ -39,7 +39,7 @@ class Device(NamedTuple):
     labels: Mapping[str, str] = MappingProxyType({})
     """Texts of members that differ from the names."""
     has_gap: bool = False
-    """True with elasticity after a gap: a spring with play, an elastic dog clutch."""
+    """True for an elastic component with play: such a spring, or an elastic dog clutch."""
 
     @property
     def is_shift_element(self) -> bool:
@@ -48,7 +48,7 @@ class Device(NamedTuple):
 
     @property
     def is_coupling(self) -> bool:
-        """True on a line between two links, or between a link and the housing."""
+        """True for a component on a line between two links, or between a link and the housing."""
         is_shaft = self.kind == "spring" and "second" in self.members
         return is_shaft or self.is_shift_element or self.kind == "held"
 
@@ -64,7 +64,7 @@ class Device(NamedTuple):
 
     @property
     def is_on_housing(self) -> bool:
-        """True between a single link and the housing: a brake, a support, a spring."""
+        """True for a component between a link and the housing: a brake, a support, a spring."""
         return self.is_coupling and len(self.links) == 1
 
 
@@ -81,7 +81,7 @@ class SchemePort(NamedTuple):
 
     @property
     def is_left(self) -> bool:
-        """True at the left end of the picture."""
+        """True for a port at the left end of the picture."""
         return self.role in ("input", "before")
 
     @property

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
-"""Second link of a brake."""
+"""Number that replaces the second link of a brake: the housing."""
 EFFICIENCY = 0.98
 """Default basic efficiency of each gear set (carrier held). [-]"""
 

@@ -36,7 +36,7 @@ class RankedBox(NamedTuple):
     core: int
     """Number of the core, from 1; gearboxes of a family and core differ by clutches alone."""
     pareto: bool
-    """True if every other gearbox is worse or equal in some figure of the Pareto list."""
+    """True if no other gearbox is better in one figure of the Pareto list and as good in all."""
 
 
 def ranked(

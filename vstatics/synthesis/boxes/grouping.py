@@ -94,7 +94,9 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
 
 
 def pareto(figures: Floats | Integers) -> Booleans:
-    """Return which rows are not dominated, where no other row is better or equal in all columns.
+    """Return marks of rows that no other row dominates.
+
+    A row dominates another row if it is better in one column and as good in all others.
 
     Parameters
     ----------

@@ -205,7 +205,7 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
 
 @np.errstate(all="ignore")  # an overflow misses the ratio
 def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floats:
-    """Return the torque of each engaged element on the first link, shape (sets, elements) [-].
+    """Return the torque that the first link gives to each element, shape (sets, elements) [-].
 
     Torques are relative to the input torque. In each motion that the mechanisms allow, the input
     power goes to the elements and the output: ``w_in = sum M_e (w_first - w_second) + M_out w_out``
@@ -263,8 +263,8 @@ class EngagedSet(NamedTuple):
     free: bool
     """True if a link other than input and output is undetermined."""
     torques: Sometimes[Mapping[str, float]] = None
-    """Lossless torque of each element on the first link, relative to the input torque, for `gear`
-    and `direct`; NaN where the torque split is indeterminate. [-]"""
+    """Lossless torque that the first link gives to each element, relative to the input torque, for
+    `gear` and `direct`; NaN where the torque split is indeterminate. [-]"""
     slip: Sometimes[float] = None
     """Slip of a single element of `direct` while the output is at rest and no element is engaged,
     relative to the input speed; NaN if undetermined. [-]"""

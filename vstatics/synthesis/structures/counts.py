@@ -1,9 +1,10 @@
 """Numbers of schemes by the number of links.
 
-Classes are counted while they are listed. Schemes with numbered sets need only small lists:
-connected schemes are all schemes without those in parts. A connected scheme is sound, or it is one
-body, or it is a sound scheme of some of its sets in which bodies formed by the other sets replace
-links. The sound schemes therefore follow from those with two sets less.
+Classes are counted while they are listed. Schemes with numbered sets need only small lists. The
+number of connected schemes is the number of all schemes minus the number of schemes in parts. A
+connected scheme is sound, or it is one body, or it is a sound scheme of some of its sets in which
+bodies formed by the other sets replace links. The number of sound schemes therefore follows from the
+sound schemes with two sets less.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ UNCUT, UNCUT_SHIFTED = 17, 14
 INSIDE = 8
 """Least difference of teeth between a ring and the gear inside."""
 TEETH_BETWEEN_TIPS = 4
-"""Difference of teeth at which the tips of two gears just touch, two modules on either side."""
+"""Gap of two pitch circles, in half modules, at which the tips just touch: two addenda."""
 TIPS = 2
 """Sum of two addenda, in modules."""
 SHIFT = 2
@@ -93,7 +93,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
 
 
 def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool) -> Amount:
-    """Return the clearance of a planet from a gear without mesh in between, in teeth.
+    """Return twice the clearance of a planet from a gear that it passes without mesh [modules].
 
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)

@@ -34,7 +34,7 @@ class Subject(ABC):
     @property
     @abstractmethod
     def space(self) -> Space:
-        """Space of nearby teeth."""
+        """Space for the search of nearby teeth."""
 
     @property
     @abstractmethod
@@ -88,7 +88,7 @@ class OfPlanets(Subject):
 
     @cached_property
     def space(self) -> Space:
-        """Space of coaxial teeth."""
+        """Search space in which all gears remain coaxial."""
         group, element = self.given.group, self.element
         return space_of(group, [r for r in group.planet_of if element.rims or r in element.teeth])
 
@@ -146,7 +146,7 @@ class OfWheels(Subject):
 
     @cached_property
     def space(self) -> Space:
-        """Space of any teeth."""
+        """Search space in which each number of teeth changes by itself."""
         given: Teeth = {name: int(self.element.teeth[name]) for name in self.names}
         ratio: Teeth = {self.names[0]: -1, self.names[-1]: 1}
         return Space(given, given, [{name: 1} for name in given], [ratio])

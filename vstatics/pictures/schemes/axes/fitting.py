@@ -31,15 +31,15 @@ LETTERS = 12
 def placed(
     scheme: Scheme, axes: ParallelAxes, sections: Mapping[int, HalfSection], style: Style
 ) -> AxesPlaces:
-    """Return the positions of everything within the width of a page.
+    """Return the positions of all parts within the width of a page.
 
     The height of a page is kept if possible.
     """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
     chosen = _chosen(scheme, axes, inner)
-    if chosen is None:  # something would lead through a half-section
+    if chosen is None:  # a link would pass through a half-section
         inner, chosen = [], _chosen(scheme, axes, [])
-    assert chosen is not None  # noqa: S101 - nothing leads through none
+    assert chosen is not None  # noqa: S101 - there is no half-section to pass
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):

@@ -147,7 +147,7 @@ def joint_of(
 def _of_spring(
     index: int, device: Device, case: Transmission
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint and the links on a common axis of a spring in a bevel drive.
+    """Return the joint of a bevel drive that is given as a spring, and the links on one axis.
 
     The crown gear and the casing share an axis, the pinion has a separate axis.
     """

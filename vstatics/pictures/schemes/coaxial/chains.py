@@ -16,7 +16,7 @@ class CoaxialChain(NamedTuple):
     links: Sequence[int]
     """Links of the chain, including both ends."""
     devices: Sequence[int]
-    """Components, by place in the scheme."""
+    """Indices of the components in the scheme."""
     is_before: bool
     """True at the input of the gearbox."""
     ports: tuple[SchemePort, SchemePort]

@@ -18,7 +18,7 @@ class Bar:
 
     link: int
     is_above: bool
-    """True above the row of planets."""
+    """True for a bar above the row of planets."""
     first: int = 0
     last: int = 0
     """Places of the first and the last upright of the bar, from left to right."""

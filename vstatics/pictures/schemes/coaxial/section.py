@@ -47,7 +47,7 @@ class CoaxialScheme:
 
     @property
     def has_boxes(self) -> bool:
-        """True for components as boxes, which have no axis."""
+        """True if a component is drawn as a box; such a half-section has no axis."""
         return bool(self.texts) or any(isinstance(s, BoxSection) for s in self.sections.values())
 
     def is_housing(self, link: int) -> bool:

@@ -34,7 +34,7 @@ SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
 ELEMENT_SETS = 10_000
 """Number of sets of elements for which there is room."""
 GOLDEN = 0.6180339887498949
-"""Golden ratio, whose multiples modulo 1 are evenly spread, so samples come from everywhere."""
+"""Golden ratio minus 1: multiples modulo 1 are evenly spread, so samples are of all parts."""
 
 
 class Depth(NamedTuple):

@@ -1,6 +1,7 @@
-"""The table of gearboxes that `known` names, from the shipped cases.
+"""Table of the shipped gearboxes, by which `known` names found gearboxes.
 
-Reading all cases takes longer than most searches, so the table is a file: `make known`.
+Reading all cases takes longer than most searches, so the table is a file, `known.jsonl`, which
+`make known` writes.
 """
 
 from __future__ import annotations
