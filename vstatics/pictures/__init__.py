@@ -30,13 +30,12 @@ from typing import TYPE_CHECKING, Any
 from vstatics.core.annexes import PictureKind, module, picture_kinds, picture_options
 from vstatics.core.errors import spoken
 from vstatics.core.extras import require
-from vstatics.pictures.drawing.files import Format, files_of, settings_of, written
-from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from vstatics.core.statics.results import Results
+    from vstatics.pictures.drawing.files import Format
     from vstatics.pictures.drawing.style import Style
     from vstatics.pictures.runs import PicturedRun
 
@@ -112,6 +111,9 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Figure]]:
     """The pages of each list of gears; a run has room for others in its scales."""
+    from vstatics.pictures.drawing.files import settings_of
+    from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
+
     require("plot", "a picture")
     drawing = module_of(kind)
     least = picture_kinds()[kind].least_width * POINTS_PER_MILLIMETRE
@@ -132,6 +134,8 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     motion: PicturedRun | None = None,
 ) -> bytes:
     """A picture of a result on one page as a file; parameters and errors as of `picture`."""
+    from vstatics.pictures.drawing.files import written
+
     figure = picture(results, kind, style, gears, motion=motion)
     return written(figure, form, style, _alternative(results, kind, style, gears))
 
@@ -150,6 +154,8 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
 
     That of a run has scales with room for other runs.
     """
+    from vstatics.pictures.drawing.files import files_of
+
     [figures] = drawn_pages(results, kind, style, [gears], motion, others)
     return files_of(figures, form, style, _alternative(results, kind, style, gears))
 
@@ -158,6 +164,8 @@ def of_each_gear(
     results: Results, kind: str, style: Style, gears: Sequence[int]
 ) -> list[list[bytes]]:
     """The pages of each gear as SVG, in their order; parameters and errors as of `picture`."""
+    from vstatics.pictures.drawing.files import files_of
+
     shown = [(number,) for number in gears]
     titles = (_alternative(results, kind, style, gears) for gears in shown)
     return [

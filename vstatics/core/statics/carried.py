@@ -97,9 +97,9 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
     contain lambda and the load has a speed and a torque.
     """
     case = results.case
-    for index, given in enumerate(case.gears):
+    for index, given in enumerate(case.gears if case.has_converter else ()):
         load = case.gear_load(given)
-        if not (case.has_converter and load.speed and load.torque and results.consistent[index]):
+        if not (load.speed and load.torque and results.consistent[index]):
             continue
         state = results.gear_at(index)
         bypassed, ratios = case.bypassed(state.gear), state.ideal.variant.ratios

@@ -102,6 +102,8 @@ def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, flo
 
 def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
     """Note speed ratios that a gear gives to entries of `converters`, which are open in statics."""
+    if not gear.speed_ratios:
+        return
     last = len(case.mechanisms[case.own_mechanisms])
     bodies = case.bodies(gear)
     for number, ratio in gear.speed_ratios.items():
@@ -455,7 +457,7 @@ def _gaining_converters(results: Results, number: int) -> str:
     state = results.gear_at(number)
     variant = state.ideal.variant
     torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
-    names = ideal.gaining(variant, state.gear, state.ideal.speeds, torques_)
+    names = ideal.gaining(variant, state.ideal.direction, state.ideal.speeds, torques_)
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 

@@ -19,7 +19,7 @@ from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, p
 from vstatics.core.statics import matrix
 from vstatics.core.statics.digits import is_nearly_one
 from vstatics.core.statics.efficiency import Efficiency
-from vstatics.core.statics.ideal import IdealGear, ideal_gear, is_nothing
+from vstatics.core.statics.ideal import IdealGear, direction_of, ideal_gear, is_nothing
 from vstatics.core.statics.matrix import Variant, variant_of
 from vstatics.core.statics.signs import find_signs
 from vstatics.core.statics.speeds import Speeds, is_tie, solve_speeds
@@ -230,5 +230,6 @@ def _state_without_values(variant: Variant, gear: Gear, overrunning: Speeds) -> 
         dict.fromkeys(matrix.held_links(case, gear), nan),
         consistent=False,
     )
-    ideal = IdealGear(variant, gear, speeds, torques, NO_DRAG, torques)
+    direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
+    ideal = IdealGear(variant, gear, direction, external, speeds, torques, NO_DRAG, torques)
     return GearState(ideal, find_signs(ideal, moving=False), conflict=True)

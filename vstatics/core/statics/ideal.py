@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
@@ -24,6 +24,10 @@ class IdealGear(NamedTuple):
     variant: Variant
     gear: Gear
     """The gear, with the freewheels that hold among the engaged shift elements."""
+    direction: int
+    """+1, or -1 when coasting, where every flow of power is reversed."""
+    external: Mapping[int, float]
+    """Known external torques by link, from `matrix.external_torques`. [-]"""
     speeds: Speeds
     torques: Torques
     """Torques without drag."""
@@ -39,11 +43,6 @@ class IdealGear(NamedTuple):
         return self.variant.case
 
     @property
-    def direction(self) -> int:
-        """+1, or -1 when coasting, where every flow of power is reversed."""
-        return -1 if self.case.coasts(self.gear) else 1
-
-    @property
     def without_drag(self) -> IdealGear:
         """The gear with all drag left out."""
         return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
@@ -52,18 +51,25 @@ class IdealGear(NamedTuple):
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     """Return a gear without losses, from engaged shift elements and speeds."""
     case, columns = variant.case, variant.columns
-    torques = solve_torques(case, gear, columns)
-    if gaining(variant, gear, speeds, torques):
+    direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
+    torques = solve_torques(case, gear, columns, external=external)
+    if gaining(variant, direction, speeds, torques):
         torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
-    with_drag = torques if drag is NO_DRAG else solve_torques(case, gear, columns, drag)
-    return IdealGear(variant, gear, speeds, torques, drag, with_drag)
+    with_drag = torques
+    if drag is not NO_DRAG:
+        with_drag = solve_torques(case, gear, columns, drag, external)
+    return IdealGear(variant, gear, direction, external, speeds, torques, drag, with_drag)
 
 
-def gaining(variant: Variant, gear: Gear, speeds: Speeds, torques: Torques) -> list[str]:
+def direction_of(case: Transmission, gear: Gear) -> int:
+    """Return +1, or -1 when a gear is coasting."""
+    return -1 if case.coasts(gear) else 1
+
+
+def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
     """Return the names of converters that would gain power, which is impossible."""
     mechanisms = enumerate(variant.case.mechanisms)
-    direction = -1 if variant.case.coasts(gear) else 1
     return [
         mechanism.name
         for n, mechanism in mechanisms
@@ -142,7 +148,7 @@ def _torques_by_link(
         for link, share in matrix.values_of(column).items():
             by_link[link].append((device, absolute(share * factor)))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
-    external = matrix.external_torques(case, gear)
-    for link, torque in (*external.items(), *torques.holding.items(), *ideal.drag.links.items()):
-        by_link[link].append((OUTSIDE, absolute(torque)))
+    for given in (ideal.external, torques.holding, ideal.drag.links):
+        for link, torque in given.items():
+            by_link[link].append((OUTSIDE, absolute(torque)))
     return by_link

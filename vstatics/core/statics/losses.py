@@ -16,7 +16,7 @@ from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, resi
 from vstatics.core.statics.efficiency import Signs, is_possible, lossy_ratios, passed
 from vstatics.core.statics.ideal import IdealGear, converter_slip, mechanism_torques, no_torques
 from vstatics.core.statics.matrix import Column, columns
-from vstatics.core.statics.power import entering_powers, power
+from vstatics.core.statics.power import acting_torques, power
 from vstatics.core.statics.torques import Torques, solve_torques
 
 
@@ -48,7 +48,7 @@ def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
         return no_solution(ideal, signs)
     ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, signs)
     lossy_columns = columns(ideal.case, ratios)
-    torques = solve_torques(ideal.case, ideal.gear, lossy_columns, ideal.drag)
+    torques = solve_torques(ideal.case, ideal.gear, lossy_columns, ideal.drag, ideal.external)
     return check_signs(ideal, signs, lossy_columns, torques)
 
 
@@ -120,7 +120,13 @@ def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> 
 
 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
-    return entering_powers(ideal.case, ideal.gear, ideal.speeds.links, torques)
+    """Return the power that enters by each link of `acting_torques` [-].
+
+    A torque given at the output link counts with the load; `port_powers` counts it separately.
+    """
+    output, speeds = ideal.case.gear_output(ideal.gear), ideal.speeds.links
+    acting = acting_torques(ideal.external, output, torques.holding, torques.on_first_link[-1])
+    return [power(torque, speeds[link - 1]) for link, torque in acting.items()]
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:

@@ -336,6 +336,7 @@ def torque_rows(
     gear: Gear,
     columns: Sequence[Column],
     drag: Mapping[int, Number] = MappingProxyType({}),
+    external: Mapping[int, Number] | None = None,
 ) -> list[Equation]:
     """Return the equilibrium of each link of a gear, ``A M + e_out Mx = T`` (figure 4).
 
@@ -347,6 +348,8 @@ def torque_rows(
     ----------
     drag : mapping of int to float
         External torque of drag by link number. [-]
+    external : mapping of int to float, optional
+        `external_torques` of the gear, if they are calculated already. [-]
     """
     rows: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
     loaded = loaded_devices(case, gear)
@@ -356,7 +359,7 @@ def torque_rows(
     rows[case.gear_output(gear) - 1][len(loaded)] = 1.0
     for unknown, link in enumerate(held_links(case, gear), len(loaded) + 1):
         rows[link - 1][unknown] = -1.0
-    torques: dict[int, Number] = {**external_torques(case, gear)}
+    torques = dict(external_torques(case, gear) if external is None else external)
     for link, torque in drag.items():
         torques[link] = torques.get(link, 0.0) + torque
     for link, torque in torques.items():

@@ -39,21 +39,21 @@ def port_torques(
 
     Torques of the load and torques that hold a given speed are included.
     """
-    external: dict[int, Number] = {**external_torques(case, gear), **holding}
-    output = case.gear_output(gear)
-    external[output] = external[output] - output_torque if output in external else -output_torque
-    return external
+    return acting_torques(
+        external_torques(case, gear), case.gear_output(gear), holding, output_torque
+    )
 
 
-def entering_powers(
-    case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
-) -> list[Number]:
-    """Return the power that enters by each link of `port_torques` [-].
-
-    A torque given at the output link counts with the load; `port_powers` counts it separately.
-    """
-    external = port_torques(case, gear, torques.holding, torques.on_first_link[-1])
-    return [power(torque, speeds[link - 1]) for link, torque in external.items()]
+def acting_torques(
+    external: Mapping[int, Number],
+    output: int,
+    holding: Mapping[int, Number],
+    output_torque: Number,
+) -> dict[int, Number]:
+    """Return `port_torques` from the known external torques of a gear and its output link [-]."""
+    acting: dict[int, Number] = {**external, **holding}
+    acting[output] = acting[output] - output_torque if output in acting else -output_torque
+    return acting
 
 
 def port_powers(

@@ -31,7 +31,6 @@ from vstatics.core.numerics.traced import (
 from vstatics.core.statics.efficiency import Signs, is_possible
 from vstatics.core.statics.ideal import IdealGear, mechanism_torques
 from vstatics.core.statics.losses import LossyTorques, no_solution, power_ratio, torques_for_signs
-from vstatics.core.statics.matrix import external_torques
 from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques
 
@@ -132,7 +131,7 @@ def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
     if not ideal.drag.losses or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
-    at_input = external_torques(case, gear)[case.gear_input(gear)]
+    at_input = ideal.external[case.gear_input(gear)]
     output_speed = ideal.speeds.links[case.gear_output(gear) - 1]
     entering = -power(lossy.torques.on_first_link[-1], output_speed)
     taken = lossy.drag_losses * direction

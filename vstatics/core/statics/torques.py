@@ -182,7 +182,11 @@ class Torques(NamedTuple):
 
 
 def solve_torques(
-    case: Transmission, gear: Gear, columns: Sequence[Column], drag: Drag = NO_DRAG
+    case: Transmission,
+    gear: Gear,
+    columns: Sequence[Column],
+    drag: Drag = NO_DRAG,
+    external: Mapping[int, Number] | None = None,
 ) -> Torques:
     """Solve the torque system of a gear.
 
@@ -192,10 +196,12 @@ def solve_torques(
         Columns of the structural-distribution matrix, with or without losses.
     drag : Drag
         Known drag torques.
+    external : mapping of int to Number, optional
+        `matrix.external_torques` of the gear, if they are calculated already. [-]
     """
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
-    rows = matrix.torque_rows(case, gear, columns, drag.external)
+    rows = matrix.torque_rows(case, gear, columns, drag.external, external)
     solution, certain = elimination.solve_with_certainty(rows, len(devices) + 1 + len(held))
     on_first_link: list[Number] = [0.0 if solution.consistent else math.nan] * (len(columns) + 1)
     for device, torque in zip([*devices, len(columns)], solution.values, strict=False):
