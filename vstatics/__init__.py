@@ -74,6 +74,7 @@ if TYPE_CHECKING:
     from vstatics.vehicle.operation.drive_cycle import DriveCycle
     from vstatics.vehicle.operation.driving import cycle
     from vstatics.vehicle.operation.trace import Trace
+    from vstatics.vehicle.operation.traction import Performance
 
     example: Example
     __all__ = [
@@ -97,6 +98,7 @@ if TYPE_CHECKING:
         "MeshEfficiency",
         "Message",
         "Motion",
+        "Performance",
         "Picture",
         "Place",
         "PlanetMass",

@@ -23,6 +23,7 @@ ANNEX = Annex(
         "DeviceDamage": "vstatics.vehicle.damage.devices",
         "DriveCycle": "vstatics.vehicle.operation.drive_cycle",
         "Fatigue": "vstatics.vehicle.case.fatigue",
+        "Performance": "vstatics.vehicle.operation.traction",
         "RayleighLife": "vstatics.vehicle.damage.rayleigh",
         "ResizedShaft": "vstatics.vehicle.damage.resize",
         "Trace": "vstatics.vehicle.operation.trace",

@@ -14,7 +14,6 @@ from tests.commands import ROOT
 from vstatics import ClutchDump, ReadError, Transmission, loads, solve
 from vstatics.core.writers import named
 from vstatics.core.writers.deck import lost
-from vstatics.torsion.clutch.clutch_dump import dump_in
 
 CASE = """\
 inertias: {engine: 0.14, disc: 0.0044, shaft: 0.01, wheels: 1.7, vehicle: 105}
@@ -37,7 +36,7 @@ def test_a_dump_is_read_by_links() -> None:
 
 def test_what_may_be_left_out() -> None:
     dump = "dump: {J1: [engine], J2: [disc], J5: [vehicle], M_C0: 142, omega1: 5596 rpm}"
-    made = dump_in(loads(CASE[: CASE.index("dump")] + dump))
+    made = ClutchDump.of(loads(CASE[: CASE.index("dump")] + dump))
     assert made is not None
     assert (made.J3, made.J4, made.M_phi, made.E, made.to) == ((), (), math.inf, None, None)
     assert made.omega1 == pytest.approx(586, rel=1e-3)
@@ -148,6 +147,6 @@ output: shaft
 dump: {J1: [engine], J2: [disc], J5: [shaft], M_C0: 200, omega1: 400}
 """)
     assert loads(named.write_yaml(case)) == case
-    made = dump_in(case)
+    made = ClutchDump.of(case)
     assert made is not None
     assert [case.link_name(links[0]) for links in (made.J1, made.J5)] == ["engine", "shaft"]

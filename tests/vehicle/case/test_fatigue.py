@@ -11,7 +11,7 @@ from vstatics import CaseError, ReadError, Transmission, loads
 from vstatics.core.model.springs import Spring, between
 from vstatics.core.writers.deck_limits import check_deck
 from vstatics.core.writers.named import write_json, write_yaml
-from vstatics.vehicle.case.fatigue import Fatigue, strengths
+from vstatics.vehicle.case.fatigue import Fatigue
 
 SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
 CASE = """\
@@ -33,7 +33,7 @@ def test_units_and_defaults() -> None:
     assert shaft.modulus == pytest.approx(math.pi * 42**3 / 16 * 1e-9)
     assert (shaft.asymmetry, shaft.threshold, shaft.sum) == (0.0, 0.6, 1.0)
     other = "section_modulus: 4 cm^3, endurance: 100 N/mm^2, exponent: 3, cycles: 4e6"
-    assert strengths(read(other))["shaft"].modulus == pytest.approx(4e-6)
+    assert Fatigue.of(read(other))["shaft"].modulus == pytest.approx(4e-6)
 
 
 def test_written_and_read_it_is_the_same() -> None:

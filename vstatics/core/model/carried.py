@@ -9,7 +9,7 @@ from vstatics.core.annexes import KEYS, module, module_of_key
 
 if TYPE_CHECKING:
     from vstatics.core.errors import Problem
-    from vstatics.core.model.fields import Carried, TransmissionFields
+    from vstatics.core.model.fields import TransmissionFields
     from vstatics.core.model.shape import KeyShape
 
 Data = TypeVar("Data")
@@ -33,7 +33,7 @@ class CaseKey(NamedTuple):
     """Returns notes about data that runs and vibration do not use."""
 
 
-def as_type(data: Carried | None, kind: type[Data]) -> Data | None:
+def as_type(data: object, kind: type[Data]) -> Data | None:
     """Return data of an annex as the type that its annex declares.
 
     Raises

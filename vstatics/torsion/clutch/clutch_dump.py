@@ -56,6 +56,11 @@ class ClutchDump(NamedTuple):
     E: float | None = None
     to: int | None = None
 
+    @classmethod
+    def of(cls, case: TransmissionFields) -> ClutchDump | None:
+        """Return the clutch dump of a case, if there is one."""
+        return as_type(case.dump, cls)
+
     @property
     def masses(self) -> Mapping[str, Sequence[int]]:
         """The links of each mass."""
@@ -74,14 +79,9 @@ class ClutchDump(NamedTuple):
         return self._replace(**changed)
 
 
-def dump_in(case: TransmissionFields) -> ClutchDump | None:
-    """Return the clutch dump of a case, if there is one."""
-    return as_type(case.dump, ClutchDump)
-
-
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
     """A clutch dump by the keys of a case; that something is infinite is not written."""
-    dump = dump_in(case)
+    dump = ClutchDump.of(case)
     if dump is None:
         return None
     return {name: one for name, one in dump._asdict().items() if one != math.inf}

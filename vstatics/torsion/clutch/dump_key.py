@@ -17,7 +17,6 @@ from vstatics.torsion.clutch.clutch_dump import (
     NEEDED,
     NUMBERS,
     ClutchDump,
-    dump_in,
     dump_record,
 )
 
@@ -84,7 +83,7 @@ DUMP = ByKey(
 
 def of_dump(case: TransmissionFields) -> Iterator[Problem]:
     """Yield problems: of links, of which each is named once, and of numbers."""
-    dump = dump_in(case)
+    dump = ClutchDump.of(case)
     if dump is None:
         return
     seen: dict[int, str] = {}

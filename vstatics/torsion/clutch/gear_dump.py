@@ -22,7 +22,7 @@ from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import Failure, Flat, Unfailed, document, told
-from vstatics.torsion.clutch.clutch_dump import NEEDED, ClutchDump, dump_in
+from vstatics.torsion.clutch.clutch_dump import NEEDED, ClutchDump
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpTorque, dump
 from vstatics.torsion.clutch.given import Dump
 from vstatics.torsion.reduction.reduced_values import scales
@@ -107,7 +107,7 @@ def gear_dumps(
     >>> gear.made.case, round(gear.made.max_torque)
     ('A3', 682)
     """
-    given = dump_in(case)
+    given = ClutchDump.of(case)
     if given is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
         raise CaseError("E503", message, ("dump",))

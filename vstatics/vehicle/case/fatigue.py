@@ -48,6 +48,12 @@ class Fatigue(NamedTuple):
     threshold: float = 0.6
     sum: float = 1.0
 
+    @classmethod
+    def of(cls, case: TransmissionFields) -> dict[str, Fatigue]:
+        """Return the fatigue strengths of a case by the names of devices."""
+        given = ((name, as_type(one, cls)) for name, one in case.fatigue.items())
+        return {name: fatigue for name, fatigue in given if fatigue is not None}
+
     @property
     def modulus(self) -> float:
         """The section modulus, whichever of the two is given [m^3]."""
@@ -59,9 +65,3 @@ class Fatigue(NamedTuple):
         """A checked one with its numbers as floats."""
         changed = {name: float(one) for name, one in self._asdict().items() if one is not None}
         return self._replace(**changed)
-
-
-def strengths(case: TransmissionFields) -> dict[str, Fatigue]:
-    """Return the fatigue strengths of a case by the names of devices."""
-    given = ((name, as_type(one, Fatigue)) for name, one in case.fatigue.items())
-    return {name: fatigue for name, fatigue in given if fatigue is not None}

@@ -11,7 +11,7 @@ from vstatics.core.model.parts import element_names, mechanism_names
 from vstatics.core.model.springs import spring_names
 from vstatics.core.model.torsional_checks import above_0, not_negative
 from vstatics.core.suggestions import nearest
-from vstatics.vehicle.case.fatigue import strengths
+from vstatics.vehicle.case.fatigue import Fatigue
 
 THICKEST_SHAFT = 1.0
 """Diameter; a thicker one was written in mm without the unit. [m]"""
@@ -30,7 +30,7 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """What is wrong in the fatigue strengths of a case."""
     names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
     names += spring_names(case.springs)
-    for number, (name, fatigue) in enumerate(strengths(case).items(), 1):
+    for number, (name, fatigue) in enumerate(Fatigue.of(case).items(), 1):
         path = ("fatigue", number)
         if name not in names:
             hint = nearest(name, names) or f"; devices are {listed(names, 12) or 'none'}"
@@ -48,6 +48,6 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """Yield warnings about diameters in mm without their unit."""
-    for name, one in strengths(case).items():
+    for name, one in Fatigue.of(case).items():
         if one.diameter and one.diameter > THICKEST_SHAFT:
             yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.shape import NUMBER, ByKey, ByName, KeyShape, Leaf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.fatigue import Fatigue, strengths
+from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.case.fatigue_checks import doubts_of_fatigue, of_fatigue
 
 FATIGUE = ByKey(
@@ -78,7 +78,7 @@ KEY = CaseKey(
         "Fatigue strengths, each under the name of a spring or another device.",
     ),
     Mapping[str, Fatigue],
-    strengths,
+    Fatigue.of,
     of_fatigue,
     doubts_of_fatigue,
 )

@@ -59,6 +59,11 @@ class Vehicle(NamedTuple):
     overrun: EnginePoints = ()
     fuel: str = ""
 
+    @classmethod
+    def of(cls, case: TransmissionFields) -> Vehicle | None:
+        """Return the vehicle of a case, if there is one."""
+        return as_type(case.vehicle, cls)
+
     def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
         """Force against a speed that is not 0 [m/s], by rolling, ascent (its sine) and air [N].
 
@@ -123,14 +128,9 @@ def vehicle_of(fuel: str = "", **others: Any) -> Vehicle:
     return Vehicle(fuel=fuel, **others)
 
 
-def vehicle_in(case: TransmissionFields) -> Vehicle | None:
-    """Return the vehicle of a case, if there is one."""
-    return as_type(case.vehicle, Vehicle)
-
-
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     """A vehicle by the keys of a case."""
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     if vehicle is None:
         return None
     record: dict[str, Any] = vehicle._asdict()

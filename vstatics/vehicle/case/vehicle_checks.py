@@ -9,14 +9,14 @@ from vstatics.core.errors import Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.springs import ends
-from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine, vehicle_in
+from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
 
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
 
 
 def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     """What is wrong in the vehicle of a case."""
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     if vehicle is None:
         return
     for name in NUMBERS_OF_VEHICLE:
@@ -41,7 +41,7 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     """What was meant otherwise, it seems."""
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     if vehicle is None:
         return
     yield from _mass_twice(case, vehicle)
@@ -112,7 +112,7 @@ REDUCED = " by the speed of the output"
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     """That runs and vibration leave the mass of a vehicle out, where inertias do not have it."""
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     if vehicle is None:
         return
     mass, inertias = _at_output(case, vehicle)

@@ -24,7 +24,7 @@ from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
 from vstatics.core.tables.grid import Grid, grid_of
-from vstatics.vehicle.case.vehicle import vehicle_in
+from vstatics.vehicle.case.vehicle import Vehicle
 
 if TYPE_CHECKING:
     from vstatics.vehicle.operation.cycle_steps import GearChoice
@@ -193,7 +193,7 @@ def _driven(
     """
     from vstatics.vehicle.operation.drive_cycle import drive
 
-    vehicle = vehicle_in(results.case)
+    vehicle = Vehicle.of(results.case)
     if vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise ReadError([of_file("E427", outcome.file, message)])

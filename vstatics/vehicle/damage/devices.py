@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
@@ -16,11 +16,19 @@ from vstatics.core.arguments import refusing
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, as_floats
 from vstatics.core.tables.answer import document
-from vstatics.vehicle.case.fatigue import Fatigue, strengths
+from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.rainflow import LoadCycle, rainflow
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+
+class HasDamage(Protocol):
+    """Run that damages devices."""
+
+    @property
+    def damage(self) -> Mapping[str, object]:
+        """Damage by names of devices."""
 
 
 class DeviceDamage(NamedTuple):
@@ -34,6 +42,11 @@ class DeviceDamage(NamedTuple):
     """Of all cycles, as it counts for damage. [Pa]"""
     cycles: Sequence[LoadCycle]
     """Ranges and means in N*m."""
+
+    @classmethod
+    def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
+        """Return the damage in a run by the names of devices."""
+        return {name: one for name, one in motion.damage.items() if isinstance(one, cls)}
 
 
 Damages = Mapping[str, DeviceDamage]
@@ -115,6 +128,6 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     """
     return {
         name: device_damage(fatigue, as_floats(name, torques[name]))
-        for name, fatigue in strengths(case).items()
+        for name, fatigue in Fatigue.of(case).items()
         if name in torques
     }

@@ -23,7 +23,7 @@ from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import document, told
-from vstatics.vehicle.case.vehicle import vehicle_in
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.vehicle.operation.fuel_map import FuelMap
 from vstatics.vehicle.operation.trace import Trace, blocks
@@ -89,7 +89,7 @@ def drive(
     >>> round(made.energy.engine, 6), round(made.energy.lost["pair"], 6), made.distance
     (62500.0, 12500.0, 50.0)
     """
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     assert vehicle is not None  # noqa: S101 - who asks knows
     steps = CycleSteps.of(bare(case), vehicle, trace, choice)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds

@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vstatics.core.model.carried import as_type
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -21,8 +22,11 @@ from vstatics.core.numerics.constants import GRAVITY
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.grid import Grid, grid_of
-from vstatics.vehicle.case.vehicle import Vehicle, beside_engine, vehicle_in
+from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 from vstatics.vehicle.operation.shifting import directions
+
+if TYPE_CHECKING:
+    from vstatics.core.summary import Summary
 
 KMH = 3.6
 """1 m/s."""
@@ -46,13 +50,18 @@ class GearPerformance(NamedTuple):
 
 
 class Performance(NamedTuple):
-    """What a vehicle can."""
+    """Performance of a vehicle at full load."""
 
     gears: Mapping[str, GearPerformance]
     top_speed: float
     """Forward. [km/h]"""
     time_to_100: float
     """From rest to 100 km/h at full load, without time for shifts; NaN if it is not reached [s]."""
+
+    @classmethod
+    def of(cls, summary: Summary) -> Performance | None:
+        """Return the performance in a summary, if the case has a vehicle with an engine."""
+        return as_type(summary.vehicle, cls)
 
     def grids(self) -> Iterator[Grid]:
         """Yield tables for a summary: of each gear, and of all gears."""
@@ -76,7 +85,7 @@ def engine_alone(case: Transmission) -> Booleans:
 
 def vehicle_section(case: Transmission) -> Performance | None:
     """Return the performance of a case, if its vehicle has an engine."""
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     return performance(case) if vehicle and vehicle.engine else None
 
 
@@ -95,7 +104,7 @@ def performance(case: Transmission) -> Performance:
     >>> round(made.top_speed, 6), round(made.time_to_100, 6), round(made.gears["1"].slope, 6)
     (180.0, 27.777778, 0.101937)
     """
-    vehicle = vehicle_in(case)
+    vehicle = Vehicle.of(case)
     assert vehicle is not None and vehicle.engine  # noqa: PT018, S101 - who asks knows
     pull = Traction(bare(case), vehicle)
     gears = {

@@ -14,7 +14,7 @@ from vstatics.pictures.drawing.labels import LINE_HEIGHT, Point, ticks, widest, 
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style
-from vstatics.vehicle.case.vehicle import Vehicle, vehicle_in
+from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import KMH, Traction, bare
 
 DRIVE_PANEL_HEIGHT = 250.0
@@ -59,7 +59,7 @@ def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicl
     CaseError
         If the case has no vehicle, this no engine, or the engine alone drives no gear.
     """
-    case, vehicle = results.case, vehicle_in(results.case)
+    case, vehicle = results.case, Vehicle.of(results.case)
     if vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise CaseError("E427", message)

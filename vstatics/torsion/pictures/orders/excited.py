@@ -11,7 +11,7 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.style import Excitation
-from vstatics.torsion.clutch.clutch_dump import dump_in
+from vstatics.torsion.clutch.clutch_dump import ClutchDump
 
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 """Of any four-stroke engine: half orders, the shaft, the firing of four, six, eight, twelve
@@ -110,7 +110,7 @@ def _of_engine(case: Transmission) -> Iterator[float]:
     """Speeds of the engine [rad/s]."""
     if isinstance(case.vehicle, HasEngine):
         yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
-    dump = dump_in(case)
+    dump = ClutchDump.of(case)
     if dump is not None and dump.J1[0] == case.input:
         yield dump.omega1
 
