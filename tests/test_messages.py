@@ -109,7 +109,7 @@ def test_every_example_is_of_an_id() -> None:
 @pytest.mark.parametrize("one", EXAMPLES, ids=lambda one: one.id)
 def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
     Path("example.yaml").write_text(str(one.example), encoding="utf-8")
-    if one.id not in ids_in_code():
+    if missing(ANNEXES) and one.id not in ids_in_code():
         pytest.skip("it is a message of an annex that is not installed")
     records = json.loads(vstatics("check", "example.yaml", "-f", "json").out)
     assert one.id in {record["id"] for record in records}

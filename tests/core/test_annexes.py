@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ast
 from importlib import import_module
-from pathlib import Path
 
 import pytest
 
@@ -69,21 +67,6 @@ def test_public_names_of_annexes_are_those_of_the_package() -> None:
     names = [name for annex in annexes() for name in annex.names]
     assert len({*names}) == len(names)
     assert {*names} <= {*vstatics.__all__}
-
-
-def test_a_record_is_plain_data() -> None:
-    """It imports the form of a record and nothing else, so that it can be read alone."""
-    folder = Path(vstatics.__file__).parent
-    for annex in annexes():
-        tree = ast.parse((folder / annex.name / "annex.py").read_text(encoding="utf-8"))
-        imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-        assert imported == {"vstatics.core.annexes"}, annex.name
-
-
-def test_an_annex_needs_only_annexes_before_it() -> None:
-    names = [annex.name for annex in annexes()]
-    for place, annex in enumerate(annexes()):
-        assert {*annex.needs} <= {*names[:place]}, annex.name
 
 
 def test_annexes_that_need_an_annex_go_with_it() -> None:

@@ -1,4 +1,4 @@
-"""`vstatics serve` where it serves nothing; what it serves is looked at in tests/serve."""
+"""`vstatics serve` where it serves nothing; what it serves is looked at in tests/page/serve."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Starts by dumping the clutch, against what is printed and against other integrations.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (in Russian), Minsk 1981: tables 3.8,
-3.9 and 3.11; tests/published/tsitovich-table-3-9.json says what was repaired.
+3.9 and 3.11; tsitovich-table-3-9.json says what was repaired.
 """
 
 from __future__ import annotations

@@ -147,7 +147,7 @@ def test_a_swing_has_its_amplitude_in_max_and_min() -> None:
 
 
 def test_what_is_asked_of_runs_is_calculated_of_them_and_steps_have_their_times() -> None:
-    """The carrier's speed is 50.856751 t rad/s to the lock, as `tests/pictures/run` has it."""
+    """The carrier's speed is 50.856751 t rad/s to the lock, as in pictures/test_shift.py."""
     sequences = b"""set: {grip: 120}
 sequences:
   up: [{wait: 0.2, set: {grip: 120}}, {when: "locks('brake')", set: {grip: 120}}, {wait: 9, set: {grip: 1}}]
