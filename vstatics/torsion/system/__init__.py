@@ -1,6 +1,7 @@
-"""A gear as a torsional system: what is heavy, what is elastic, what is rigid.
+"""Torsional system of a gear: its bodies, elastic devices and rigid devices.
 
-`state` tells which gears can vibrate, `slopes` what springs with points are under the load.
-`gear_system` is the system, each device with its row; `coordinates` splits its motions into free,
-massless and rigid ones.
+`state` finds the gears that can vibrate, and `slopes` the stiffnesses of springs with points under
+the load. `working_points` finds the operating points of `converters`. `gear_system` builds the
+system with a row for each device; `coordinates` splits the motions into free, massless and rigid
+motions.
 """

@@ -1,13 +1,13 @@
-"""A torque converter at a working point: torques of pump and turbine, and their slopes.
+"""Torque converter at a working point: torques of pump and turbine, and their slopes.
 
-With ``M_P = lambda w_P |w_P|``, ``M_T = K M_P``, both by ``i = w_T/w_P``, and ``f = K lambda``, ``w
-= |w_P|``, primes for d/di:
+The torques are ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``, where lambda and K are functions of
+``i = w_T/w_P``. With ``f = K lambda``, ``w = |w_P|`` and primes for d/di the slopes are
 
     dM_P/dw_P = A1 = w (2 lambda - i lambda'),  dM_P/dw_T = A2 = w lambda',
     dM_T/dw_P = A3 = w (2 f - i f'),            dM_T/dw_T = A4 = w f'
 
-(Tsitovich, Algin, Vehicle dynamics, 1981, (1.44), (1.46)). At a corner of the points the slope
-above it holds.
+(Tsitovich, Algin, Vehicle dynamics, 1981, (1.44), (1.46)). At a point of the characteristic, the
+slope of the interval above the point is used.
 """
 
 from __future__ import annotations
@@ -24,41 +24,41 @@ from vstatics.core.tables.answer import told
     *("A1", "A2", "A3", "A4"),
 )
 class WorkingConverter(NamedTuple):
-    """A converter about its working point."""
+    """Torque converter, linearised at a working point."""
 
     name: str
     pump: int
     turbine: int
-    """Indices of its links."""
+    """Indices of the links of pump and turbine."""
     speed_ratio: float
-    """Of the turbine by the pump. [-]"""
+    """Speed ratio, turbine to pump. [-]"""
     pump_speed: float
-    """[rad/s]"""
+    """Speed of the pump. [rad/s]"""
     pump_torque: float
-    """That the pump takes. [N*m]"""
+    """Torque taken by the pump. [N*m]"""
     turbine_torque: float
-    """That the turbine gives. [N*m]"""
+    """Torque given by the turbine. [N*m]"""
     A1: float
-    """Slope of the pump's torque by the pump's speed. [N*m*s/rad]"""
+    """Slope of the pump torque over the pump speed. [N*m*s/rad]"""
     A2: float
-    """Of the pump's by the turbine's."""
+    """Slope of the pump torque over the turbine speed. [N*m*s/rad]"""
     A3: float
-    """Of the turbine's by the pump's."""
+    """Slope of the turbine torque over the pump speed. [N*m*s/rad]"""
     A4: float
-    """Of the turbine's by the turbine's."""
+    """Slope of the turbine torque over the turbine speed. [N*m*s/rad]"""
 
 
 class Characteristic(NamedTuple):
-    """Torque ratio and lambda at a speed ratio, with their slopes over it."""
+    """Torque ratio and lambda at a speed ratio, with slopes over the speed ratio."""
 
     torque_ratio: float
     factor: float
-    """Lambda. [N*m*s^2]"""
+    """Lambda: pump torque divided by the square of the pump speed. [N*m*s^2]"""
     by_ratio: tuple[float, float] = (0.0, 0.0)
 
 
 def characteristic(points: Sequence[tuple[float, ...]], ratio: float) -> Characteristic:
-    """By points ``i, K, lambda``: straight between, constant outside.
+    """Interpolate points ``i, K, lambda`` linearly, with constant values outside.
 
     Examples
     --------
@@ -82,18 +82,18 @@ def working_converter(
     ratio: float,
     speed: float,
 ) -> WorkingConverter:
-    """A converter at a speed ratio and a speed of its pump [rad/s].
+    """Linearise a converter at a speed ratio and a pump speed [rad/s].
 
     Examples
     --------
     >>> points = [(0, 2.5, 0.003), (0.5, 1.5, 0.0032), (0.9, 1, 0.0015), (1, 1, 0)]
-    >>> [round(one, 9) for one in working_converter("TC", (0, 1), points, 0.7, 200.0)[5:]]
+    >>> [round(x, 9) for x in working_converter("TC", (0, 1), points, 0.7, 200.0)[5:]]
     [94.0, 117.5, 1.535, -0.85, 2.33, -1.65]
     """
-    found, size = characteristic(points, ratio), abs(speed)
-    of_pump, bend = found.factor, found.by_ratio[1]
-    of_turbine = found.torque_ratio * of_pump
-    bend_of_turbine = found.by_ratio[0] * of_pump + found.torque_ratio * bend
+    values, size = characteristic(points, ratio), abs(speed)
+    of_pump, slope_of_pump = values.factor, values.by_ratio[1]
+    of_turbine = values.torque_ratio * of_pump
+    slope_of_turbine = values.by_ratio[0] * of_pump + values.torque_ratio * slope_of_pump
     return WorkingConverter(
         name,
         *links,
@@ -101,8 +101,8 @@ def working_converter(
         speed,
         of_pump * speed * size,
         of_turbine * speed * size,
-        size * (2 * of_pump - ratio * bend),
-        size * bend,
-        size * (2 * of_turbine - ratio * bend_of_turbine),
-        size * bend_of_turbine,
+        size * (2 * of_pump - ratio * slope_of_pump),
+        size * slope_of_pump,
+        size * (2 * of_turbine - ratio * slope_of_turbine),
+        size * slope_of_turbine,
     )

@@ -1,7 +1,7 @@
-"""The free motions of a torsional system, and how they are split: rigid, massless, the rest.
+"""Free motions of a torsional system, split into rigid, massless and other motions.
 
-All of it follows from linear forms alone, of rigid devices, twists and bodies, and not from how
-stiff or heavy anything is: so a soft support is not taken for a rigid motion.
+The split follows from the linear forms of rigid devices, twists and bodies alone, and not from
+stiffnesses or inertias. A soft support is thus not mistaken for a rigid motion.
 """
 
 from __future__ import annotations
@@ -15,37 +15,37 @@ from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300
-"""Links from which on all modes at once take longer than the lowest few."""
+"""Number of links above which the calculation of all modes takes longer than the lowest few."""
 
 
 class Coordinates(NamedTuple):
-    """Motions of all links, by columns."""
+    """Motions of all links, as columns."""
 
     free: Floats
-    """Shape (links, n): all of them."""
+    """All free motions, shape (links, n)."""
     massless: Floats
-    """Shape (links, m): those without inertia, which elastic devices resist."""
+    """Motions without inertia that elastic devices resist, shape (links, m)."""
     rigid: Floats
-    """Shape (links, r): those that twist nothing, and have inertia."""
+    """Motions with inertia but without elastic twist, shape (links, r)."""
     undetermined: Booleans
-    """Of each link: whether it takes part in a motion with neither inertia nor resistance."""
+    """Whether each link takes part in a motion with neither inertia nor resistance."""
 
     @property
     def modes(self) -> int:
-        """How many modes there are that are not rigid."""
+        """Number of modes that are not rigid."""
         return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
 
     def has_many_more(self, count: int) -> bool:
-        """Whether the lowest so many modes are found sooner by themselves than with all."""
+        """Return whether the lowest modes alone are calculated sooner than all modes."""
         return len(self.free) > MANY and count < self.modes // 2
 
     @property
     def heavy(self) -> Floats:
-        """Shape (links, n - m): motions that with the massless ones make up all."""
+        """Motions with inertia that complete the massless motions, shape (links, n - m)."""
         count = self.massless.shape[1]
         if not count:
             return self.free
-        from scipy import linalg  # most systems do without
+        from scipy import linalg  # not imported for most systems
 
         part, *_ = linalg.lstsq(self.free, self.massless)
         _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
@@ -56,11 +56,11 @@ class Coordinates(NamedTuple):
 def coordinates(system: TorsionalSystem) -> Coordinates:
     """Split the free motions of a system.
 
-    What neither inertia nor a device resists is held: it takes no part in any mode.
+    Motions that neither an inertia nor a device resists are held at 0: they take no part in any mode.
 
     Examples
     --------
-    Two masses with a massless link between them, free to turn together:
+    Two masses with a massless link between them, free to rotate together:
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.gear_system import torsional_system
@@ -73,7 +73,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = [{pinned: 1.0} for pinned in _own_places(loose)]
+    held: list[Form] = [{pinned: 1.0} for pinned in _determining_links(loose)]
     return Coordinates(
         free=system.free(*held),
         massless=system.free(*held, *bodies),
@@ -82,8 +82,8 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     )
 
 
-def _own_places(motions: Floats) -> list[int]:
-    """Links by which some motions are known: where these are held there is none of them."""
+def _determining_links(motions: Floats) -> list[int]:
+    """Return links that determine the given motions: with these links held, no motion remains."""
     if not motions.shape[1]:
         return []
     from scipy import linalg
@@ -97,8 +97,8 @@ Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
 
 
 def form_values(form: Form, shapes: Values) -> Values:
-    """A form of the angles of links, of shape (modes,) for shapes of (links, modes)."""
+    """Evaluate a form of the angles of links, shape (modes,), for shapes (links, modes)."""
     total = np.zeros(shapes.shape[1:], shapes.dtype)
     for link, part in form.items():
         total += part * shapes[link]
-    return total  # type: ignore[return-value] # of the same kind
+    return total  # type: ignore[return-value] # of the dtype of the shapes

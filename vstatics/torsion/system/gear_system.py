@@ -1,10 +1,10 @@
-"""The torsional system of a gear: what is heavy, what is elastic, what is rigid.
+"""Torsional system of a gear, with bodies, elastic devices and rigid devices.
 
-``M q'' + D q' + K q = 0`` with ``M`` of the bodies, ``K`` and ``D`` of the elastic devices, for
-the angles q of the links, of which the rigid devices leave some free. A device has in it the
-row that it has in the structural-distribution matrix (Tsitovich, Algin, Vehicle dynamics, 1981,
-1.2: the equations of a gearbox with a compliant casing, (1.11), are those of a mechanism whose
-row is its twist).
+The equation is ``M q'' + D q' + K q = 0`` for the angles q of the links, with ``M`` of the bodies,
+``K`` and ``D`` of the elastic devices, and constraints by the rigid devices. The twist of a device
+is its row of the structural-distribution matrix (Tsitovich, Algin, Vehicle dynamics, 1981, 1.2: the
+equations of a gearbox with a compliant casing, (1.11), are the equations of a mechanism with the
+row as the twist).
 """
 
 from __future__ import annotations
@@ -26,44 +26,44 @@ from vstatics.torsion.system.converters import WorkingConverter
 
 
 class TorsionalDevice(NamedTuple):
-    """A device that holds links together, rigidly or not."""
+    """Device between links, rigid or elastic."""
 
     name: str
     twist: Form
-    """By the angles of links (indices from 0). [-]"""
+    """Coefficients of the angles of links (indices from 0). [-]"""
     stiffness: float | None = None
-    """[N*m/rad]; None: it is rigid, its twist is 0."""
+    """Stiffness [N*m/rad]; None for a rigid device, whose twist is 0."""
     damping: Damping = NO_DAMPING
 
     @property
     def rate(self) -> float:
-        """Its stiffness, 0 where it is rigid [N*m/rad]."""
+        """Stiffness, 0 of a rigid device [N*m/rad]."""
         return self.stiffness or 0.0
 
 
 class TorsionalSystem(NamedTuple):
-    """The links of a gear as a vibrating system.
+    """Vibrating system of the links of a gear.
 
     Attributes
     ----------
     names : sequence of str
-        Of all links, those of planets behind the case's own.
+        Names of all links: the links of the case, then those of planets.
     own : int
-        How many are the case's own.
+        Number of links of the case.
     bodies : sequence of Body
-        A body for each own link, also where its inertia is 0; then planets.
+        A body for each link of the case, also with an inertia of 0; then planets.
     devices : sequence of TorsionalDevice
         Engaged shift elements, mechanisms, springs.
     link_inertias : sequence of float
-        Of all links, with the shares that they have of planets; some may be below 0. [kg*m^2]
+        Inertias of all links with their shares of planets; a share can be negative. [kg*m^2]
     ends : tuple of int
         Indices of the input and the output of the gear.
     planet_shares : sequence of tuple
-        Name of a set, and what its planets add to `link_inertias`.
+        Name of each gear set, and the shares of its planets in `link_inertias`.
     converters : sequence of WorkingConverter
-        About their working points; without these they are open.
+        Converters at their working points; converters that are not listed transmit nothing.
     dampers : sequence of TorsionalDevice
-        Springs without a stiffness: they resist rates of twist only.
+        Springs without a stiffness, which resist only rates of twist.
     """
 
     names: tuple[str, ...]
@@ -78,27 +78,27 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def resists(self) -> bool:
-        """Whether converters or dampers alone resist motions, rigid ones too."""
+        """Whether converters or separate dampers resist motions, also rigid ones."""
         return bool(self.converters or self.dampers)
 
     @property
     def elastic(self) -> list[TorsionalDevice]:
-        """The devices with a stiffness."""
+        """Devices with a stiffness."""
         return [device for device in self.devices if device.stiffness is not None]
 
     @property
     def rigid(self) -> list[TorsionalDevice]:
-        """The devices without."""
+        """Devices without a stiffness."""
         return [device for device in self.devices if device.stiffness is None]
 
     @property
     def rigid_twists(self) -> list[Form]:
-        """What the rigid devices keep at 0."""
+        """Twists of the rigid devices, which are 0."""
         return [device.twist for device in self.rigid]
 
     @property
     def elastic_twists(self) -> list[Form]:
-        """What the elastic devices resist."""
+        """Twists of the elastic devices."""
         return [device.twist for device in self.elastic]
 
     @property
@@ -108,59 +108,60 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def inertias(self) -> Floats:
-        """Of the bodies, shape (bodies,) [kg*m^2]."""
+        """Inertias of the bodies, shape (bodies,) [kg*m^2]."""
         return np.array([body.inertia for body in self.bodies], float)
 
     def rows(self, forms: Sequence[Form]) -> Floats:
-        """Forms of the angles of links as rows, shape (forms, links)."""
+        """Return forms of the angles of links as rows, shape (forms, links)."""
         return values_of(forms, len(self.names))
 
     @property
     def damper_rows(self) -> Floats:
-        """Twists of dampers alone, each by the root of its damping, shape (dampers, links)."""
+        """Twists of separate dampers times roots of dampings, shape (dampers, links)."""
         sizes = np.sqrt([damper.damping.viscous for damper in self.dampers])
         return sizes[:, None] * self.rows([damper.twist for damper in self.dampers])
 
     @property
     def slip_resistance(self) -> Floats:
-        """What dampers alone and converters add to ``D``, shape (links, links) [N*m*s/rad].
+        """Share of separate dampers and converters in ``D``, shape (links, links) [N*m*s/rad].
 
-        The part of converters is not symmetric.
+        The share of converters is not symmetric.
         """
         resistance: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
         return resistance
 
     @property
     def converter_resistance(self) -> Floats:
-        """What converters add to ``D``, shape (links, links); not symmetric [N*m*s/rad]."""
-        made = np.zeros((len(self.names), len(self.names)))
-        for one in self.converters:
-            made[one.pump, [one.pump, one.turbine]] += one.A1, one.A2
-            made[one.turbine, [one.pump, one.turbine]] -= one.A3, one.A4
-        return made
+        """Share of converters in ``D``, shape (links, links); not symmetric [N*m*s/rad]."""
+        resistance = np.zeros((len(self.names), len(self.names)))
+        for slopes in self.converters:
+            links = [slopes.pump, slopes.turbine]
+            resistance[slopes.pump, links] += slopes.A1, slopes.A2
+            resistance[slopes.turbine, links] -= slopes.A3, slopes.A4
+        return resistance
 
     @property
     def twists(self) -> Floats:
-        """Those of the elastic devices as rows, shape (devices, links)."""
+        """Twists of the elastic devices as rows, shape (devices, links)."""
         return self.rows(self.elastic_twists)
 
     @property
     def speeds(self) -> Floats:
-        """Those of the bodies by speeds of links, shape (bodies, links)."""
+        """Forms of the bodies in speeds of links, shape (bodies, links)."""
         return self.rows([body.form for body in self.bodies])
 
     def free(self, *others: Form) -> Floats:
-        """What the rigid devices, and other forms that are 0, leave free: motions as columns."""
+        """Return the motions (columns) that remain with rigid devices and other forms held at 0."""
         return free_motions([*self.rigid_twists, *others], len(self.names))
 
 
 def torsional_system(
     case: Transmission, gear: Gear, slopes: Mapping[str, float] = MappingProxyType({})
 ) -> TorsionalSystem:
-    """The system of a gear whose freewheels that hold stand among the engaged elements.
+    """Build the system of a gear, whose engaged elements include the freewheels that hold.
 
-    Springs with points have the slopes that are given by name; one of 0 is open [N*m/rad]. So are
-    converters.
+    Springs with points have the given slopes, by name [N*m/rad]. Springs with a slope of 0 and
+    converters transmit nothing.
 
     Examples
     --------
@@ -202,12 +203,12 @@ def _devices(
     by_device = rows(case, case.gear_ratios(gear))
     devices: list[ShiftElement | Mechanism | Spring] = [*case.shift_elements, *case.mechanisms]
     devices += case.springs
-    for number, (one, column) in enumerate(zip(devices, by_device, strict=True), 1):
-        stiffness = one.rate if isinstance(one, Spring) else one.stiffness
-        stiffness = slopes.get(one.name, stiffness)
-        is_open = isinstance(one, ShiftElement) and number not in gear.engaged
-        is_open |= isinstance(one, Mechanism) and one.kind == "converter"
-        is_open |= stiffness == 0 and not (isinstance(one, Spring) and one.is_damper)
+    for number, (device, column) in enumerate(zip(devices, by_device, strict=True), 1):
+        stiffness = device.rate if isinstance(device, Spring) else device.stiffness
+        stiffness = slopes.get(device.name, stiffness)
+        is_open = isinstance(device, ShiftElement) and number not in gear.engaged
+        is_open |= isinstance(device, Mechanism) and device.kind == "converter"
+        is_open |= stiffness == 0 and not (isinstance(device, Spring) and device.is_damper)
         if not is_open:
             twist = {link - 1: float(value(part)) for link, part in column.items()}
-            yield TorsionalDevice(one.name, twist, stiffness, damping(one.damping))
+            yield TorsionalDevice(device.name, twist, stiffness, damping(device.damping))

@@ -1,4 +1,4 @@
-"""The slopes that springs with points have in a gear, at what they carry at mean speeds."""
+"""Stiffnesses of springs with points in a gear, at their torques under mean speeds."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ from vstatics.torsion.system.working_points import mean_gear
 
 
 class SpringSlope(NamedTuple):
-    """What a spring with points is in a gear."""
+    """Linearised spring with points in a gear."""
 
     number: int
-    """Of the spring, from 1."""
+    """Number of the spring, from 1."""
     name: str
     torque: float
-    """At mean speeds, with losses. [N*m]"""
+    """Torque of the spring at mean speeds, with losses. [N*m]"""
     slope: float
-    """There; 0 in play: it is open. [N*m/rad]"""
+    """Stiffness at the torque; 0 within the free play, where nothing is transmitted. [N*m/rad]"""
 
     def __str__(self) -> str:
-        """As a message tells it."""
+        """Return the slope and the torque as in messages."""
         slope = f"{self.slope:.6g} N*m/rad" if self.slope else "in play, so it is open,"
         return f"{slope} at {self.torque:.6g} N*m"
 
 
 def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
-    """The slopes of the springs with points, under the torque of the load; without one at 0 N*m.
+    """Yield the slopes of springs with points under the torque of the load, or at 0 N*m.
 
-    Where a gear gives the speed ratio of a converter, they are under the torque of its pump.
+    If a gear gives the speed ratio of a converter, the torque of its pump replaces the load.
 
     Raises
     ------
     CaseError
-        If the torque of one is not determined.
+        If the torque of a spring is indeterminate.
 
     Examples
     --------
@@ -45,17 +45,17 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
     >>> spring = Spring({1: 1, 2: -1}, points=[(0, 0), (0.1, 0), (0.2, 30)], name="damper")
     >>> case = Transmission(2, [], [], [], inertias={1: 1, 2: 1}, springs=[spring])
     >>> loaded = case.replace(load=Load(torque=20))
-    >>> for one in (case, loaded):
-    ...     print(*spring_slopes(one, one.gears[0]))
+    >>> for variant in (case, loaded):
+    ...     print(*spring_slopes(variant, variant.gears[0]))
     in play, so it is open, at 0 N*m
     300 N*m/rad at 20 N*m
     """
-    bent = [(number, one) for number, one in enumerate(case.springs, 1) if one.points]
-    if not bent:
+    with_points = [(n, spring) for n, spring in enumerate(case.springs, 1) if spring.points]
+    if not with_points:
         return
-    carried = _carried(case, gear)
-    for number, spring in bent:
-        torque = carried[number - 1]
+    torques = _torques_of_springs(case, gear)
+    for number, spring in with_points:
+        torque = torques[number - 1]
         if math.isnan(torque):
             message = (
                 f"what {spring.name} carries in gear {gear.name} is not determined, so its slope "
@@ -65,8 +65,8 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
         yield SpringSlope(number, spring.name, torque, spring.curve.slope_at(torque))
 
 
-def _carried(case: Transmission, gear: Gear) -> list[float]:
-    """The torques of springs [N*m]; none where no load says so, or nothing comes through."""
+def _torques_of_springs(case: Transmission, gear: Gear) -> list[float]:
+    """Return the torques of springs [N*m]; 0 without a load, or if nothing is transmitted."""
     case, gear, *_ = mean_gear(case, gear)
     if not case.gear_load(gear).torque:
         return [0.0] * len(case.springs)

@@ -1,4 +1,4 @@
-"""The gears of a case that can vibrate, and why others can't."""
+"""Gears of a case that can vibrate, and reasons why other gears cannot."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from vstatics.torsion.system.slopes import spring_slopes
 
 
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
-    """The torsional system of a gear, or why it has none.
+    """Return the torsional system of a gear, or a text with the reason why none exists.
 
-    Freewheels hold where they do at mean speeds. Vibration knows no input, so the input may be
-    held, as long as anything can move. Springs with points have the slopes of `spring_slopes`.
+    Freewheels hold if they hold at mean speeds. Free vibration needs no input, so the input can be
+    held if any other link can move. Springs with points have the slopes of `spring_slopes`.
 
     Raises
     ------
     CaseError
-        If such a slope is not known, or a converter has no lambda.
+        If a slope is indeterminate, or a converter has no lambda.
 
     Examples
     --------
@@ -35,13 +35,13 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     """
     if faults := list(without_lambda(case)):
         raise CaseError(faults)
-    slopes = {one.name: one.slope for one in spring_slopes(case, gear)}
+    slopes = {spring.name: spring.slope for spring in spring_slopes(case, gear)}
     if case.freewheels:
         results = solve(case.replace(gears=[gear]))
         if results.conflict[0]:
             return f"{CONFLICT.english}: {CONFLICT.meaning}"
-        held = [number for number in case.freewheels if results.holds[0, number - 1]]
-        gear = with_engaged(gear, held)
+        holding = [number for number in case.freewheels if results.holds[0, number - 1]]
+        gear = with_engaged(gear, holding)
     system = torsional_system(case, gear, slopes)
     if system.free().shape[1]:
         return system
@@ -54,11 +54,11 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
 
 
 def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[Gear]:
-    """Gears by their numbers from 1 or their names; all when none is given.
+    """Return gears by their numbers from 1 or names, by default all gears.
 
     Raises
     ------
     ValueError
-        If there is no such gear.
+        If a gear does not exist.
     """
-    return [case.gears[case.gear_number(one) - 1] for one in gears or ()] or [*case.gears]
+    return [case.gears[case.gear_number(gear) - 1] for gear in gears or ()] or [*case.gears]

@@ -1,9 +1,9 @@
-"""At which speeds and torques the converters of a gear work, about which it vibrates.
+"""Working points of the converters of a gear: mean speeds and torques of the vibration.
 
-The speed of the pump follows from the load, by the speeds of the gear. Where the speed ratio is
-given, the torque that the pump takes there determines the torque of the input. Else the speed ratio
-is that at which the converter takes the torque that the load brings to its pump. Where other
-devices join pump and turbine, as a lock-up clutch does, the speed ratio is theirs.
+The speed of the pump follows from the load and the speeds of the gear. If a speed ratio is given,
+the torque that the pump then takes determines the torque of the input. Otherwise the speed ratio is
+calculated so that the pump takes the torque of the load. If other devices connect pump and turbine,
+as a lock-up clutch does, they determine the speed ratio.
 """
 
 from __future__ import annotations
@@ -38,22 +38,24 @@ Ratios = Mapping[str, float]
 
 
 class WorkingGear(NamedTuple):
-    """A gear, its case with the converters as mechanisms of their speed ratios, and these."""
+    """Gear at its working point, in a case with converters replaced by mechanisms."""
 
     case: Transmission
     gear: Gear
     converters: tuple[WorkingConverter, ...] = ()
     doubts: tuple[str, ...] = ()
-    """Converters whose pumps do not take the torque of the load."""
+    """Warnings about converters whose pumps do not take the torque of the load."""
 
 
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
-"""Torques of the input from which its torque is sought, as parts of the torque that the pump takes:
-less than drag takes may not come through. [-]"""
+"""Trial torques of the input, relative to the torque of the pump.
+
+Large values are needed because drag can absorb a small torque. [-]
+"""
 
 
 def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
-    """Return a gear at its working point, or as it is where no working point is known."""
+    """Return a gear at its working point, or unchanged if the working point is unknown."""
     try:
         return working_gear(case, gear, {})
     except CaseError:
@@ -61,22 +63,22 @@ def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
 
 
 def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
-    """The converters of a gear where they work.
+    """Find the working points of the converters of a gear.
 
     Parameters
     ----------
     given : mapping of str to float
-        Speed ratios, in place of those of the gear. [-]
+        Speed ratios of converters, instead of those of the gear. [-]
 
     Raises
     ------
     CaseError
-        If a speed or a speed ratio is not known, or a converter has no lambda.
+        If a speed or a speed ratio is unknown, or a converter has no lambda.
     ValueError
-        If there is no converter of a name that is given.
+        If a given name is not the name of a converter.
     """
     opened = with_open_converters(case)
-    names = [one.name for one in opened.converters]
+    names = [converter.name for converter in opened.converters]
     for name in given:
         if name not in names:
             hint = nearest(name, names) or f"; converters are {listed(names) or 'none'}"
@@ -90,20 +92,20 @@ class _OnPump(NamedTuple):
     """Torques at the pump of a converter."""
 
     brought: float
-    """Torque that the load brings. [N*m]"""
+    """Torque that the load applies to the pump. [N*m]"""
     able: float
-    """Torque that the pump takes. [N*m]"""
+    """Torque that the pump can take at its speed and speed ratio. [N*m]"""
     at: tuple[float, float]
     """Speed ratio [-] and speed of the pump [rad/s]."""
 
     @property
     def excess(self) -> float:
-        """What the pump takes less what comes to it [N*m]."""
+        """Torque taken by the pump minus torque of the load [N*m]."""
         return self.able - self.brought
 
 
 class _WorkingPoints:
-    """The converters of a gear."""
+    """Solver for the working points of the converters of a gear."""
 
     def __init__(self, case: Transmission, opened: Transmission, gear: int) -> None:
         self.case = case
@@ -112,15 +114,15 @@ class _WorkingPoints:
         self.path: Path = ("gears", gear + 1)
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
-        self.closed = [one for one in opened.converters if one.name not in self.joined]
+        self.closed = [c for c in opened.converters if c.name not in self.joined]
         self.driving: list[Converter] = []
-        """Converters at given speed ratios; the first determines the torque of the input."""
+        """Converters with given speed ratios; the first determines the torque of the input."""
 
     def found(self, given: Ratios) -> WorkingGear:
-        """Where they work."""
+        """Return the gear at its working point."""
         ratios = self._given() | dict(given)
         self.driving = [pump for pump in self.closed if pump.name in ratios]
-        unknown = [one for one in self.closed if one.name not in ratios]
+        unknown = [converter for converter in self.closed if converter.name not in ratios]
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
@@ -128,53 +130,56 @@ class _WorkingPoints:
         case, doubts = self._loaded(self._with(ratios))
         results = solve(case)
         working = []
-        for one in self.opened.converters:
-            ratio = self.joined.get(one.name, ratios.get(one.name, 0.0))
-            if self.load.speed is None and one.name in self.joined:
-                at_once = working_converter("", (0, 0), one.points, ratio, 1.0)
-                if not any(at_once[-4:]):  # at any speed it takes no part
+        for converter in self.opened.converters:
+            name = converter.name
+            ratio = self.joined.get(name, ratios.get(name, 0.0))
+            if self.load.speed is None and name in self.joined:
+                at_unit_speed = working_converter("", (0, 0), converter.points, ratio, 1.0)
+                if not any(at_unit_speed[-4:]):  # the slopes are zero at any speed
                     continue
-            speed = self._pump_speed(one, results)
-            links = one.pump - 1, one.turbine - 1
-            working.append(working_converter(one.name, links, one.points, ratio, speed))
+            speed = self._pump_speed(converter, results)
+            links = converter.pump - 1, converter.turbine - 1
+            working.append(working_converter(name, links, converter.points, ratio, speed))
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _joined(self) -> Iterator[tuple[str, float]]:
-        """Speed ratios of converters whose links other devices join; 0 where the pump stands."""
+        """Yield speed ratios of converters whose links are connected by other devices.
+
+        The speed ratio is 0 if the pump is at rest.
+        """
         system = torsional_system(self.opened, self.gear)
         motions = system.free(*system.elastic_twists)
-        for one in self.opened.converters:
-            pump, turbine = motions[one.pump - 1], motions[one.turbine - 1]
+        for converter in self.opened.converters:
+            pump, turbine = motions[converter.pump - 1], motions[converter.turbine - 1]
             sizes = np.abs(pump)
             if not sizes.any():
-                yield one.name, 0.0
+                yield converter.name, 0.0
                 continue
             ratio = float(turbine[sizes.argmax()] / pump[sizes.argmax()])
             apart = np.abs(turbine - ratio * pump).max()
             if apart <= REAL_EIGENVALUE * max(sizes.max(), np.abs(turbine).max()):
-                yield one.name, ratio
+                yield converter.name, ratio
 
     def _given(self) -> dict[str, float]:
-        """Speed ratios that the mechanisms or the gear give."""
-        own = [one for one in self.case.mechanisms if one.kind == "converter"]
-        found = {one.name: one.ratio for one in own if not math.isnan(one.ratio)}
+        """Return the speed ratios that the mechanisms or the gear give."""
+        converters = [mesh for mesh in self.case.mechanisms if mesh.kind == "converter"]
+        ratios = {c.name: c.ratio for c in converters if not math.isnan(c.ratio)}
         first = len(self.opened.mechanisms[self.opened.own_mechanisms])
-        names = [one.name for one in self.opened.converters]
+        names = [converter.name for converter in self.opened.converters]
         for number, ratio in self.gear.speed_ratios.items():
             if number > first:
-                found[names[number - first - 1]] = ratio
-        return found
+                ratios[names[number - first - 1]] = ratio
+        return ratios
 
     def _with(self, ratios: Ratios) -> Transmission:
-        """The case of this gear with converters as mechanisms."""
-        own = self.opened.mechanisms[self.opened.own_mechanisms]
-        kept = {n: ratio for n, ratio in self.gear.speed_ratios.items() if n <= len(own)}
-        mechanisms = [*own, *(one.at_ratio(ratios[one.name]) for one in self.closed)]
-        gears = [self.gear._replace(speed_ratios=kept)]
+        """Return the case of the gear with converters replaced by mechanisms."""
+        of_case = self.opened.mechanisms[self.opened.own_mechanisms]
+        speed_ratios = {n: i for n, i in self.gear.speed_ratios.items() if n <= len(of_case)}
+        mechanisms = [*of_case, *(c.at_ratio(ratios[c.name]) for c in self.closed)]
+        gears = [self.gear._replace(speed_ratios=speed_ratios)]
         return with_mechanisms(self.opened, mechanisms, converters=(), gears=gears)
 
     def _pump_speed(self, converter: Converter, results: Results) -> float:
-        """The speed of a pump [rad/s]."""
         relative = float(results.speeds[0, converter.pump - 1])
         if self.load.speed is None:
             message = f"the speed of the pump of {converter.name} is not known: give `speed` in "
@@ -186,7 +191,7 @@ class _WorkingPoints:
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
-        """The largest speed ratio up to 1 at which a converter takes what comes to its pump."""
+        """Return the largest speed ratio up to 1 at which the pump takes the torque of the load."""
         if (self.load.torque is None and not self.driving) or self.load.speed is None:
             raise self._unknown([converter], "speed and torque of the `load` would tell it")
         corners = {point[0] for point in converter.points if point[0] < 1} | {1.0}
@@ -195,7 +200,7 @@ class _WorkingPoints:
             if excess[above] == 0:
                 return above
             if excess[above] * excess[below] <= 0:
-                from scipy.optimize import brentq  # most gears do without
+                from scipy.optimize import brentq  # not imported for most gears
 
                 def of(ratio: float) -> float:
                     return self._excess(converter, ratios, ratio)
@@ -205,7 +210,7 @@ class _WorkingPoints:
         raise self._unknown([converter], why)
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
-        """What a converter takes at a speed ratio less what comes to its pump [N*m]."""
+        """Return the excess torque of a pump at a speed ratio [N*m]."""
         case, _ = self._loaded(self._with({**ratios, converter.name: ratio}))
         return self._on_pump(converter, case).excess
 
@@ -217,23 +222,23 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """The case under the torque that the pumps ask for, and doubts about the given one."""
+        """Return the case under the torque of the pumps, and warnings about the given torque."""
         if not self.driving:
             return case, ()
         doubts = []
         if self.load.torque is not None:
-            given = [(pump.name, self._on_pump(pump, case)) for pump in self.driving]
-            if abs(given[0][1].excess) <= SAME_INPUT_TORQUE * abs(given[0][1].able):
+            on_pumps = [(pump.name, self._on_pump(pump, case)) for pump in self.driving]
+            if abs(on_pumps[0][1].excess) <= SAME_INPUT_TORQUE * abs(on_pumps[0][1].able):
                 return case, ()
-            doubts = [disagreement(name, *pump) for name, pump in given if disagree(*pump[:2])]
+            doubts = [disagreement(name, *pump) for name, pump in on_pumps if disagree(*pump[:2])]
         torque = self._input_torque(self.driving[0], case)
         if torque is None:
             return case, tuple(doubts)
-        about = f"; this vibration is about {torque:.5g} N*m at the input"
-        return case.with_torque(torque), tuple(doubt + about for doubt in doubts)
+        addition = f"; this vibration is about {torque:.5g} N*m at the input"
+        return case.with_torque(torque), tuple(doubt + addition for doubt in doubts)
 
     def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
-        """The torque of the input at which a pump carries what it takes; None if none does so."""
+        """Return the input torque at which the excess of a pump is 0; None if none exists."""
 
         def excess(torque: float) -> float:
             return self._on_pump(converter, case.with_torque(torque)).excess
@@ -243,12 +248,16 @@ class _WorkingPoints:
             return 0.0
         size = max(1.0, abs(idle.able))
         for first in (sign * size * more for more in FAR for sign in (1, -1)):
-            near, far = excess(first), excess(2 * first)
-            start = first - first * near / (far - near) if far != near else math.nan
+            at_first, at_second = excess(first), excess(2 * first)
+            start = (
+                first - first * at_first / (at_second - at_first)
+                if at_second != at_first
+                else math.nan
+            )
             if start / first > 0:
                 if abs(excess(start)) <= SAME_INPUT_TORQUE * abs(idle.able) / 1000:
                     return start
-                from scipy.optimize import root_scalar  # most gears do without
+                from scipy.optimize import root_scalar  # not imported for most gears
 
                 solution = root_scalar(
                     excess, method="secant", x0=start, x1=start * (1 + SECANT_STEP)
@@ -257,7 +266,7 @@ class _WorkingPoints:
         return None
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:
-        names = spoken([one.name for one in converters])
+        names = spoken([converter.name for converter in converters])
         message = (
             f"the {plural('speed ratio', len(converters))} of {names} in gear {self.gear.name} "
             f"{'is' if len(converters) == 1 else 'are'} not known: give `speed_ratios` in the "

@@ -1,9 +1,10 @@
-"""Motions that no variant couples: frequencies of different ones may cross in a sweep.
+"""Motions that no variant couples, whose frequencies can therefore cross in a sweep.
 
-In natural modes of the first variant others have ``K + sum dc t t^T`` and ``M + sum dJ b b^T``,
-with the twists t of the devices and the forms b of the bodies that vary. What no t or b has in
-common stays apart in all variants; within each part frequencies keep their order (von Neumann,
-Wigner, 1929). So the parts tell by shape which mode is which, for any variants in any order.
+In natural modes of the first variant the matrices of another variant are ``K + sum dc t t^T`` and
+``M + sum dJ b b^T``, where t are the twists of the varied devices and b the forms of the varied
+bodies. Motions without a common t or b remain uncoupled in all variants; within each uncoupled
+group the frequencies keep their order (von Neumann, Wigner, 1929). The groups therefore identify
+each mode by its shape, for any variants in any order.
 """
 
 from __future__ import annotations
@@ -21,33 +22,33 @@ from vstatics.torsion.vibration.natural import natural_modes, weighted_bodies, w
 
 
 class SeparateMotions(NamedTuple):
-    """Motions of a system that stay apart from all others."""
+    """Motions of a system that remain uncoupled from all other motions in every variant."""
 
     modes: list[int]
-    """Numbers of their modes in the first variant, from 0."""
+    """Mode numbers of the motions in the first variant, from 0."""
     split: Coordinates
     devices: frozenset[int]
     bodies: frozenset[int]
-    """What varies and has a part in them."""
+    """Places of varied devices and bodies that take part in the motions."""
 
 
 def separate_motions(
     system: TorsionalSystem, split: Coordinates, devices: Collection[int], bodies: Collection[int]
 ) -> list[SeparateMotions]:
-    """The parts of a system in which some stiffnesses and inertias vary.
+    """Find the uncoupled groups of motions of a system with varied stiffnesses and inertias.
 
     Parameters
     ----------
     system : TorsionalSystem
         The first variant.
     split : Coordinates
-        Its own.
+        Coordinates of this system.
     devices, bodies : collection of int
-        Places of those that vary.
+        Places of the varied devices and bodies.
 
     Examples
     --------
-    Two masses on springs of their own; one spring varies, so the frequencies may cross.
+    Two masses, each on a spring; one stiffness varies, so the frequencies can cross.
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.coordinates import coordinates
@@ -55,45 +56,46 @@ def separate_motions(
     >>> springs = [Spring({1: 1}, stiffness=9.0), Spring({2: 1}, stiffness=4.0)]
     >>> case = Transmission(2, [], [], [], springs=springs, inertias={1: 1.0, 2: 1.0})
     >>> system = torsional_system(case, case.gears[0])
-    >>> [one.modes for one in separate_motions(system, coordinates(system), [0], [])]
+    >>> [group.modes for group in separate_motions(system, coordinates(system), [0], [])]
     [[1], [0]]
     """
     natural = natural_modes(system, split)
     rigid = split.rigid.shape[1]
     basis = np.hstack([split.rigid, natural.shapes])
-    joined = _joined(_takers(system, basis, natural.omegas, devices, bodies))
-    if split.massless.shape[1] and len(joined) > 1:  # massless motions may join any of them
-        joined = [_together(joined)]
-    taken = [motion for one in joined for motion in one.motions]
-    still = _Takers(frozenset(), frozenset(), frozenset(range(basis.shape[1])).difference(taken))
-    found = []
-    for one in (*joined, still):
-        columns = sorted(one.motions)
+    joined = _coupled_groups(_couplings(system, basis, natural.omegas, devices, bodies))
+    if split.massless.shape[1] and len(joined) > 1:  # massless motions can couple any of the groups
+        joined = [_united(joined)]
+    coupled = [motion for group in joined for motion in group.motions]
+    unvaried = _Coupling(
+        frozenset(), frozenset(), frozenset(range(basis.shape[1])).difference(coupled)
+    )
+    groups = []
+    for group in (*joined, unvaried):
+        columns = sorted(group.motions)
         modes = [column - rigid for column in columns if column >= rigid]
         if modes:
             free = np.hstack([basis[:, columns], split.massless])
-            turning = split.rigid[:, [column for column in columns if column < rigid]]
-            own = split._replace(free=free, rigid=turning)
-            found.append(SeparateMotions(modes, own, one.devices, one.bodies))
-    return found
+            rigid_of_group = split.rigid[:, [column for column in columns if column < rigid]]
+            coordinates_of_group = split._replace(free=free, rigid=rigid_of_group)
+            groups.append(SeparateMotions(modes, coordinates_of_group, group.devices, group.bodies))
+    return groups
 
 
-class _Takers(NamedTuple):
-    """What varies, and the motions that it has a part in: rigid ones first, then modes."""
+class _Coupling(NamedTuple):
+    """Motions coupled by varied devices and bodies; rigid motions have the first numbers."""
 
     devices: frozenset[int]
     bodies: frozenset[int]
     motions: frozenset[int]
 
 
-def _takers(
+def _couplings(
     system: TorsionalSystem,
     basis: Floats,
     omegas: Floats,
     devices: Collection[int],
     bodies: Collection[int],
-) -> list[_Takers]:
-    """Each device and body that varies, by its part in the energy of each motion."""
+) -> list[_Coupling]:
     rigid = np.ones(basis.shape[1] - len(omegas))
     sizes = np.concatenate([rigid, np.where(omegas, omegas, 1.0)])
     twists = np.abs(weighted_twists(system) @ basis) / sizes
@@ -105,20 +107,22 @@ def _takers(
 
     nothing: frozenset[int] = frozenset()
     return [
-        *(_Takers(frozenset([place]), nothing, motions(twists[place])) for place in devices),
-        *(_Takers(nothing, frozenset([place]), motions(moved[place])) for place in bodies),
+        *(_Coupling(frozenset([place]), nothing, motions(twists[place])) for place in devices),
+        *(_Coupling(nothing, frozenset([place]), motions(moved[place])) for place in bodies),
     ]
 
 
-def _joined(takers: Sequence[_Takers]) -> list[_Takers]:
-    """Those together that have a motion in common."""
-    joined: list[_Takers] = []
-    for some in takers:
-        common = [one for one in joined if one.motions & some.motions]
-        joined = [*(one for one in joined if one not in common), _together([some, *common])]
+def _coupled_groups(couplings: Sequence[_Coupling]) -> list[_Coupling]:
+    """Unite couplings that have a motion in common."""
+    joined: list[_Coupling] = []
+    for coupling in couplings:
+        common = [group for group in joined if group.motions & coupling.motions]
+        joined = [*(group for group in joined if group not in common), _united([coupling, *common])]
     return joined
 
 
-def _together(takers: Sequence[_Takers]) -> _Takers:
-    devices, bodies, motions = (frozenset[int]().union(*some) for some in zip(*takers, strict=True))
-    return _Takers(devices, bodies, motions)
+def _united(couplings: Sequence[_Coupling]) -> _Coupling:
+    devices, bodies, motions = (
+        frozenset[int]().union(*sets) for sets in zip(*couplings, strict=True)
+    )
+    return _Coupling(devices, bodies, motions)

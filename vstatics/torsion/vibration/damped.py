@@ -1,4 +1,4 @@
-"""Damped vibration: the eigenvalues of ``M q'' + D q' + K q = 0`` besides those of rigid modes."""
+"""Damped vibration: the eigenvalues of ``M q'' + D q' + K q = 0``, except for rigid modes."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from vstatics.torsion.vibration.natural import NaturalModes
 
 
 class DampedModes(NamedTuple):
-    """The eigenvalues of a system, and which of them belong to each natural mode.
+    """Eigenvalues of a damped system, and the eigenvalues of each natural mode.
 
     Attributes
     ----------
     eigenvalues : ndarray
-        Those with an imaginary part of 0 or more, by modulus, then imaginary part. [1/s]
+        Eigenvalues with an imaginary part of 0 or more, by modulus, then imaginary part. [1/s]
     of_modes : ndarray, shape (modes, 2)
-        Of each natural mode those whose complex shapes are nearest to it in the mass norm: two
-        that are conjugate, or two real ones. [1/s]
+        Both eigenvalues of each natural mode, a conjugate pair or two real ones: the eigenvalues
+        whose complex shapes are nearest to the mode in the mass norm. [1/s]
     """
 
     eigenvalues: Complex
@@ -38,16 +38,16 @@ class DampedModes(NamedTuple):
 
     @property
     def frequencies(self) -> Floats:
-        """Damped circular frequencies of the natural modes, 0 where they creep [rad/s]."""
+        """Damped circular frequencies of the natural modes, 0 of an overdamped mode [rad/s]."""
         return np.asarray(self.of_modes[:, 0].imag)
 
 
 def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> DampedModes:
-    """The damped vibration of a system in which anything is damped.
+    """Calculate the eigenvalues of a damped system.
 
-    A loss factor is taken at each natural frequency as the viscous damping that is equal to it
-    there, ``c * loss_factor / omega``; then the eigenvalues are those of the natural modes, and of
-    rigid ones that converters resist.
+    A loss factor is replaced at each natural frequency by the equivalent viscous damping,
+    ``c * loss_factor / omega``. The eigenvalues then belong to the natural modes, and to rigid
+    modes that are resisted by converters.
 
     Examples
     --------
@@ -66,8 +66,8 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
     """
     pencil = pencil_of(system, split, modes)
     if not pencil.lost.any():
-        found = eigen_pairs(pencil, pencil.viscous)
-        return DampedModes(found.eigenvalues, found.values(range(len(modes.omegas))))
+        pairs = eigen_pairs(pencil, pencil.viscous)
+        return DampedModes(pairs.eigenvalues, pairs.values(range(len(modes.omegas))))
     of_modes = pairs_of_modes(pencil, modes.omegas)
     upper = np.concatenate([of_modes[:, 0], of_modes[of_modes[:, 1].imag == 0, 1]])
     if pencil.rigid:

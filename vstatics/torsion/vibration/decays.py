@@ -1,4 +1,4 @@
-"""Frequency and decrement of a free vibration that was recorded.
+"""Frequency and logarithmic decrement of a recorded free vibration.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendix 2, (П2.1), (П2.3).
 """
@@ -15,42 +15,43 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5
-"""Three of them are inner ones with amplitudes, of which two are a period apart."""
+"""Smallest number of extremes: amplitudes exist at the inner three, which span a period."""
 
 
 class Decay(NamedTuple):
-    """A free vibration."""
+    """Free vibration with linear damping."""
 
     omega: float
-    """[rad/s]"""
+    """Angular frequency. [rad/s]"""
     decrement: float
-    """Logarithmic. [-]"""
+    """Logarithmic decrement. [-]"""
     mean_line: tuple[float, ...]
-    """At the inner extremes, in the unit of the record."""
+    """Mean line at the inner extremes, in the unit of the record."""
     amplitudes: tuple[float, ...]
-    """Likewise, from the mean line."""
+    """Amplitudes at the inner extremes, measured from the mean line."""
 
 
 def decay(peaks: Sequence[float], period: float) -> Decay:
-    """The vibration of extremes that follow each other.
+    """Identify a free vibration from successive extremes, (П2.1).
 
-    The mean line is (M_k-1 + 2 M_k + M_k+1)/4: what is left of the vibration in it is one part of
-    all amplitudes, so the decrement is exact, also where the mean drifts evenly.
+    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. The part of the vibration that remains in the mean
+    line is the same fraction of all amplitudes, so the decrement is exact, also with a mean that
+    drifts linearly.
 
     Parameters
     ----------
     period : float
-        From an extreme to the next but one. [s]
+        Time from an extreme to the next but one. [s]
 
     Raises
     ------
     ValueError
-        If these are no extremes, too few of them, or they do not decay.
+        If the values are not extremes, are too few, or do not decay.
 
     Examples
     --------
-    >>> made = decay([160, -51.148655, 109.233977, -12.588199, 79.944530, 9.659249], 0.2)
-    >>> round(made.decrement, 6), [round(one, 3) for one in made.mean_line]
+    >>> vibration = decay([160, -51.148655, 109.233977, -12.588199, 79.944530, 9.659249], 0.2)
+    >>> round(vibration.decrement, 6), [round(mean, 3) for mean in vibration.mean_line]
     (0.55, [41.734, 38.683, 41.001, 39.24])
     """
     if len(peaks) < LEAST_EXTREMES:
@@ -58,8 +59,8 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
         raise ValueError(f"read {len(peaks)} extremes of a vibration, {expected}")
     values = np.array(peaks, dtype=float)
     with np.errstate(over="ignore"):
-        ways = np.sign(np.diff(values))
-    if not (ways[1:] * ways[:-1] < 0).all():
+        directions = np.sign(np.diff(values))
+    if not (directions[1:] * directions[:-1] < 0).all():
         raise ValueError("expected extremes that rise and fall in turn")
     with np.errstate(all="ignore"):
         mean_line = (values[:-2] + 2 * values[1:-1] + values[2:]) / 4
@@ -67,40 +68,46 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
         decrement = float(np.mean(np.log(amplitudes[:-2] / amplitudes[2:])))
     if not -UNDAMPED <= decrement < math.inf:
         raise ValueError(f"the decrement is {decrement:g}, expected extremes that decay")
-    made = tuple(mean_line.tolist()), tuple(amplitudes.tolist())
-    return Decay(2 * math.pi / period, max(decrement, 0.0), *made)
+    of_extremes = tuple(mean_line.tolist()), tuple(amplitudes.tolist())
+    return Decay(2 * math.pi / period, max(decrement, 0.0), *of_extremes)
 
 
 def recorded_decay(times: Floats, values: Floats) -> Decay:
-    """The vibration of a record; an extreme is that of the parabola through three samples.
+    """Identify a free vibration from samples.
+
+    Each extreme is the vertex of the parabola through three samples.
 
     Parameters
     ----------
     times : ndarray
-        Which rise. [s]
+        Ascending times of the samples. [s]
     values : ndarray
-        In any unit.
+        Samples, in any unit.
 
     Raises
     ------
     ValueError
-        As `decay`.
+        If the record has too few extremes, or they do not decay.
 
     Examples
     --------
     >>> times = np.linspace(0, 1, 1001)
-    >>> made = recorded_decay(times, 5 + np.exp(-times) * np.cos(20 * times))
-    >>> round(made.omega, 3), round(made.decrement / (math.pi / 10), 3)
+    >>> vibration = recorded_decay(times, 5 + np.exp(-times) * np.cos(20 * times))
+    >>> round(vibration.omega, 3), round(vibration.decrement / (math.pi / 10), 3)
     (20.0, 1.0)
     """
-    ways = np.diff(values)
-    moving = np.flatnonzero(ways)
-    turns = np.flatnonzero(np.sign(ways[moving[1:]]) != np.sign(ways[moving[:-1]]))
-    at = moving[turns] + 1
-    first, middle, last = times[at - 1], times[at], times[at + 1]
-    slope = ways[at - 1] / (middle - first)
-    bend = (ways[at] / (last - middle) - slope) / (last - first)
-    top = (first + middle) / 2 - slope / (2 * bend)
-    peaks = values[at - 1] + (top - first) * (slope + bend * (top - middle))
-    period = 2 * float(np.mean(np.diff(top))) if len(top) > 1 else math.nan
+    differences = np.diff(values)
+    moving = np.flatnonzero(differences)
+    reversals = np.flatnonzero(
+        np.sign(differences[moving[1:]]) != np.sign(differences[moving[:-1]])
+    )
+    middle_places = moving[reversals] + 1
+    first, middle, last = times[middle_places - 1], times[middle_places], times[middle_places + 1]
+    slope = differences[middle_places - 1] / (middle - first)
+    curvature = (differences[middle_places] / (last - middle) - slope) / (last - first)
+    vertex_times = (first + middle) / 2 - slope / (2 * curvature)
+    peaks = values[middle_places - 1] + (vertex_times - first) * (
+        slope + curvature * (vertex_times - middle)
+    )
+    period = 2 * float(np.mean(np.diff(vertex_times))) if len(vertex_times) > 1 else math.nan
     return decay(peaks.tolist(), period)

@@ -1,10 +1,11 @@
-"""Dampings from logarithmic decrements, compliances from a measured frequency.
+"""Dampings from logarithmic decrements, and compliances from a measured frequency.
 
-The decrement of a mode is that of its devices by their shares of the elastic energy, which are
-those of `modes`; in a chain of springs with no inertia between them, ``E_i/E``.
+The decrement of a mode is the sum of the decrements of its devices, each weighted by the share of
+the device in the elastic energy of the mode; in a chain of springs without inertia between them the
+share is ``E_i/E``.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
-equations are those of the book.
+equations refer to the book.
 """
 
 from __future__ import annotations
@@ -13,18 +14,18 @@ import math
 from collections.abc import Mapping
 
 ByDevice = Mapping[str, float]
-"""A number of each elastic device, by its name."""
+"""Number for each elastic device, by name."""
 
 
 def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict[str, float]:
-    """Compliances with which a frequency is what was measured, (П2.2).
+    """Scale compliances so that a calculated frequency equals the measured frequency, (П2.2).
 
     Parameters
     ----------
     compliances : mapping
-        [rad/(N*m)]
+        Compliances with which the frequency was calculated. [rad/(N*m)]
     calculated, measured : float
-        Angular frequency of one mode. [rad/s]
+        Angular frequency of a mode. [rad/s]
 
     Examples
     --------
@@ -37,24 +38,24 @@ def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict
 
 
 def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """Dampings that give devices their decrements at one angular frequency, (П1.19).
+    """Return the dampings of devices with given decrements at an angular frequency, (П1.19).
 
-    Measured decrements change little with frequency; it is ``damping * omega`` that is the
-    property of a device, so a damping holds near this frequency only.
+    Measured decrements change little with frequency: the product ``damping * omega`` is the
+    property of a device, so a damping is valid only near this frequency.
 
     Parameters
     ----------
     decrements : mapping
-        Of the devices that have one. [-]
+        Decrements of devices. [-]
     compliances : mapping
-        Of all these devices. [rad/(N*m)]
+        Compliances of at least these devices. [rad/(N*m)]
     omega : float
-        [rad/s]
+        Angular frequency. [rad/s]
 
     Returns
     -------
     dict
-        [N*m*s/rad]
+        Dampings of the devices. [N*m*s/rad]
 
     Examples
     --------
@@ -70,45 +71,47 @@ def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[
 
 
 def decrements(dampings: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """The decrements of devices at an angular frequency: `dampings` the other way.
+    """Return the decrements of devices with given dampings: the inverse of `dampings`.
 
     >>> decrements(dampings({"shaft": 0.03}, {"shaft": 1e-3}, 80.0), {"shaft": 1e-3}, 80.0)
     {'shaft': 0.03}
     """
-    return {name: math.pi * compliances[name] * omega * one for name, one in dampings.items()}
+    return {
+        name: math.pi * compliances[name] * omega * damping for name, damping in dampings.items()
+    }
 
 
 def decrement(decrements: ByDevice, shares: ByDevice) -> float:
-    """The decrement of a mode, (П1.20), (П1.21).
+    """Return the decrement of a mode from the decrements of devices, (П1.20), (П1.21).
 
     Parameters
     ----------
     decrements : mapping
-        Of the devices that have one. [-]
+        Decrements of devices. [-]
     shares : mapping
-        Of all these devices, in the elastic energy of the mode. [-]
+        Shares of at least these devices in the elastic energy of the mode. [-]
 
     Examples
     --------
     >>> decrement({"shaft": 0.5, "damper": 0.25}, {"shaft": 0.25, "damper": 0.5, "tyre": 0.25})
     0.25
     """
-    return math.fsum(one * shares[name] for name, one in decrements.items())
+    return math.fsum(value * shares[name] for name, value in decrements.items())
 
 
 def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float]:
-    """The decrements of devices that stand in given ratios and give a mode its own.
+    """Divide the decrement of a mode between devices whose decrements have given ratios.
 
-    Lines 2 to 4 of table П1.4, from (П1.20).
+    The method is from (П1.20) and lines 2 to 4 of table П1.4.
 
     Parameters
     ----------
     total : float
         Decrement of the mode. [-]
     shares : mapping
-        Of the devices in its elastic energy. [-]
+        Shares of the devices in the elastic energy of the mode. [-]
     ratios : mapping
-        Decrements of the devices to one another. [-]
+        Decrements of the devices relative to each other. [-]
 
     Examples
     --------
@@ -120,17 +123,18 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
 
 
 def moved(damping: float, compliance: float, to: float) -> float:
-    """A damping beside one compliance as one beside another in series with it, (П1.27).
+    """Convert a damping from a compliance to another compliance in series, (П1.27).
 
-    What it takes from the same swing of the torque stays the same. So a part of a shaft gets
-    the damping of the whole one, or a chain that of its parts, of which one takes the sum.
+    The energy dissipated in a cycle of the torque remains unchanged. The damping of a whole shaft
+    can thus be assigned to a part of the shaft, and the dampings of the parts of a chain, after
+    their conversion, add up to the damping of the chain.
 
     Parameters
     ----------
     damping : float
-        [N*m*s/rad]
+        Damping in parallel with `compliance`. [N*m*s/rad]
     compliance, to : float
-        What it stands beside, and is to stand beside. [rad/(N*m)]
+        Compliances in parallel with the damping before and after the conversion. [rad/(N*m)]
 
     Examples
     --------
@@ -141,16 +145,16 @@ def moved(damping: float, compliance: float, to: float) -> float:
 
 
 def dry_friction(friction: float, stop: float, compliance: float) -> float:
-    """Damping by angular frequency of a clutch damper with dry friction, (П1.26).
+    """Return the equivalent ``damping * omega`` of a clutch damper with dry friction, (П1.26).
 
-    It takes as much from a cycle as dry friction does, in one that just reaches the stop.
+    It dissipates the energy of the dry friction in a cycle that just reaches the stop.
 
     Parameters
     ----------
     friction, stop : float
         Torques of the friction and of the stop. [N*m]
     compliance : float
-        Of the damper. [rad/(N*m)]
+        Compliance of the damper. [rad/(N*m)]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The eigenvalues and shapes of damped vibration, by natural modes."""
+"""Eigenvalues and complex shapes of damped vibration, in coordinates of the natural modes."""
 
 from __future__ import annotations
 
@@ -19,19 +19,22 @@ from vstatics.torsion.vibration.refined import Pencils
 
 
 class Pencil(NamedTuple):
-    """``M q'' + D q' + K q`` by natural modes, in which M is 1, and massless motions that creep.
+    """Matrices of ``M q'' + D q' + K q = 0``, with M = 1, in modal coordinates.
 
-    Behind the natural modes stand the rigid ones if converters resist, whose D is not symmetric.
+    The coordinates are the natural modes, then rigid modes if converters resist them (D is then not
+    symmetric), then massless motions that are damped.
+
 
     Attributes
     ----------
     stiffness, viscous, lost : ndarray, shape (coordinates, coordinates)
         ``K``, and ``D`` at omega is ``viscous + lost/omega``.
     modes : int
-        How many of the coordinates are natural modes, the first ones.
+        Number of natural modes, the first coordinates.
     rigid : int
-        How many rigid modes are behind them, of modal mass 1, too.
+        Number of rigid modes, the next coordinates, also with a modal mass of 1.
     symmetric : bool
+        Whether D is symmetric.
     """
 
     stiffness: Floats
@@ -43,18 +46,18 @@ class Pencil(NamedTuple):
 
     @property
     def massive(self) -> int:
-        """How many of the coordinates have a mass."""
+        """Number of coordinates that have a mass."""
         return self.modes + self.rigid
 
     def at(self, omegas: Floats) -> Pencils:
-        """With the ``D`` of each frequency."""
+        """Return the matrices at several frequencies, each with the ``D`` of the frequency."""
         masses = (np.arange(len(self.stiffness)) < self.massive).astype(float)
         return Pencils(masses, self.stiffness, self.viscous + self.lost / omegas[:, None, None])
 
     def resistance_of_all(self, omegas: Floats) -> Floats:
-        """``D`` for all modes: what couples two of them is lost by the mean of their frequencies.
+        """Return a common ``D`` for all modes, with mean frequencies in the coupling of two modes.
 
-        Massless motions that creep have the mean of all.
+        The frequency of a massless motion is the geometric mean of all natural frequencies.
         """
         logarithms = np.log(omegas) / 2
         creeping = np.full(len(self.stiffness) - self.modes, logarithms.mean())
@@ -62,7 +65,10 @@ class Pencil(NamedTuple):
         return np.asarray(self.viscous + self.lost / np.outer(roots, roots))
 
     def lengths(self, shapes: Complex, values: Complex) -> Floats:
-        """Of shapes by columns, 1 of a natural mode: all energy as if it were that of masses."""
+        """Return the lengths of complex shapes (columns); a natural mode has a length of 1.
+
+        The elastic energy of massless motions counts like the energy of masses.
+        """
         swinging, creeping = shapes[: self.massive], shapes[self.massive :]
         stiff = self.stiffness[self.massive :, self.massive :]
         elastic = (creeping.conjugate() * (stiff @ creeping)).real.sum(axis=0)
@@ -73,10 +79,10 @@ class Pencil(NamedTuple):
 
 
 def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> Pencil:
-    """The matrices of a system, by its natural modes."""
+    """Build the matrices of a system in coordinates of the natural modes."""
     dampings = [device.damping for device in system.elastic]
-    viscous = np.array([one.viscous for one in dampings])
-    lost = np.array([one.loss_factor for one in dampings]) * system.rates
+    viscous = np.array([damping.viscous for damping in dampings])
+    lost = np.array([damping.loss_factor for damping in dampings]) * system.rates
     stiff = weighted_twists(system)
     slipping = system.slip_resistance
     damped = resisting_rows(system)
@@ -93,7 +99,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
 
 
 def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Rigid motions of modal mass 1, orthogonal to each other."""
+    """Return orthogonal rigid motions of modal mass 1."""
     if not split.rigid.size:
         return split.rigid
     _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
@@ -102,104 +108,114 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def resisting_rows(system: TorsionalSystem) -> Floats:
-    """What dampers and converters resist of the motions of links, by the roots of resistances."""
+    """Return the resisted motions of links, weighted by the roots of resistances.
+
+    Resistances are those of dampers and converters.
+    """
     dampings = [device.damping for device in system.elastic]
-    lost = system.rates * np.array([one.loss_factor for one in dampings])
-    sizes = np.array([one.viscous for one in dampings]) + lost
+    lost = system.rates * np.array([damping.loss_factor for damping in dampings])
+    resistances = np.array([damping.viscous for damping in dampings]) + lost
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]
-    rows: Floats = np.vstack([np.sqrt(sizes)[:, None] * system.twists, system.damper_rows, slips])
+    rows: Floats = np.vstack(
+        [np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips]
+    )
     return rows
 
 
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
-    """Massless motions that a damper resists, each apart from the others in D, and the rest.
+    """Split the massless motions into damped motions, uncoupled in D, and undamped motions.
 
-    The natural modes have massless motions in elastic balance; what is damped of them leaves it.
-    The undamped rest follows in elastic balance.
+    Massless motions are in elastic equilibrium in the natural modes. Damped ones depart from this
+    equilibrium; undamped ones follow them in equilibrium.
+
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
     rates = damped @ split.massless
     _, sizes, directions = linalg.svd(rates, full_matrices=True)
     rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
-    moved = split.massless @ directions[:rank].T
-    quiet = split.massless @ directions[rank:].T
-    if not (quiet.shape[1] and moved.shape[1]):
-        return moved, quiet
-    following, *_ = linalg.lstsq(stiff @ quiet, stiff @ moved)
-    slow: Floats = moved - quiet @ following
-    return slow, quiet
+    damped_motions = split.massless @ directions[:rank].T
+    undamped_motions = split.massless @ directions[rank:].T
+    if not (undamped_motions.shape[1] and damped_motions.shape[1]):
+        return damped_motions, undamped_motions
+    following, *_ = linalg.lstsq(stiff @ undamped_motions, stiff @ damped_motions)
+    slow: Floats = damped_motions - undamped_motions @ following
+    return slow, undamped_motions
 
 
 class EigenPairs(NamedTuple):
-    """Eigenvalues, and the shape of each."""
+    """Eigenvalues of damped vibration, and the complex shape of each."""
 
     eigenvalues: Complex
-    """By modulus, those with an imaginary part of 0 or more. [1/s]"""
+    """Eigenvalues with an imaginary part of 0 or more, by modulus. [1/s]"""
     shapes: Complex
-    """Shape (coordinates, eigenvalues): natural modes have a length of 1."""
+    """Complex shapes, shape (coordinates, eigenvalues); natural modes have a length of 1."""
 
     def of_mode(self, mode: int) -> tuple[int, int]:
-        """Which have the largest parts in a natural mode: one that swings, twice, or two real."""
+        """Return the places of the eigenvalues with the largest parts in a natural mode.
+
+        The places are equal for a complex eigenvalue, and those of two real eigenvalues for an
+        overdamped mode.
+        """
         parts, swings = np.abs(self.shapes[mode]), self.eigenvalues.imag > 0
         first = _largest(parts, swings)
         if swings[first]:
             return first, first
         parts[first] = -np.inf
         second = _largest(np.where(swings, -np.inf, parts), swings)
-        if parts[second] < 0 or swings[second]:  # it creeps alone: of a massless motion
+        if parts[second] < 0 or swings[second]:  # the only real one: of a massless motion
             swinging = _largest(parts, swings)
             return swinging, swinging
         return min(first, second), max(first, second)
 
     def of_no_mode(self, modes: int) -> Complex:
-        """Those that belong to none of the natural modes."""
+        """Return the eigenvalues outside the natural modes."""
         taken = {place for mode in range(modes) for place in self.of_mode(mode)}
         return self.eigenvalues[[n for n in range(len(self.eigenvalues)) if n not in taken]]
 
     def values(self, modes: Iterable[int]) -> Complex:
-        """Both of natural modes, of shape (modes, 2)."""
+        """Return both eigenvalues of natural modes, shape (modes, 2)."""
         places = np.array([self.of_mode(mode) for mode in modes], int).reshape(-1, 2)
-        found = self.eigenvalues[places]
-        return np.column_stack([found[:, 0], found[:, 1].conjugate()])
+        values = self.eigenvalues[places]
+        return np.column_stack([values[:, 0], values[:, 1].conjugate()])
 
 
 def _largest(parts: Floats, swings: Booleans) -> int:
-    """The largest part; at a tie one that swings, else the first."""
+    """Return the place of the largest part; in a tie a complex eigenvalue precedes."""
     ties = np.flatnonzero(parts >= parts.max() * (1 - SAME_MODULUS))
     return int(ties[np.argmax(swings[ties])])
 
 
 def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
-    """Of a state of modal coordinates, their speeds, and massless motions that are damped.
+    """Calculate the eigenpairs of the state: modal coordinates, speeds and massless motions.
 
-    Of rigid motions the speeds alone are in it. Those that keep their speed are left out.
+    Rigid motions appear in the state with their speeds only; rigid motions without resistance
+    are left out.
 
-    A massless motion y that is damped follows by its own rate:
+    A damped massless motion y has an equation of the first order,
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
 
     Raises
     ------
     CaseError
-        Of numbers that have no eigenvalues in floats.
+        If the orders of magnitude of the numbers exceed the range of floats.
     """
-    state = _state(pencil, _finite(pencil.stiffness), _finite(resistance))
-    values, vectors = linalg.eig(_finite(state))
+    state = _state(pencil, _require_finite(pencil.stiffness), _require_finite(resistance))
+    values, vectors = linalg.eig(_require_finite(state))
     values = settled(values) if pencil.symmetric else _real_if_close(values)
-    kept = np.argsort(np.abs(values), kind="stable")[_steady(pencil, resistance) :]
-    kept = np.sort(kept[values[kept].imag >= 0])
-    values, vectors = values[kept], vectors[:, kept].astype(np.complex128)
+    places = np.argsort(np.abs(values), kind="stable")[_count_unresisted(pencil, resistance) :]
+    places = np.sort(places[values[places].imag >= 0])
+    values, vectors = values[places], vectors[:, places].astype(np.complex128)
     first, last = pencil.modes, len(vectors) - pencil.massive
-    turning = vectors[last + pencil.modes :] / values
+    rigid_parts = vectors[last + pencil.modes :] / values
     order = order_of(values)
-    shapes: Complex = np.vstack([vectors[:first], turning, vectors[first:last]])[:, order]
+    shapes: Complex = np.vstack([vectors[:first], rigid_parts, vectors[first:last]])[:, order]
     return EigenPairs(values[order], shapes / pencil.lengths(shapes, values[order]))
 
 
-def _steady(pencil: Pencil, resistance: Floats) -> int:
-    """How many rigid motions keep their speed, as no converter resists them."""
+def _count_unresisted(pencil: Pencil, resistance: Floats) -> int:
     if not pencil.rigid:
         return 0
     rigid = slice(pencil.modes, pencil.massive)
@@ -207,8 +223,7 @@ def _steady(pencil: Pencil, resistance: Floats) -> int:
     return int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
 
 
-def _finite(matrix: Floats) -> Floats:
-    """A matrix, of which all are numbers."""
+def _require_finite(matrix: Floats) -> Floats:
     if not np.isfinite(matrix).all():
         message = (
             "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
@@ -219,7 +234,7 @@ def _finite(matrix: Floats) -> Floats:
 
 
 def settled(values: Complex) -> Complex:
-    """Eigenvalues without rounding: nothing here feeds a vibration, and some are real."""
+    """Remove rounding errors: no eigenvalue has a positive real part here, and some are real."""
     return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
 
 
@@ -228,7 +243,7 @@ def _real_if_close(values: Complex) -> Complex:
 
 
 def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
-    """The matrix of ``x' = A x`` for the state of modal coordinates, massless ones, speeds."""
+    """Build the matrix A of ``x' = A x``, with x = modal coordinates, massless motions, speeds."""
     size, count = len(stiffness), pencil.massive
     fast, slow = slice(0, count), slice(count, size)
     matrix = np.zeros((size + count, size + count))
@@ -240,30 +255,33 @@ def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
     matrix[speeds, :size] = -stiffness[fast, :]
     matrix[speeds, speeds] = -resistance[fast, fast]
     matrix[speeds, :] -= resistance[fast, slow] @ matrix[slow, :]
-    kept = np.r_[0 : pencil.modes, count : size + count]
-    state: Floats = matrix[np.ix_(kept, kept)]
+    places = np.r_[0 : pencil.modes, count : size + count]
+    state: Floats = matrix[np.ix_(places, places)]
     return state
 
 
-def _rates(own: Floats, right: Floats, *, symmetric: bool) -> Floats:
-    """What solves ``own x = right``, for dampings that may differ by many powers of ten."""
-    sizes = np.diag(own) if symmetric else np.abs(own).max(axis=1)
+def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
+    """Solve ``resistance x = right``, with dampings that can differ by many orders of magnitude."""
+    sizes = np.diag(resistance) if symmetric else np.abs(resistance).max(axis=1)
     scale = 1 / np.sqrt(sizes)[:, None]
-    scaled = own * scale * scale.T
+    scaled = resistance * scale * scale.T
     if not symmetric and np.linalg.cond(scaled) * REAL_EIGENVALUE > 1:
         message = (
             "a pump or turbine has no inertia, and the torque of its converter does not depend on "
             "its speed: give its link an inertia"
         )
         raise CaseError("E526", message, ("inertias",))
-    solved: Floats = scale * linalg.solve(
+    rates: Floats = scale * linalg.solve(
         scaled, scale * right, assume_a="pos" if symmetric else "gen"
     )
-    return solved
+    return rates
 
 
 def order_of(values: Complex) -> NDArray[np.intp]:
-    """By modulus, then imaginary part; moduli that differ by rounding are one."""
+    """Order eigenvalues by modulus, then imaginary part.
+
+    Moduli that differ by rounding count as equal.
+    """
     moduli = np.abs(values)
     order = np.argsort(moduli, kind="stable")
     rank = np.empty(len(values))

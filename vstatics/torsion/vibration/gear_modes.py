@@ -1,4 +1,4 @@
-"""The modes of a gear by names of links and devices, with shares of energy and their nodes."""
+"""Natural modes of a gear by names of links and devices, with energy shares and nodes."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ from vstatics.torsion.vibration.nodes import count_nodes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
 
 Named = Mapping[str, float]
-"""By the name of a link or a device; NaN where there is no value."""
+"""Values by the name of a link or device; NaN where undetermined."""
 SOME_LINKS, SOME_MODES = 50, 20
-"""Of a case with more links so many modes are told, if nobody says how many."""
+"""Largest number of links with all modes by default, and number of modes above it."""
 
 
 class Sensitivity(NamedTuple):
-    """Relative change of a frequency per relative change of each number [-]."""
+    """Relative change of a frequency per relative change of each stiffness and inertia [-]."""
 
     stiffness: Named
     inertia: Named
@@ -48,24 +48,24 @@ class Sensitivity(NamedTuple):
     *("nodes", "shape", "torques", "kinetic", "elastic", "sensitivity"),
 )
 class Mode(NamedTuple):
-    """A natural mode that is not rigid.
+    """Natural mode that is not rigid.
 
     Attributes
     ----------
     omega : float
-        Without damping. [rad/s]
+        Angular natural frequency without damping. [rad/s]
     damping_ratio : float
-        [-]
+        Damping ratio. [-]
     damped_frequency : float
-        [Hz]
+        Frequency with damping. [Hz]
     shape : mapping
-        Amplitudes of the case's own links, the largest is +1. [rad]
+        Amplitudes of the links of the case, with +1 for the largest. [rad]
     torques : mapping
-        Of devices, at that amplitude, signs as in the results of a gear. [N*m]
+        Torques of devices at these amplitudes, signs as in the results of a gear. [N*m]
     kinetic, elastic : mapping
-        Shares of the bodies and of the elastic devices in the energy. [-]
+        Shares of the bodies in the kinetic energy and of the devices in the elastic energy. [-]
     nodes : int
-        Places that stand still: within elastic devices, and links between them.
+        Number of places at rest: within elastic devices, and links between them.
     """
 
     omega: float
@@ -79,7 +79,7 @@ class Mode(NamedTuple):
 
     @property
     def frequency(self) -> float:
-        """Without damping [Hz]."""
+        """Natural frequency without damping [Hz]."""
         return self.omega / (2 * math.pi)
 
     @property
@@ -94,31 +94,33 @@ class Mode(NamedTuple):
 
     @property
     def sensitivity(self) -> Sensitivity:
-        """Of the frequency."""
+        """Sensitivity of the frequency to stiffnesses and inertias."""
         return Sensitivity(self.by_stiffness, self.by_inertia)
 
 
 class GearModes(NamedTuple):
-    """The modes of a gear.
+    """Modes of a gear.
 
     Attributes
     ----------
     name : str
-        Of the gear.
+        Name of the gear.
     rigid_modes : int
-        Motions that twist nothing.
+        Number of motions without elastic twist.
     modes : sequence of Mode
-        By ascending frequency.
+        Modes with elastic twist, by ascending frequency.
     damped : sequence of complex
-        All eigenvalues with an imaginary part of 0 or more, without those of rigid modes; none
-        where nothing is damped. [1/s]
+        Eigenvalues with an imaginary part of 0 or more, except for rigid modes; empty for a
+        system without damping. [1/s]
     warnings : sequence of str
+        Warnings about the model.
     error : str
-        Why the gear has no modes.
+        Reason why the gear has no modes.
     slopes : mapping of str to float
-        Of springs with points, under the load; 0 of one that is open. [N*m/rad]
+        Stiffnesses of springs with points, under the load; 0 of a disengaged spring. [N*m/rad]
     converters : mapping of str to WorkingConverter
-        About their working points; in `modes` they are open, in `damped` they resist.
+        Converters at their working points. They transmit nothing in `modes`, and resist in
+        `damped`.
     """
 
     name: str
@@ -131,17 +133,17 @@ class GearModes(NamedTuple):
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
     def __repr__(self) -> str:
-        """Of which gear, how many; not all their numbers."""
+        """Return the name of the gear and the numbers of modes."""
         counts = f"{self.rigid_modes} rigid, {len(self.modes)} elastic"
         return f"<GearModes {self.name!r}: {self.error or counts}>"
 
     def _repr_html_(self) -> str:
-        """All tables of the gear, for a notebook."""
+        """Return all tables of the gear, for a notebook."""
         return shown(higher("modes_grids")([self]))
 
 
 class CaseModes(list[GearModes]):
-    """The modes of gears, in their order; a notebook shows their frequencies."""
+    """Modes of several gears; a notebook shows the frequencies."""
 
     def _repr_html_(self) -> str:
         return shown(higher("overview_grids")(self))
@@ -156,39 +158,39 @@ def modes(
     coast: bool | None = None,
     speed_ratios: Ratios = MappingProxyType({}),
 ) -> CaseModes:
-    """The natural modes of the gears of a case.
+    """Calculate the natural modes of the gears of a case.
 
-    Given speeds hold mean speeds, no vibrations; losses and drag are left out.
+    Given speeds fix mean speeds but no vibration; losses and drag are neglected.
 
     Parameters
     ----------
     case : Transmission
-        With `inertias` and what is elastic.
+        Case with `inertias` and elastic devices.
     gears : sequence of int or str, optional
         Numbers from 1 or names; all gears when not given.
     count : int, optional
-        The first so many modes that are not rigid; all when not given, of a case with more than
-        50 links the first 20.
+        Number of modes to return, from the lowest frequency, without rigid modes. By default all,
+        or 20 for a case with more than 50 links.
     coast : bool, optional
-        Whether power enters at the output, on which freewheels depend; else as the case says.
+        Whether power enters at the output, which decides on freewheels. By default as in the case.
     speed_ratios : mapping of str to float, optional
-        Of converters, in place of those of the gears. [-]
+        Speed ratios of converters, instead of those of the gears. [-]
 
     Returns
     -------
     CaseModes
-        A list, with frequencies [rad/s], shapes, torques and shares of energy of each gear.
+        List of the modes of each gear: frequencies [rad/s], shapes, torques and energy shares.
 
     Raises
     ------
     ValueError
-        If there is no such gear or converter.
+        If a gear or converter does not exist.
     CaseError
-        If nothing has an inertia, or numbers are too far apart for floats.
+        If nothing has an inertia, or the orders of magnitude of numbers exceed the range of floats.
 
     Examples
     --------
-    An engine of 0.1 kg*m^2 on a shaft of 9000 N*m/rad, a gear pair of ratio -3 behind it:
+    An engine of 0.1 kg*m^2 drives a gear pair of ratio -3 through a shaft of 9000 N*m/rad:
 
     >>> from vstatics import Mechanism, Spring, Transmission
     >>> case = Transmission(
@@ -208,9 +210,9 @@ def modes(
     case = case.with_coast(coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES
-    with np.errstate(all="ignore"):  # what is no number is told where it matters
-        found = (working_gear(case, gear, speed_ratios) for gear in asked)
-        return CaseModes(_gear_modes(one, count) for one in found)
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported where they matter
+        gears_at_work = (working_gear(case, gear, speed_ratios) for gear in asked)
+        return CaseModes(_gear_modes(working, count) for working in gears_at_work)
 
 
 def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
@@ -231,15 +233,15 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
     if damped and len(natural.omegas) < split.modes:
         part = f"the first {len(natural.omegas)} of {split.modes} modes"
         warnings.append(f"the damped vibration is calculated from {part} alone")
-    told = NaturalModes(natural.omegas[:count], natural.shapes[:, :count])
+    lowest = NaturalModes(natural.omegas[:count], natural.shapes[:, :count])
     return GearModes(
         gear.name,
         split.rigid.shape[1],
-        list(_named(case, system, split, held, told, damped)),
-        [] if damped is None else [complex(one) for one in damped.eigenvalues],
+        list(_named(case, system, split, held, lowest, damped)),
+        [] if damped is None else [complex(value) for value in damped.eigenvalues],
         warnings,
-        slopes={one.name: one.slope for one in spring_slopes(case, gear)},
-        converters={one.name: one for one in converters},
+        slopes={spring.name: spring.slope for spring in spring_slopes(case, gear)},
+        converters={converter.name: converter for converter in converters},
     )
 
 
@@ -251,22 +253,23 @@ def _named(  # noqa: PLR0913, PLR0917
     natural: NaturalModes,
     damped: DampedModes | None,
 ) -> Iterator[Mode]:
-    """The modes by names, each with its largest amplitude 1."""
+    """Yield the modes by names, each with a largest amplitude of 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.own])
-    found = torques(system, held, shapes, natural.omegas)
-    by_device = own_torques(case, system, found, shapes * natural.omegas**2)
-    kinetic = _shares(shapes, [(one.name, one.inertia, one.form) for one in system.bodies])
-    elastic = _shares(shapes, [(one.name, one.rate, one.twist) for one in system.elastic])
+    link_torques = torques(system, held, shapes, natural.omegas)
+    by_device = own_torques(case, system, link_torques, shapes * natural.omegas**2)
+    kinetic = _shares(shapes, [(body.name, body.inertia, body.form) for body in system.bodies])
+    springs = [(device.name, device.rate, device.twist) for device in system.elastic]
+    elastic = _shares(shapes, springs)
     nodes = count_nodes(system, split, shapes)
     shapes[split.undetermined] = math.nan
     links = system.names[: system.own]
     ratios = np.zeros_like(natural.omegas) if damped is None else damped.ratios
-    swings = natural.omegas if damped is None else damped.frequencies
+    damped_omegas = natural.omegas if damped is None else damped.frequencies
     for index, omega in enumerate(natural.omegas.tolist()):
         yield Mode(
             omega=omega,
             damping_ratio=float(ratios[index]),
-            damped_frequency=float(swings[index]) / (2 * math.pi),
+            damped_frequency=float(damped_omegas[index]) / (2 * math.pi),
             shape=_of_mode(dict(zip(links, shapes, strict=False)), index),
             torques=_of_mode(by_device, index),
             kinetic=_of_mode(kinetic, index),
@@ -276,7 +279,7 @@ def _named(  # noqa: PLR0913, PLR0917
 
 
 def _largest(amplitudes: Floats) -> Floats:
-    """In each mode the largest amplitude, with its sign; at a tie the first."""
+    """Return the signed largest amplitude of each mode; the first in a tie."""
     sizes = np.abs(amplitudes)
     first = np.argmax(sizes >= sizes.max(axis=0) * (1 - TIE), axis=0)
     largest = amplitudes[first, np.arange(amplitudes.shape[1])]
@@ -284,7 +287,6 @@ def _largest(amplitudes: Floats) -> Floats:
 
 
 def _shares(shapes: Floats, parts: Sequence[tuple[str, float, Form]]) -> dict[str, Floats]:
-    """Parts of the energy by name; a name may stand for several parts."""
     energies = [size * form_values(form, shapes) ** 2 for _, size, form in parts]
     total = np.sum(energies, axis=0)
     shares: dict[str, Floats] = {}

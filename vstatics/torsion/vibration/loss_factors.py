@@ -1,8 +1,9 @@
-"""Eigenvalues with loss factors: each natural mode has the damping that is equal at its frequency.
+"""Eigenvalues of systems with loss factors, each mode with its equivalent viscous damping.
 
-So each mode has a D of its own. All are found at once with one D that is near to those of all; what
-has a part in a mode is then corrected for the D of the mode (`refined`). Where that does not tell
-for certain which eigenvalue has the largest part the mode is solved by itself.
+Each mode therefore has a matrix D of its own frequency. All modes are first solved with one common
+D that is close to all of these matrices; the candidates of each mode are then corrected for the D
+of the mode (`refined`). Where the eigenvalue with the largest part in a mode remains uncertain, the
+mode is solved separately.
 """
 
 from __future__ import annotations
@@ -18,53 +19,54 @@ from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pai
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined
 
 LIGHTLY_DAMPED = 0.3
-"""Up to this damping ratio squares of parts in a mode add up to 1, nearly. [-]"""
+"""Largest damping ratio at which the squares of parts in a mode still nearly add up to 1. [-]"""
 REST = 0.5
-"""What is left of that sum, by the largest square, is of none that is larger. [-]"""
+"""Largest remainder of the sum, relative to the largest square, without a larger square. [-]"""
 SAME_SHAPE = 0.9999
-"""The part of a shape that is all but that of a mode which is damped more. [-]"""
+"""Smallest part in a heavily damped mode that identifies the shape with the mode. [-]"""
 MOST_CANDIDATES = 5
-"""For a mode."""
+"""Largest number of candidate eigenvalues for a mode."""
 
 
 def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
-    """Both eigenvalues of each natural mode, of shape (modes, 2)."""
+    """Calculate both eigenvalues of each natural mode, shape (modes, 2)."""
     if not len(omegas):
         return np.zeros((0, 2), np.complex128)
     pairs = np.full((len(omegas), 2), np.nan, np.complex128)
-    if pencil.symmetric:  # as what is corrected takes for granted
-        found = eigen_pairs(pencil, pencil.resistance_of_all(omegas))
+    if pencil.symmetric:  # `refined` presupposes symmetric matrices
+        common = eigen_pairs(pencil, pencil.resistance_of_all(omegas))
         pieces = math.ceil(len(omegas) * len(pencil.stiffness) ** 2 / STACKED_NUMBERS)
         parts = np.array_split(np.arange(len(omegas)), pieces)
-        pairs = np.concatenate([_corrected(pencil, omegas[one], one, found) for one in parts])
+        pairs = np.concatenate([_corrected(pencil, omegas[part], part, common) for part in parts])
     for mode in np.flatnonzero(np.isnan(pairs[:, 0])).tolist():
-        own = eigen_pairs(pencil, pencil.viscous + pencil.lost / omegas[mode])
-        pairs[mode] = own.values([mode])
+        of_mode = eigen_pairs(pencil, pencil.viscous + pencil.lost / omegas[mode])
+        pairs[mode] = of_mode.values([mode])
     return pairs
 
 
-def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, found: EigenPairs) -> Complex:
-    """Those of some modes with the D of each; NaN where not certain."""
+def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
+    """Calculate the eigenvalues of some modes with the D of each; NaN where uncertain."""
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
-    asked = [
-        _candidates(found, mode) if lightly else found.of_mode(mode)[:1]
+    candidates_of_modes = [
+        _candidates(common, mode) if lightly else common.of_mode(mode)[:1]
         for mode, lightly in zip(modes.tolist(), light, strict=True)
     ]
-    rows = np.repeat(np.arange(len(modes)), [*map(len, asked)])
-    starts = found.shapes[:, [start for one in asked for start in one]].T
-    near = refined(pencils.of(rows), _roots(pencils.of(rows), starts), starts)
-    values, parts = _told(pencil, near, modes[rows])
+    rows = np.repeat(np.arange(len(modes)), [*map(len, candidates_of_modes)])
+    starts = common.shapes[:, [place for places in candidates_of_modes for place in places]].T
+    pairs_of_candidates = refined(pencils.of(rows), _roots(pencils.of(rows), starts), starts)
+    values, parts = _values_and_parts(pencil, pairs_of_candidates, modes[rows])
     for row, lightly in enumerate(light):
-        own = np.flatnonzero(rows == row)
-        best = own[np.argmax(parts[own])]
-        if _are_all(values[own], parts[own]) if lightly else parts[best] > SAME_SHAPE:
+        candidates = np.flatnonzero(rows == row)
+        best = candidates[np.argmax(parts[candidates])]
+        if _are_all(values[candidates], parts[candidates]) if lightly else parts[best] > SAME_SHAPE:
             pairs[row] = values[best], values[best].conjugate()
     creeps = np.flatnonzero(pairs[:, 0].imag == 0)
-    some, faster = pencils.of(creeps), [found.of_mode(mode)[1] for mode in modes[creeps].tolist()]
-    starts = found.shapes[:, faster].T
-    near = refined(some, some.roots(starts)[1], starts)
-    values, parts = _told(pencil, near, modes[creeps])
+    overdamped = pencils.of(creeps)
+    faster = [common.of_mode(mode)[1] for mode in modes[creeps].tolist()]
+    starts = common.shapes[:, faster].T
+    pairs_of_candidates = refined(overdamped, overdamped.roots(starts)[1], starts)
+    values, parts = _values_and_parts(pencil, pairs_of_candidates, modes[creeps])
     pairs[creeps, 1] = np.where(parts > SAME_SHAPE, values, np.nan)
     apart = np.abs(pairs[:, 1] - pairs[:, 0]) > SAME_MODULUS * np.abs(pairs[:, 0])
     pairs[~apart | (pairs[:, 1].imag > 0)] = np.nan
@@ -72,32 +74,34 @@ def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, found: EigenPair
 
 
 def _roots(pencils: Pencils, shapes: Complex) -> Complex:
-    """Where to begin: with the root of a shape that swings, else with the slower one."""
+    """Return initial eigenvalues: the complex root of each shape, or the smaller real root."""
     slow, fast = pencils.roots(shapes)
     swings = np.abs(slow.imag) > REAL_EIGENVALUE * np.abs(slow)
     return np.where(swings & (fast.imag > slow.imag), fast, slow)
 
 
-def _told(pencil: Pencil, near: Refined, modes: Integers) -> tuple[Complex, Floats]:
-    """Eigenvalues, NaN where none was found, and the part of each in a mode."""
+def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[Complex, Floats]:
+    """Return eigenvalues, NaN without convergence, and the part of each in a mode."""
     values = settled(near.eigenvalues.real + 1j * np.abs(near.eigenvalues.imag))
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)
     return np.where(near.converged, values, np.nan), np.where(near.converged, parts, 0.0)
 
 
-def _candidates(found: EigenPairs, mode: int) -> Sequence[int]:
-    """Those beside which no other can have the largest part in a lightly damped mode."""
-    squares = np.abs(found.shapes[mode]) ** 2
+def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
+    """Return the places of eigenvalues that can have the largest part in a lightly damped mode."""
+    squares = np.abs(common.shapes[mode]) ** 2
     order = np.argsort(-squares, kind="stable")[:MOST_CANDIDATES]
     enough = 1 - np.cumsum(squares[order]) < REST / 2 * squares[order[0]]
-    return [int(one) for one in order[: int(np.argmax(enough)) + 1]]
+    return [int(place) for place in order[: int(np.argmax(enough)) + 1]]
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
-    """Whether candidates were found, each another that swings, and none is missing."""
+    """Return whether the candidates are different complex eigenvalues, and complete."""
     if not (values.imag > 0).all():
         return False
     apart = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
-    rest = 1 - float((parts**2).sum())
-    return bool(rest < REST * parts.max() ** 2 and (apart > SAME_MODULUS * np.abs(values)).all())
+    remainder = 1 - float((parts**2).sum())
+    return bool(
+        remainder < REST * parts.max() ** 2 and (apart > SAME_MODULUS * np.abs(values)).all()
+    )

@@ -1,7 +1,7 @@
-"""What follows for the elastic devices of a gear from what is measured of one of its modes.
+"""Corrections of the elastic devices of a gear from a measured frequency and decrement.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
-equations are those of the book.
+equations refer to the book.
 """
 
 from __future__ import annotations
@@ -23,28 +23,29 @@ from vstatics.torsion.vibration.gear_modes import Mode, modes
 
 
 class Identified(NamedTuple):
-    """The elastic devices of a gear with which a mode has the frequency that was measured."""
+    """Elastic devices of a gear, corrected by the measured frequency of a mode."""
 
     omega: float
-    """Of the mode, as calculated before. [rad/s]"""
+    """Angular frequency of the mode before the correction. [rad/s]"""
     compliances: ByDevice
-    """Of each device, in its own twist. [rad/(N*m)]"""
+    """Compliance of each device in the coordinate of the twist. [rad/(N*m)]"""
     dampings: ByDevice
-    """Likewise; none where no decrement is given. [N*m*s/rad]"""
+    """Damping of each device in the coordinate of the twist; empty without a decrement. [N*m*s/rad]
+    """
 
 
 @told("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
-    """The dampings of elastic devices in a gear by their decrements."""
+    """Dampings of the elastic devices of a gear with given decrements."""
 
     omega: float
-    """At which they hold. [rad/s]"""
+    """Angular frequency at which the dampings are valid. [rad/s]"""
     dampings: ByDevice
-    """Of each device that has a decrement, in its own twist. [N*m*s/rad]"""
+    """Damping of each device with a decrement, in the coordinate of the twist. [N*m*s/rad]"""
     decrement: float
-    """Of the mode, from these. [-]"""
+    """Decrement of the mode that results from the devices. [-]"""
     shares: ByDevice
-    """Of the same devices, in the elastic energy of the mode. [-]"""
+    """Shares of devices with a decrement in the elastic energy of the mode. [-]"""
     notes: Sequence[str] = ()
 
 
@@ -58,10 +59,11 @@ def identify(  # noqa: PLR0913
     *,
     coast: bool | None = None,
 ) -> Identified:
-    """Correct all compliances of a gear by the frequency of a mode that was measured, (П2.2).
+    """Correct all compliances of a gear by the measured frequency of a mode, (П2.2).
 
-    All by one factor, so shapes and shares of energy stay. With its decrement each device gets
-    the damping that gives it this decrement, (П1.19); then the mode has it.
+    All compliances change by one factor, so shapes and energy shares remain. With a measured
+    decrement, each device receives the damping that gives the device this decrement, (П1.19);
+    the mode then has the same decrement.
 
     Parameters
     ----------
@@ -69,48 +71,48 @@ def identify(  # noqa: PLR0913
     gear : int or str
         Number from 1, or name.
     omega : float
-        Measured. [rad/s]
+        Measured angular frequency. [rad/s]
     decrement : float, optional
-        Measured. [-]
+        Measured logarithmic decrement. [-]
     mode : int
-        Of those that are not rigid, by ascending frequency, from 1.
+        Number of the mode, from 1, by ascending frequency and without rigid modes.
     coast : bool, optional
-        As of `modes`.
+        Whether power enters at the output, which decides on freewheels. By default as in the case.
 
     Returns
     -------
     Identified
-        Compliances [rad/(N*m)], dampings [N*m*s/rad], the frequency by calculation [rad/s].
+        Compliances [rad/(N*m)], dampings [N*m*s/rad], and the calculated frequency [rad/s].
 
     Raises
     ------
     ValueError
-        If there is no such gear or mode, or of a number that can't be.
+        If the gear or the mode does not exist, or a number is out of range.
     CaseError
         If the gear has no modes.
 
     Examples
     --------
-    A ВАЗ-2101 in gear III, table П2.1: 32.1 rad/s by calculation, .0096 rad/(N*m) and 1.28
-    N*m*s from what was measured.
+    A ВАЗ-2101 in gear III, table П2.1: 32.1 rad/s calculated; 0.0096 rad/(N*m) and 1.28 N*m*s
+    from the measurement.
 
     >>> from vstatics import Spring, Transmission
     >>> case = Transmission(
     ...     2, [], [], [], inertias={1: 0.1465, 2: 2.6},
     ...     springs=[Spring({1: 1, 2: -1}, compliance=0.00699, name="all")],
     ... )
-    >>> made = identify(case, 1, 27.4, 1.06)
-    >>> round(made.omega, 1), round(made.compliances["all"], 4), round(made.dampings["all"], 2)
+    >>> gear = identify(case, 1, 27.4, 1.06)
+    >>> round(gear.omega, 1), round(gear.compliances["all"], 4), round(gear.dampings["all"], 2)
     (32.1, 0.0096, 1.28)
     """
-    _check("omega", omega, above_0=True)
+    _check_number("omega", omega, above_0=True)
     if decrement is not None:
-        _check("decrement", decrement)
-    elastic, found = _of_mode(case, gear, mode, coast=coast)
-    compliances = formulas.corrected(_compliances(elastic), found.omega, omega)
-    _check_made(compliances, above_0=True)
+        _check_number("decrement", decrement)
+    elastic, calculated = _devices_and_mode(case, gear, mode, coast=coast)
+    compliances = formulas.corrected(_compliances(elastic), calculated.omega, omega)
+    _check_results(compliances, above_0=True)
     decrements = {} if decrement is None else dict.fromkeys(compliances, decrement)
-    return Identified(found.omega, compliances, _dampings(decrements, compliances, omega))
+    return Identified(calculated.omega, compliances, _dampings(decrements, compliances, omega))
 
 
 @refusing()
@@ -123,10 +125,10 @@ def damping(  # noqa: PLR0913
     *,
     coast: bool | None = None,
 ) -> Damped:
-    """The dampings that give elastic devices their decrements, and the decrement of a mode.
+    """Calculate dampings of elastic devices from decrements, and the decrement of a mode.
 
-    A damping is ``decrement/(pi E omega)``, (П1.19); the decrement of the mode is the sum of
-    these by shares of the elastic energy, (П1.20), (П1.21).
+    A damping is ``decrement/(pi E omega)``, (П1.19). The decrement of the mode is the sum of the
+    decrements of the devices, weighted by their shares of the elastic energy, (П1.20), (П1.21).
 
     Parameters
     ----------
@@ -134,23 +136,23 @@ def damping(  # noqa: PLR0913
     gear : int or str
         Number from 1, or name.
     decrements : mapping
-        Of elastic devices, by their names. [-]
+        Decrements of elastic devices, by their names. [-]
     omega : float, optional
-        At which the dampings hold; that of the mode when not given. [rad/s]
+        Angular frequency of the dampings, by default the frequency of the mode. [rad/s]
     mode : int
-        Of those that are not rigid, by ascending frequency, from 1.
+        Number of the mode, from 1, by ascending frequency and without rigid modes.
     coast : bool, optional
-        As of `modes`.
+        Whether power enters at the output, which decides on freewheels. By default as in the case.
 
     Returns
     -------
     Damped
-        Dampings of devices [N*m*s/rad], the decrement of the mode [-].
+        Dampings of the devices [N*m*s/rad], and the decrement of the mode [-].
 
     Raises
     ------
     ValueError
-        If there is no such gear, mode or elastic device, or of a number that can't be.
+        If the gear, the mode or a device does not exist, or a number is out of range.
     CaseError
         If the gear has no modes.
 
@@ -162,80 +164,80 @@ def damping(  # noqa: PLR0913
     ...     Spring({2: 1, 3: -1}, compliance=0.03, name="shaft"),
     ... ]
     >>> case = Transmission(3, [], [], [], inertias={1: 0.1, 3: 8.0}, springs=shafts)
-    >>> made = damping(case, 1, {"damper": 0.2, "shaft": 0.04}, omega=10)
-    >>> {name: round(one, 4) for name, one in made.dampings.items()}, round(made.decrement, 4)
+    >>> mode = damping(case, 1, {"damper": 0.2, "shaft": 0.04}, omega=10)
+    >>> {name: round(c, 4) for name, c in mode.dampings.items()}, round(mode.decrement, 4)
     ({'damper': 0.6366, 'shaft': 0.0424}, 0.08)
     """
     if not decrements:
         raise ValueError("there is no decrement, expected one at least")
     if omega is not None:
-        _check("omega", omega, above_0=True)
-    elastic, found = _of_mode(case, gear, mode, coast=coast)
+        _check_number("omega", omega, above_0=True)
+    elastic, mode_of_gear = _devices_and_mode(case, gear, mode, coast=coast)
     name = case.gears[case.gear_number(gear) - 1].name
     compliances = _compliances(elastic)
-    for device, one in decrements.items():
+    for device, value in decrements.items():
         if device not in compliances:
-            raise ValueError(_not_elastic(case, name, device, [*compliances]))
-        _check(f"decrement of {device}", one)
-    at = found.omega if omega is None else omega
+            raise ValueError(_message_of_missing_device(case, name, device, [*compliances]))
+        _check_number(f"decrement of {device}", value)
+    omega_of_dampings = mode_of_gear.omega if omega is None else omega
     return Damped(
-        at,
-        _dampings(decrements, compliances, at),
-        formulas.decrement(decrements, found.elastic),
-        {device: found.elastic[device] for device in decrements},
-        list(_others(elastic, decrements, found)),
+        omega_of_dampings,
+        _dampings(decrements, compliances, omega_of_dampings),
+        formulas.decrement(decrements, mode_of_gear.elastic),
+        {device: mode_of_gear.elastic[device] for device in decrements},
+        list(_notes_on_other_devices(elastic, decrements, mode_of_gear)),
     )
 
 
-def _of_mode(
+def _devices_and_mode(
     case: Transmission, gear: int | str, number: int, *, coast: bool | None
 ) -> tuple[list[TorsionalDevice], Mode]:
-    """The elastic devices of a gear, and one of its modes."""
     case = case.with_coast(coast)
-    at = case.gear_number(gear)
+    number_of_gear = case.gear_number(gear)
     if number < 1:
         raise ValueError(f"mode: read {number}, expected a number from 1")
-    [found] = modes(case, [gear], count=number)
-    if found.error:
-        raise CaseError("E515", found.error, ("gears", at))
-    if not found.modes:
+    [of_gear] = modes(case, [gear], count=number)
+    if of_gear.error:
+        raise CaseError("E515", of_gear.error, ("gears", number_of_gear))
+    if not of_gear.modes:
         message = "nothing elastic joins inertias, so there is no mode"
-        raise CaseError("E516", message, ("gears", at))
-    if number > len(found.modes):
-        raise ValueError(f"no mode {number} in gear {found.name}; it has {len(found.modes)}")
-    system = vibrating(case, case.gears[at - 1])
+        raise CaseError("E516", message, ("gears", number_of_gear))
+    if number > len(of_gear.modes):
+        raise ValueError(f"no mode {number} in gear {of_gear.name}; it has {len(of_gear.modes)}")
+    system = vibrating(case, case.gears[number_of_gear - 1])
     assert not isinstance(system, str)  # noqa: S101 - it has modes
-    return system.elastic, found.modes[number - 1]
+    return system.elastic, of_gear.modes[number - 1]
 
 
 def _compliances(elastic: Sequence[TorsionalDevice]) -> dict[str, float]:
     return {device.name: 1 / (device.stiffness or math.inf) for device in elastic}
 
 
-def _not_elastic(case: Transmission, gear: str, asked: str, elastic: Sequence[str]) -> str:
-    """Why a device has no decrement in a gear."""
+def _message_of_missing_device(
+    case: Transmission, gear: str, asked: str, elastic: Sequence[str]
+) -> str:
     known = f"; elastic are {listed([*map(quoted, elastic)], 12)}"
     if asked in case.devices:
         return f"{quoted(asked)} is not elastic in gear {gear}{known}"
     return f"no elastic device {quoted(asked)}{nearest(asked, elastic) or known}"
 
 
-def _others(
+def _notes_on_other_devices(
     elastic: Sequence[TorsionalDevice], given: Mapping[str, float], mode: Mode
 ) -> Iterator[str]:
-    """What the case's own dampings of further devices add."""
-    own: dict[str, float] = {}
+    """Yield a note on the decrement that is added by dampings of the case in other devices."""
+    decrements: dict[str, float] = {}
     for device in elastic:
         if device.damping and device.name not in given:
             viscous = device.damping.viscous * mode.omega / (device.stiffness or math.inf)
-            own[device.name] = math.pi * (viscous + device.damping.loss_factor)
-    if own:
-        added = formulas.decrement(own, mode.elastic)
-        yield f"by its damping in the case {spoken(own)} adds {added:.4g} to the decrement"
+            decrements[device.name] = math.pi * (viscous + device.damping.loss_factor)
+    if decrements:
+        added = formulas.decrement(decrements, mode.elastic)
+        yield f"by its damping in the case {spoken(decrements)} adds {added:.4g} to the decrement"
 
 
-def _check(what: str, number: float, *, above_0: bool = False) -> None:
-    """Refuse a number that is no measured one."""
+def _check_number(what: str, number: float, *, above_0: bool = False) -> None:
+    """Raise ValueError for a number out of the range of measurements."""
     if not _is_measured(number, above_0=above_0):
         least = "above 0" if above_0 else "of 0 or more"
         raise ValueError(f"{what}: read {number:g}, expected a number {least}")
@@ -247,15 +249,14 @@ def _is_measured(number: float, *, above_0: bool) -> bool:
 
 def _dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
     try:
-        made = formulas.dampings(decrements, compliances, omega)
+        values = formulas.dampings(decrements, compliances, omega)
     except ZeroDivisionError:
-        made = dict.fromkeys(decrements, math.inf)
-    _check_made(made)
-    return made
+        values = dict.fromkeys(decrements, math.inf)
+    _check_results(values)
+    return values
 
 
-def _check_made(made: ByDevice, *, above_0: bool = False) -> None:
-    """Refuse results that no case could have."""
-    for name, one in made.items():
-        if not _is_measured(one, above_0=above_0):
+def _check_results(results: ByDevice, *, above_0: bool = False) -> None:
+    for name, value in results.items():
+        if not _is_measured(value, above_0=above_0):
             raise ValueError(f"numbers so large or so small give no value of {quoted(name)}")

@@ -1,8 +1,7 @@
-"""The elastic devices of a system in motions of modal mass 1: all that its frequencies need.
+"""Twists of elastic devices by motions of modal mass 1, which determine the frequencies.
 
-With these motions the natural frequencies are the singular values of the twists, each by the
-root of its stiffness, as in `natural`. Here it is done with stacks of small matrices, for many
-inertias and stiffnesses at once.
+The natural frequencies are the singular values of these twists, each multiplied by the root of the
+stiffness, as in `natural`. Stacks of small matrices serve many inertias and stiffnesses at once.
 """
 
 from __future__ import annotations
@@ -18,18 +17,20 @@ from vstatics.torsion.tolerances import LOST_SQUARE
 
 
 class Split(NamedTuple):
-    """Forms of links by the motions of a system, split as `Coordinates` has them.
+    """Forms of bodies and devices by the motions of a system, split as in `Coordinates`.
 
-    Each may have leading axes: of variants in which links are joined otherwise.
+    Leading axes stand for variants with other ratios.
 
     Attributes
     ----------
     bodies : ndarray, shape (..., bodies, heavy motions)
+        Speeds of bodies by motions with inertia.
     twists : ndarray, shape (..., devices, heavy motions)
+        Twists of devices by motions with inertia.
     massless : ndarray, shape (..., devices, massless motions)
-        Twists.
+        Twists of devices by massless motions.
     rigid : ndarray, shape (..., heavy motions, rigid motions)
-        What of the heavy motions is in the rigid ones.
+        Rigid motions in terms of the motions with inertia.
     """
 
     bodies: Floats
@@ -44,9 +45,10 @@ class NormedTwists(NamedTuple):
     Attributes
     ----------
     heavy : ndarray, shape (..., devices, modes)
-        By motions of modal mass 1, orthogonal in M to each other and to rigid ones. The leading
-        axes are those of the inertias. [1/sqrt(kg*m^2)]
+        Twists by motions of modal mass 1, orthogonal in M to each other and to rigid motions.
+        Leading axes are those of the inertias. [1/sqrt(kg*m^2)]
     massless : ndarray, shape (..., devices, massless motions)
+        Twists by massless motions.
     """
 
     heavy: Floats
@@ -54,12 +56,12 @@ class NormedTwists(NamedTuple):
 
 
 def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats) -> NormedTwists:
-    """The twists of a system, for other inertias of its bodies.
+    """Calculate the twists by motions of modal mass 1 for several sets of inertias.
 
     Parameters
     ----------
     inertias : ndarray, shape (..., bodies)
-        0 where they are 0 in the system, and nowhere else. [kg*m^2]
+        Inertias of bodies, 0 exactly where the inertia in the system is 0. [kg*m^2]
 
     Examples
     --------
@@ -90,29 +92,32 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
 
 
 def of_split(split: Split, inertias: Floats) -> NormedTwists:
-    """The same of forms by motions, with leading axes of these or of the inertias."""
+    """Calculate the twists by motions of modal mass 1 from forms by motions.
+
+    Leading axes belong to the forms or to the inertias.
+    """
     triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
-    apart: Floats = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
+    coefficients: Floats = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
     if rigid := split.rigid.shape[-1]:
         turned, _ = np.linalg.qr(triangle @ split.rigid, mode="complete")
-        apart = turned[..., rigid:]
-    return NormedTwists(split.twists @ np.linalg.solve(triangle, apart), split.massless)
+        coefficients = turned[..., rigid:]
+    return NormedTwists(split.twists @ np.linalg.solve(triangle, coefficients), split.massless)
 
 
 def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 0) -> Floats:
-    """The frequencies of systems of other stiffnesses.
+    """Calculate the natural frequencies for several sets of stiffnesses.
 
     Parameters
     ----------
     stiffnesses : ndarray, shape (variants, devices)
-        [N*m/rad]
+        Stiffnesses of the elastic devices. [N*m/rad]
     first : int
-        The lowest mode that has to be accurate, from 0.
+        Number of the lowest mode that has to be accurate, from 0.
 
     Returns
     -------
     ndarray, shape (variants, modes)
-        Ascending. [rad/s]
+        Angular natural frequencies, ascending. [rad/s]
     """
     rows = triangular(twists, stiffnesses)
     massless = twists.massless.shape[-1]
@@ -126,10 +131,11 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
 
 
 def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
-    """Twists by the roots of stiffnesses, massless motions first: where there are any, triangular.
+    """Return twists times the roots of stiffnesses, massless motions first and eliminated.
 
-    Then what is right of and below the massless motions is left when they follow the others in
-    balance of their torques. Stiff devices come first, which an elimination by rows needs.
+    With massless motions the matrix is triangular. The block to the right of and below their
+    columns remains when massless motions follow the others in equilibrium. Stiff devices come
+    first, as an elimination by rows requires.
 
     Returns
     -------

@@ -1,8 +1,8 @@
 """Natural frequencies and shapes without damping, accurate over any range of stiffness.
 
-With twists ``B z`` and speeds of bodies ``L z`` for coordinates z, both weighted by the roots of
-stiffness and inertia, the frequencies are the generalized singular values of the two: squares,
-in which soft springs beside stiff ones would drown, are never formed.
+The frequencies are the generalized singular values of the twists ``B z`` and the speeds of bodies
+``L z`` for coordinates z, weighted by the roots of stiffness and inertia. Squares are never formed:
+rounding of the squares of stiff springs would swamp soft springs.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vstatics.torsion.tolerances import BELOW_SQUARES
 
 
 class NaturalModes(NamedTuple):
-    """The modes of a system that are not rigid, by ascending frequency.
+    """Modes of a system that are not rigid, by ascending frequency.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class NaturalModes(NamedTuple):
 
 
 def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
-    """All modes of a system; infinite ones, of what has no inertia, are left out.
+    """Calculate all modes of a system, except infinite frequencies of links without inertia.
 
     Examples
     --------
@@ -63,9 +63,9 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
 
 
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Motions of modal mass 1, orthogonal in M to each other and to all rigid motions.
+    """Return motions of modal mass 1, mutually M-orthogonal and M-orthogonal to rigid motions.
 
-    Massless motions follow them in balance of the elastic torques.
+    Massless motions follow these motions in equilibrium of the elastic torques.
 
     Returns
     -------
@@ -77,40 +77,40 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
         return following[:, :0]
     _, triangle = linalg.qr(speeds @ following, mode="economic")
     inverse, _ = linalg.lapack.dtrtri(triangle)
-    apart: Floats = inverse
+    orthogonal: Floats = inverse
     if split.rigid.size:
         rigid, *_ = linalg.lstsq(following, split.rigid)
         turned, _ = linalg.qr(triangle @ rigid)
-        apart = apart @ turned[:, rigid.shape[1] :]
-    return following @ apart
+        orthogonal = orthogonal @ turned[:, rigid.shape[1] :]
+    return following @ orthogonal
 
 
 def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """How massless motions follow those with inertia, by the elastic torques on them."""
+    """Return the massless motions that follow motions with inertia in elastic equilibrium."""
     counts = split.massless.shape[1], split.heavy.shape[1]
     if 0 in counts:
         return np.zeros(counts)
     twists = weighted_twists(system)
     order = np.argsort(-np.abs(twists).max(axis=1), kind="stable")  # stiff rows first, for QR
-    found, *_ = linalg.lstsq(
+    solution, *_ = linalg.lstsq(
         (twists @ split.massless)[order], (twists @ split.heavy)[order], lapack_driver="gelsy"
     )
-    followed: Floats = found
-    return followed
+    following: Floats = solution
+    return following
 
 
 def weighted_twists(system: TorsionalSystem) -> Floats:
-    """Twists of elastic devices by angles of links, each by the root of its stiffness."""
+    """Return the twists of elastic devices by angles of links, times roots of stiffnesses."""
     return np.asarray(np.sqrt(system.rates)[:, None] * system.twists)
 
 
 def weighted_bodies(system: TorsionalSystem) -> Floats:
-    """Speeds of bodies by those of links, each by the root of its inertia."""
+    """Return the speeds of bodies by speeds of links, times roots of inertias."""
     return np.asarray(np.sqrt(system.inertias)[:, None] * system.speeds)
 
 
 def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
-    """The lowest modes that are not rigid, by Lanczos iteration about a point below 0.
+    """Calculate the lowest modes that are not rigid by shifted Lanczos iteration.
 
     Examples
     --------
@@ -131,13 +131,13 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     twists = sparse.csc_matrix(weighted_twists(system)) @ free
     speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
-    # about the square of the lowest frequency: a mean of all, by the square of their number
+    # The estimate of the lowest squared frequency is their mean divided by their number squared.
     mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
     below = -BELOW_SQUARES * mean / free.shape[1] ** 2
     rigid = split.rigid.shape[1]
     start = np.random.default_rng(1).standard_normal(free.shape[1])
-    found, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)
-    vectors = all_vectors[:, np.argsort(found)[rigid:]]
+    squares, all_vectors = eigsh(stiffness, rigid + count, mass, sigma=below, v0=start)
+    vectors = all_vectors[:, np.argsort(squares)[rigid:]]
     sizes = np.linalg.norm(np.asarray(speeds @ vectors), axis=0)
     omegas = np.linalg.norm(np.asarray(twists @ vectors), axis=0) / sizes
     return NaturalModes(omegas, np.asarray(free @ vectors) / sizes)

@@ -1,4 +1,4 @@
-"""Nodes of a mode: how many places stand still."""
+"""Nodes of a mode: the places at rest while the mode vibrates."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 
 
 def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> NDArray[np.intp]:
-    """How many places stand still in each mode.
+    """Count the places at rest in each mode.
 
-    An elastic device has a node in it where all terms of its twist pull the same way: of a
-    shaft, where its ends turn against each other. Of a device that a link with the reaction
-    takes part in, such as a casing, the links count that turn when nothing vibrates. Links that
-    stand, though they could move, are one node together with those that devices join to them,
-    if there are links on two sides of them that move. In a chain their number is that of the
-    lower modes, rigid ones too (Sturm), however small amplitudes are.
+    An elastic device contains a node if all terms of its twist have the same sign: a shaft, if
+    its ends rotate in opposite directions. For a device that includes a reaction link, such as
+    a casing, only the links count that rotate in rigid motions. Movable links at rest form one
+    node together with neighbours at rest, if links move on at least two sides of them. In a
+    chain the number of nodes is the number of lower modes including rigid ones (Sturm), however
+    small the amplitudes are.
 
     Parameters
     ----------
     shapes : ndarray, shape (links, modes)
-        The largest amplitude of each is about 1.
+        Amplitudes, of which the largest of each mode is about 1.
     """
     nodes = np.zeros(shapes.shape[1], np.intp)
     stands = np.abs(shapes) <= NO_POWER
     moving = np.where(stands, 0.0, shapes)
     turning = np.any(split.rigid != 0, axis=1)
     for device in system.elastic:
-        own = [link for link in device.twist if turning[link]]
-        links = own if len(own) > 1 else device.twist
+        turning_links = [link for link in device.twist if turning[link]]
+        links = turning_links if len(turning_links) > 1 else device.twist
         terms = np.array([device.twist[link] * moving[link] for link in links])
         same = np.all(terms >= 0, axis=0) | np.all(terms <= 0, axis=0)
         nodes += same & (np.count_nonzero(terms, axis=0) > 1)
@@ -45,46 +45,47 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
         nodes[mode] += _standing_groups(twists, stands[:, mode] & movable, ~stands[:, mode])
     for chain in _chains(system):
         joined = chain.tolist()
-        own, others = np.abs(shapes[joined]).max(axis=0), np.abs(np.delete(shapes, joined, axis=0))
-        of_chain = np.flatnonzero(others.max(axis=0, initial=0.0) <= NO_POWER * own)
+        largest, others = np.abs(shapes[joined]).max(axis=0), np.delete(shapes, joined, axis=0)
+        sizes = np.abs(others).max(axis=0, initial=0.0)
+        of_chain = np.flatnonzero(sizes <= NO_POWER * largest)
         nodes[of_chain] = np.arange(len(of_chain)) + int(split.rigid[joined].any())
     return nodes
 
 
 def _chains(system: TorsionalSystem) -> Iterator[Integers]:
-    """Links of each chain: bodies with a speed of their own, one device between neighbours."""
+    """Yield the links of each chain: bodies with separate speeds, joined in a row by devices."""
     free = system.free()
     heavy = [body.form for body in system.bodies if body.inertia > 0]
     moved = [set(np.flatnonzero(row).tolist()) for row in system.rows(heavy) @ free]
     twisted = [set(np.flatnonzero(row).tolist()) for row in system.twists @ free]
     group = list(range(free.shape[1]))
     for joined in (*moved, *twisted):
-        groups = {group[one] for one in joined}
-        group = [min(groups) if one in groups else one for one in group]
+        groups = {group[motion] for motion in joined}
+        group = [min(groups) if label in groups else label for label in group]
     for first in sorted(set(group)):
-        own = {place for place, one in enumerate(group) if one == first}
-        pairs = [one for one in twisted if one <= own and len(one) > 1]
-        ends = [place for pair in pairs for place in pair]
-        single = all(len(one) <= 1 for one in moved if one <= own)
+        motions = {motion for motion, label in enumerate(group) if label == first}
+        pairs = [pair for pair in twisted if pair <= motions and len(pair) > 1]
+        ends = [motion for pair in pairs for motion in pair]
+        single = all(len(body) <= 1 for body in moved if body <= motions)
         if (
             single
-            and len(pairs) == len(own) - 1
+            and len(pairs) == len(motions) - 1
             and all(len(pair) == 2 for pair in pairs)
-            and max(map(ends.count, own), default=0) <= 2
+            and max(map(ends.count, motions), default=0) <= 2
         ):
-            yield np.flatnonzero(free[:, sorted(own)].any(axis=1))
+            yield np.flatnonzero(free[:, sorted(motions)].any(axis=1))
 
 
 def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
-    """How many groups of links stand, each joined by devices, between links that move."""
+    """Count the connected groups of links at rest that lie between moving links."""
     group = list(range(len(stands)))
     for twist in twists:
         joined = {group[link] for link in twist if stands[link]}
         if len(joined) > 1:
-            group = [min(joined) if one in joined else one for one in group]
+            group = [min(joined) if label in joined else label for label in group]
     sides: dict[int, int] = {}
     for twist in twists:
-        held = {group[link] for link in twist if stands[link]}
-        for one in held if any(moves[link] for link in twist) else ():
-            sides[one] = sides.get(one, 0) + 1
+        standing = {group[link] for link in twist if stands[link]}
+        for label in standing if any(moves[link] for link in twist) else ():
+            sides[label] = sides.get(label, 0) + 1
     return sum(count > 1 for count in sides.values())

@@ -1,13 +1,10 @@
-"""Natural frequencies of variants with other ratios, in which links are joined otherwise.
+"""Natural frequencies of variants with other ratios, whose motions differ.
 
-Their motions follow those of the first variant (`followed`), of which the ranks are known.
-
-What homogeneous equations leave free, for many variants of them that go the same way.
-
-The rank of the first variant is known, from entries that tell by themselves when they are zero
-(`numerics.motions`). Others are solved for the same unknowns by the same equations. Where that
-is well conditioned and the other equations hold too their rank is the same; where it is not,
-the variant has to be looked at alone.
+The motions of each variant are the solutions of homogeneous equations (`followed_motions`). Their
+rank is known for the first variant, from entries that are exactly zero or not (`numerics.motions`).
+Other variants are solved for the same unknowns by the same equations. If this block is well
+conditioned, and the solution satisfies the remaining equations too, the rank is the same; otherwise
+the variant has to be analysed separately.
 """
 
 from __future__ import annotations
@@ -26,15 +23,16 @@ from vstatics.torsion.vibration.variants import NUMBERS, Varied, varied_numbers
 
 
 class VariedSystem(NamedTuple):
-    """A system and what is other in its variants; it is the first of them.
+    """System of the first variant, and the numbers that differ in other variants.
 
     Attributes
     ----------
     system : TorsionalSystem
+        System of the first variant.
     twists : mapping of int to ndarray, shape (variants, links)
-        By places in `TorsionalSystem.devices`.
+        Varied twists, by places in `TorsionalSystem.devices`.
     stiffnesses, inertias : mapping of int to ndarray, shape (variants,)
-        By places among elastic devices and among bodies. [N*m/rad, kg*m^2]
+        Varied numbers, by places among elastic devices and bodies. [N*m/rad, kg*m^2]
     """
 
     system: TorsionalSystem
@@ -46,17 +44,19 @@ class VariedSystem(NamedTuple):
 def frequencies_of_ratios(
     varied: VariedSystem, modes: Sequence[int], variants: int
 ) -> tuple[Floats, Booleans]:
-    """The frequencies of variants, and which go the way of the first: others are unknown.
+    """Calculate the frequencies of variants with other ratios.
 
     Returns
     -------
-    ndarray, shape (variants, len(modes)), and ndarray, shape (variants,)
-        NaN where there are fewer modes. [rad/s]
+    ndarray, shape (variants, len(modes))
+        Angular natural frequencies, NaN where a variant has fewer modes. [rad/s]
+    ndarray of bool, shape (variants,)
+        Whether the rank is that of the first variant; otherwise the frequencies are unknown.
 
     Examples
     --------
-    A mass of 1 on a shaft of 100 to a pair of wheels, another of 1 behind these:
-    ``omega^2 = c (1 + u^2)``; the ratio -2 and the ratio -3.
+    A mass of 1 on a shaft of 100 to a gear pair, and a mass of 1 on the driven gear:
+    ``omega^2 = c (1 + u^2)`` for the ratios -2 and -3.
 
     >>> from vstatics import Mechanism, Spring, Transmission
     >>> from vstatics.torsion.system.gear_system import torsional_system
@@ -74,29 +74,29 @@ def frequencies_of_ratios(
         bodies[place] = bodies[place]._replace(inertia=float(numbers[0]))
     system = system._replace(bodies=tuple(bodies))
     split = coordinates(system)
-    found = np.full((variants, len(modes)), np.nan)
+    frequencies = np.full((variants, len(modes)), np.nan)
     safe = np.zeros(variants, np.bool_)
     if split.undetermined.any() or not variants:
-        return found, safe
+        return frequencies, safe
     existing = [place for place, mode in enumerate(modes) if mode < split.modes]
     step = max(NUMBERS // (len(system.devices) * len(system.names)), 1)
     for start in range(0, variants, step):
         rows = np.arange(start, min(start + step, variants))
-        omegas, kept = _block(varied._replace(system=system), split, np.append(0, rows))
+        omegas, safe_rows = _block(varied._replace(system=system), split, np.append(0, rows))
         for place in existing:
-            found[rows, place] = omegas[1:, modes[place]]
-        safe[rows] = kept[1:]
-    return found, safe
+            frequencies[rows, place] = omegas[1:, modes[place]]
+        safe[rows] = safe_rows[1:]
+    return frequencies, safe
 
 
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
-    """All frequencies of a few variants, the first of all before them."""
+    """Calculate all frequencies of the first variant and of a few further variants."""
     system = varied.system
-    every = system.rows([one.twist for one in system.devices])
+    every = system.rows([device.twist for device in system.devices])
     forms = varied_numbers(every, varied.twists, variants)
     stiffnesses = varied_numbers(system.rates, varied.stiffnesses, variants)
     inertias = varied_numbers(system.inertias, varied.inertias, variants)
-    rigid = np.array([one.stiffness is None for one in system.devices])
+    rigid = np.array([device.stiffness is None for device in system.devices])
     heavy = inertias > 0
 
     free = followed_motions(forms[:, rigid], split.free.shape[1])
@@ -119,7 +119,7 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
 
 
 def _resisted(massless: Floats) -> Booleans:
-    """Whether devices resist all massless motions, as in the first variant."""
+    """Return whether devices resist all massless motions, as in the first variant."""
     if not massless.shape[2]:
         return np.ones(len(massless), np.bool_)
     sizes = np.linalg.svd(massless, compute_uv=False)
@@ -129,16 +129,16 @@ def _resisted(massless: Floats) -> Booleans:
 
 
 class FollowedMotions(NamedTuple):
-    """Solutions of variants.
+    """Solutions of the homogeneous equations of variants.
 
     Attributes
     ----------
     motions : ndarray, shape (variants, unknowns, free)
-        In each column one of the free unknowns is 1, the others of these 0.
+        In each column a single free unknown is 1, the other free unknowns are 0.
     free, others : ndarray of int
-        Which unknowns are left free, in the order of the columns, and which follow.
+        Numbers of the free unknowns, in the order of the columns, and of the dependent unknowns.
     safe : ndarray, shape (variants,)
-        Whether a variant goes as the first does; of others the motions say nothing.
+        Whether the rank is that of the first variant; otherwise the motions are meaningless.
     """
 
     motions: Floats
@@ -148,47 +148,47 @@ class FollowedMotions(NamedTuple):
 
 
 def followed_motions(equations: Floats, free: int) -> FollowedMotions:
-    """What equations leave free in many variants.
+    """Solve homogeneous equations for many variants of the same rank.
 
     Parameters
     ----------
     equations : ndarray, shape (variants, equations, unknowns)
     free : int
-        How many unknowns are free in the first variant.
+        Number of free unknowns in the first variant.
 
     Examples
     --------
-    Two wheels of ratio -2 and of -4, and a pair of equations whose rank is another:
+    Two gear pairs of ratio -2 and -4, and equations of another rank:
 
     >>> equations = np.array([[[1.0, 2.0], [2.0, 4.0]], [[1.0, 4.0], [2.0, 8.0]],
     ...                       [[1.0, 4.0], [2.0, 9.0]]])
-    >>> found = followed_motions(equations, 1)
-    >>> found.motions[:2, :, 0].tolist(), found.safe.tolist()
+    >>> solution = followed_motions(equations, 1)
+    >>> solution.motions[:2, :, 0].tolist(), solution.safe.tolist()
     ([[1.0, -0.5], [1.0, -0.25]], [True, True, False])
     """
     variants, _, unknowns = equations.shape
     rows, others = _pivots(equations[0], unknowns - free)
-    open_ones = np.setdiff1d(np.arange(unknowns), others)
+    free_unknowns = np.setdiff1d(np.arange(unknowns), others)
     motions = np.zeros((variants, unknowns, free))
-    motions[:, open_ones, np.arange(free)] = 1.0
+    motions[:, free_unknowns, np.arange(free)] = 1.0
     safe = np.ones(variants, np.bool_)
     if len(rows):
         block = equations[:, rows[:, None], others]
         with np.errstate(all="ignore"):
             sizes = np.abs(block).max(axis=2)
-            sizes = np.maximum(sizes, sizes[0])  # a row that is nearly nothing counts as that
+            sizes = np.maximum(sizes, sizes[0])  # a row of much smaller numbers counts as zero
             shares = np.abs(np.linalg.det(block)) / sizes.prod(axis=1)
             safe = shares > LOST_PIVOT * shares[0]
         block[~safe] = block[0]
-        motions[:, others] = -np.linalg.solve(block, equations[:, rows[:, None], open_ones])
+        motions[:, others] = -np.linalg.solve(block, equations[:, rows[:, None], free_unknowns])
     largest = np.abs(equations).max(axis=2, keepdims=True, initial=0.0)
     sizes = largest * np.abs(motions).max(axis=1, keepdims=True, initial=0.0)
     safe &= (np.abs(equations @ motions) <= RESIDUE * sizes).all(axis=(1, 2))
-    return FollowedMotions(motions, open_ones, others, safe)
+    return FollowedMotions(motions, free_unknowns, others, safe)
 
 
 def _pivots(matrix: Floats, rank: int) -> tuple[Integers, Integers]:
-    """Equations and unknowns of a regular block, by elimination with the largest pivot."""
+    """Return the equations and unknowns of a regular block, by elimination with full pivoting."""
     left = matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True, initial=0.0), NO_ROW)
     rows, columns = [], []
     for _ in range(rank):

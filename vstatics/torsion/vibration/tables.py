@@ -1,4 +1,4 @@
-"""Modes, and what follows from one that was measured, as tables."""
+"""Tables of natural modes, and of corrections from a measured mode."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.torsion.vibration.measured import Damped, Identified
 
 
 def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """Frequencies of all gears, then shapes, torques and shares of energy of each.
+    """Yield tables of all frequencies, then of shapes, torques and energy shares of each gear.
 
     Examples
     --------
@@ -42,7 +42,7 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 
 def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """Frequencies of all gears, and where their energy is."""
+    """Yield tables of the frequencies of all gears, and of the largest energy shares."""
     yield _rigid(gears)
     if any(gear.modes for gear in gears):
         yield _frequencies(gears)
@@ -50,15 +50,15 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """The eigenvalues of damped gears."""
-    rows = [(gear.name, one.real, one.imag) for gear in gears for one in gear.damped]
+    """Yield a table of the eigenvalues of damped gears."""
+    rows = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
     if rows:
         headings = "gear", "real [1/s]", "imaginary [rad/s]"
         yield grid_of("Eigenvalues of damped vibration", headings, rows, key="damped")
 
 
 def _rigid(gears: Sequence[GearModes]) -> Grid:
-    """How many modes are rigid, or why there is none."""
+    """Build a table of the numbers of rigid modes, or of reasons why a gear has no modes."""
     rows = (
         (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
         for gear in gears
@@ -80,7 +80,7 @@ def _frequencies(gears: Sequence[GearModes]) -> Grid:
 
 
 def _most(gears: Sequence[GearModes]) -> Grid:
-    """The device and the link with the largest shares in each mode."""
+    """Build a table of the device and the link with the largest energy shares in each mode."""
     rows = (
         (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
         for gear in gears
@@ -91,7 +91,7 @@ def _most(gears: Sequence[GearModes]) -> Grid:
 
 
 def _largest(shares: Mapping[str, float]) -> tuple[str, float | None]:
-    name = max(shares, key=lambda one: certain(shares[one]), default="")
+    name = max(shares, key=lambda name: certain(shares[name]), default="")
     return name, shares.get(name)
 
 
@@ -102,16 +102,18 @@ def _by_mode(
     values: Callable[[Mode], Mapping[str, float]],
     cell: Callable[[float], Cell] = exact,
 ) -> Grid:
-    """A row for each link or device, a column for each mode."""
+    """Build a table with a row for each link or device and a column for each mode."""
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
-    rows: list[Values] = [(name, *(cell(one[name]) for one in by_mode)) for name in by_mode[0]]
-    made = grid_of(f"Gear {gear.name}: {what}", [heading, *headings], rows)
-    return made._replace(group=what.partition(" at ")[0])
+    rows: list[Values] = [
+        (name, *(cell(of_mode[name]) for of_mode in by_mode)) for name in by_mode[0]
+    ]
+    grid = grid_of(f"Gear {gear.name}: {what}", [heading, *headings], rows)
+    return grid._replace(group=what.partition(" at ")[0])
 
 
 def _part(value: float) -> Cell:
-    """A part of 1: what is small beside it is .000."""
+    """Return a cell for a part of 1, with .000 for negligible parts."""
     cell = exact(value)
     return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell
 
@@ -119,8 +121,8 @@ def _part(value: float) -> Cell:
 _DAMPING = "damping [N*m*s/rad]"
 
 
-def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
-    """Compliances, and dampings if there are any, for a measured frequency [rad/s].
+def identified_grids(omega: float, identified: Identified) -> Iterator[Grid]:
+    """Yield a table of compliances, and dampings if any, for a measured frequency [rad/s].
 
     Examples
     --------
@@ -128,36 +130,45 @@ def identified_grids(omega: float, made: Identified) -> Iterator[Grid]:
     >>> grid.title, grid.texts
     ('Calculated 22 rad/s, measured 20: all compliances by 1.21', [['shaft', '.01210', '3.500']])
     """
-    rows = ((name, one, made.dampings.get(name)) for name, one in made.compliances.items())
+    rows = (
+        (name, value, identified.dampings.get(name))
+        for name, value in identified.compliances.items()
+    )
     headings = "device", "compliance [rad/(N*m)]", _DAMPING
-    title = f"Calculated {made.omega:.5g} rad/s, measured {omega:.5g}: "
-    title += f"all compliances by {(made.omega / omega) ** 2:.5g}"
+    title = f"Calculated {identified.omega:.5g} rad/s, measured {omega:.5g}: "
+    title += f"all compliances by {(identified.omega / omega) ** 2:.5g}"
     yield grid_of(title, headings, rows, key="identified", optional=[_DAMPING])
 
 
-def decay_grid(found: Decay) -> Grid:
-    """The inner extremes of a record, as (П2.1) has them."""
+def decay_grid(vibration: Decay) -> Grid:
+    """Build a table of the inner extremes of a record, as in (П2.1)."""
     headings = "extreme", "mean line", "amplitude"
-    rows = zip(range(2, len(found.amplitudes) + 2), found.mean_line, found.amplitudes, strict=True)
-    title = f"Recorded {found.omega:.5g} rad/s, decrement {found.decrement:.5g}"
+    rows = zip(
+        range(2, len(vibration.amplitudes) + 2),
+        vibration.mean_line,
+        vibration.amplitudes,
+        strict=True,
+    )
+    title = f"Recorded {vibration.omega:.5g} rad/s, decrement {vibration.decrement:.5g}"
     return grid_of(title, headings, rows, key="record")
 
 
-def damped_grids(decrements: Mapping[str, float], made: Damped) -> Iterator[Grid]:
-    """Dampings of devices, and the decrement of the mode.
+def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Grid]:
+    """Yield tables of the dampings of devices, and the decrement of the mode.
 
     Examples
     --------
-    >>> made = Damped(10.0, {"shaft": 0.5}, 0.03, {"shaft": 0.75})
-    >>> [grid] = damped_grids({"shaft": 0.04}, made)
+    >>> damped = Damped(10.0, {"shaft": 0.5}, 0.03, {"shaft": 0.75})
+    >>> [grid] = damped_grids({"shaft": 0.04}, damped)
     >>> grid.title, grid.texts
     ('Dampings at 10 rad/s', [['shaft', '.04000', '.750', '.500'], ['mode', '.03000', '', '']])
     """
     rows: list[Values] = [
-        (name, one, made.shares[name], made.dampings[name]) for name, one in decrements.items()
+        (name, value, damped.shares[name], damped.dampings[name])
+        for name, value in decrements.items()
     ]
-    rows.append(("mode", made.decrement, "", ""))
+    rows.append(("mode", damped.decrement, "", ""))
     headings = ["device", "decrement", "share of elastic energy", _DAMPING]
-    yield grid_of(f"Dampings at {made.omega:.5g} rad/s", headings, rows, key="dampings")
-    if made.notes:
-        yield grid_of("Messages", [""], ([one] for one in made.notes), key="messages")
+    yield grid_of(f"Dampings at {damped.omega:.5g} rad/s", headings, rows, key="dampings")
+    if damped.notes:
+        yield grid_of("Messages", [""], ([note] for note in damped.notes), key="messages")

@@ -1,4 +1,4 @@
-"""Torques of the devices in a vibration at an amplitude of 1, by the names that results have."""
+"""Torques of the devices in a vibration, by the names in results."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 
 
 class Balance(NamedTuple):
-    """How the torques of rigid devices follow from those of inertias and springs.
+    """Equilibrium of links, which determines the torques of rigid devices.
 
     Attributes
     ----------
     columns : ndarray, shape (links, rigid devices)
-        Of the structural-distribution matrix.
+        Columns of the structural-distribution matrix.
     determined : ndarray, shape (rigid devices,)
-        Whether statics tells the torque; of redundant devices it does not.
+        Whether statics determines the torque; False for redundant devices.
     """
 
     columns: Floats
@@ -32,11 +32,11 @@ class Balance(NamedTuple):
 
 
 def balance(system: TorsionalSystem) -> Balance:
-    """The balance of the links of a system, ``A_rigid M_rigid = -J q'' - A_elastic M_elastic``.
+    """Return the equilibrium of links, ``A_rigid M_rigid = -J q'' - A_elastic M_elastic``.
 
     Examples
     --------
-    Two clutches that hold the same two links share a torque in a way that nobody knows:
+    Two clutches between the same two links share a torque in an indeterminate ratio:
 
     >>> from vstatics import ShiftElement, Spring, Transmission
     >>> from vstatics.torsion.system.gear_system import torsional_system
@@ -56,37 +56,37 @@ def balance(system: TorsionalSystem) -> Balance:
 def torques(
     system: TorsionalSystem, balance: Balance, shapes: Floats, omegas: Floats
 ) -> dict[str, Floats]:
-    """Torques on the first links of all devices, by their names; NaN where not determined.
+    """Calculate torques on the first links of all devices, by name; NaN where undetermined.
 
     Parameters
     ----------
     shapes : ndarray, shape (links, modes)
-        [rad]
+        Amplitudes of links. [rad]
     omegas : ndarray, shape (modes,)
-        [rad/s]
+        Angular frequencies. [rad/s]
 
     Returns
     -------
     dict of str to ndarray, shape (modes,)
-        [N*m]
+        Amplitudes of the torques. [N*m]
     """
     acting = np.asarray(system.link_inertias)[:, None] * shapes * omegas**2
-    own = {
+    elastic = {
         device.name: device.rate * form_values(device.twist, shapes) for device in system.elastic
     }
-    found = with_rigid(system, balance, acting, own)
-    sizes = [np.nan_to_num(np.abs(torque)) for torque in found.values()]
+    by_device = with_rigid(system, balance, acting, elastic)
+    sizes = [np.nan_to_num(np.abs(torque)) for torque in by_device.values()]
     largest = np.max(sizes, axis=0) if sizes else 0.0
     return {
         name: np.where(np.abs(torque) <= NO_POWER * largest, 0.0, torque)
-        for name, torque in found.items()
+        for name, torque in by_device.items()
     }
 
 
 def with_rigid(
     system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
 ) -> dict[str, Values]:
-    """Torques of all devices in their order, those of rigid ones from the balance of the links.
+    """Add the torques of rigid devices in equilibrium to the torques of elastic devices.
 
     Parameters
     ----------
@@ -95,16 +95,16 @@ def with_rigid(
     elastic : mapping of str to ndarray
         Torques of elastic devices. [N*m]
     """
-    left = acting.copy()
+    unbalanced = acting.copy()
     for device in system.elastic:
         for link, part in device.twist.items():
-            left[link] -= part * elastic[device.name]
-    found = dict(elastic)
+            unbalanced[link] -= part * elastic[device.name]
+    by_device = dict(elastic)
     if system.rigid:
-        solved: Any = np.linalg.pinv(balance.columns) @ left
+        solved: Any = np.linalg.pinv(balance.columns) @ unbalanced
         solved[~balance.determined] = np.nan
-        found |= dict(zip((device.name for device in system.rigid), solved, strict=True))
-    return {device.name: found[device.name] for device in system.devices}
+        by_device |= dict(zip((device.name for device in system.rigid), solved, strict=True))
+    return {device.name: by_device[device.name] for device in system.devices}
 
 
 def own_torques(
@@ -113,30 +113,31 @@ def own_torques(
     by_device: Mapping[str, Values],
     accelerations: Values,
 ) -> dict[str, Values]:
-    """Torques of devices by the rows of `torques` in results; what is open has 0.
+    """Arrange torques of devices like the `torques` in results; disengaged devices have 0.
 
-    A converter has that on its pump. That of a member of a set is what it gives to the planets, so
-    those of a set do not add up to 0: what its planets take from a link, ``J_share w^2 q``, is none
-    of the member's own.
+    The torque of a converter is the torque on its pump. The torque of a member of a gear set is
+    the torque that the member gives to the planets. It excludes the inertia of the planets,
+    ``J_share w^2 q``, so the torques of a gear set do not add up to 0.
 
     Parameters
     ----------
     by_device : mapping
-        On the first link of each engaged element, mechanism and spring, by its name. [N*m]
+        Torque on the first link of each engaged shift element, mechanism and spring, by its
+        name. [N*m]
     accelerations : ndarray, shape (links, ...)
-        ``w^2 q`` of links. [rad/s^2]
+        Amplitudes ``w^2 q`` of links. [rad/s^2]
     """
     nothing = np.zeros_like(accelerations[0])
-    named = {one.name: by_device.get(one.name, nothing) for one in case.shift_elements}
-    springs = {one.name: by_device.get(one.name, nothing) for one in case.springs}
+    named = {element.name: by_device.get(element.name, nothing) for element in case.shift_elements}
+    springs = {spring.name: by_device.get(spring.name, nothing) for spring in case.springs}
     if case.drawing is None:
-        meshes = {one.name: by_device.get(one.name, nothing) for one in case.mechanisms}
+        meshes = {mesh.name: by_device.get(mesh.name, nothing) for mesh in case.mechanisms}
         return named | meshes | springs
     for device in case.own_devices:
         if case.mechanisms[device.mechanisms[0]].kind == "converter":
             named[device.name] = by_device.get(device.name, nothing)
             continue
-        shares = _shares_of(system, device.name)
+        shares = _planet_inertias_of(system, device.name)
         for member in device.members:
             share = shares.pop(member.link - 1, 0.0) if member.link else 0.0
             parts = [
@@ -150,8 +151,7 @@ def own_torques(
     return named | springs
 
 
-def _shares_of(system: TorsionalSystem, name: str) -> dict[int, float]:
-    """What the planets of a set add to the inertias of links [kg*m^2]."""
+def _planet_inertias_of(system: TorsionalSystem, name: str) -> dict[int, float]:
     total: dict[int, float] = {}
     for owner, shares in system.planet_shares:
         for link, share in shares.items() if owner == name else ():

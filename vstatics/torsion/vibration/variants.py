@@ -1,10 +1,8 @@
-"""Natural frequencies of many variants of a system, other in stiffnesses and inertias.
+"""Natural frequencies of many variants of a system with other stiffnesses and inertias.
 
-What the forms of links decide, free and rigid motions, is found once for all variants. Where one
-stiffness alone varies its secular equation is solved for all of them (`secular`), else stacks
-of small matrices (`normed`).
-
-A system without one of its elastic devices, as its secular equation has it.
+Free and rigid motions follow from the forms of links alone, and are determined once for all
+variants. If a single stiffness varies, its secular equation is solved for all variants (`secular`);
+otherwise stacks of small matrices are solved (`modal_masses`).
 """
 
 from __future__ import annotations
@@ -29,13 +27,16 @@ from vstatics.torsion.vibration.modal_masses import (
 from vstatics.torsion.vibration.secular import Poles, squares_with_device
 
 NUMBERS = 2**17
-"""Of the matrices that are solved at once, so that they stay near the processor."""
+"""Largest number of matrix entries that are solved at once, for the sake of the processor cache."""
 SOME = 20
-"""All modes of many links, which a secular equation takes, cost as much as the lowest of so many
-times fewer variants than there are links."""
+"""Factor of the choice between the methods for many links.
+
+The secular equation requires all modes; these cost as much as the lowest modes of ``links/SOME``
+variants.
+"""
 
 Varied = Mapping[int, Floats]
-"""By the place of a device, or of a body: its numbers, of shape (variants,)."""
+"""Numbers by the place of a device or body, each of shape (variants,)."""
 
 
 def variant_frequencies(  # noqa: PLR0913
@@ -47,28 +48,29 @@ def variant_frequencies(  # noqa: PLR0913
     variants: int,
     first: FirstVariant | None = None,
 ) -> Floats:
-    """Natural frequencies of a system with other stiffnesses and inertias.
+    """Calculate natural frequencies of a system with other stiffnesses and inertias.
 
-    A mode keeps the number that it has in the first variant where frequencies cross.
+    A mode keeps its number from the first variant where frequencies cross.
 
     Parameters
     ----------
     system : TorsionalSystem
+        System with the numbers that do not vary.
     modes : sequence of int
-        Which, from 0, of those that are not rigid.
+        Numbers of modes, from 0, without rigid modes.
     stiffnesses : mapping of int to ndarray, shape (variants,)
-        Of elastic devices, by their places in `TorsionalSystem.elastic`; above 0. [N*m/rad]
+        Stiffnesses above 0 of elastic devices, by places in `TorsionalSystem.elastic`. [N*m/rad]
     inertias : mapping of int to ndarray, shape (variants,)
-        Of bodies, by their places in `TorsionalSystem.bodies`; 0 or more. [kg*m^2]
+        Inertias of bodies, by places in `TorsionalSystem.bodies`. [kg*m^2]
     variants : int
-        Their number.
+        Number of variants.
     first : FirstVariant, optional
-        That by which modes are numbered; the first of these when not given.
+        Variant that numbers the modes, by default the first variant of these.
 
     Returns
     -------
     ndarray, shape (variants, len(modes))
-        NaN where there are fewer modes. [rad/s]
+        Angular frequencies, NaN where a variant has fewer modes. [rad/s]
 
     Examples
     --------
@@ -84,25 +86,27 @@ def variant_frequencies(  # noqa: PLR0913
     array([[10.        ,         nan],
            [22.36067977,         nan]])
     """
-    found = np.full((variants, len(modes)), np.nan)
+    frequencies = np.full((variants, len(modes)), np.nan)
     if not variants:
-        return found
+        return frequencies
     first = first or first_variant(stiffnesses, inertias)
     for rows in _alike(inertias, variants):
-        some = {place: numbers[rows] for place, numbers in inertias.items()}
-        others = {place: numbers[rows] for place, numbers in stiffnesses.items()}
-        found[rows] = _of_one_structure(system, modes, others, some, len(rows), first)
-    return found
+        of_bodies = {place: numbers[rows] for place, numbers in inertias.items()}
+        of_devices = {place: numbers[rows] for place, numbers in stiffnesses.items()}
+        frequencies[rows] = _of_one_structure(
+            system, modes, of_devices, of_bodies, len(rows), first
+        )
+    return frequencies
 
 
 class FirstVariant(NamedTuple):
-    """The numbers of the first variant, by the places of devices and of bodies."""
+    """Numbers of the first variant, by the places of devices and bodies."""
 
     stiffnesses: Mapping[int, float]
     inertias: Mapping[int, float]
 
     def of(self, system: TorsionalSystem) -> TorsionalSystem:
-        """The system with these numbers."""
+        """Return the system with the numbers of the first variant."""
         rates, inertias = system.rates, system.inertias
         rates[[*self.stiffnesses]] = [*self.stiffnesses.values()]
         inertias[[*self.inertias]] = [*self.inertias.values()]
@@ -110,7 +114,7 @@ class FirstVariant(NamedTuple):
 
 
 def first_variant(stiffnesses: Varied, inertias: Varied) -> FirstVariant:
-    """The first of some variants."""
+    """Return the numbers of the first variant."""
     return FirstVariant(
         {place: float(numbers[0]) for place, numbers in stiffnesses.items()},
         {place: float(numbers[0]) for place, numbers in inertias.items()},
@@ -118,18 +122,17 @@ def first_variant(stiffnesses: Varied, inertias: Varied) -> FirstVariant:
 
 
 def _with_numbers(system: TorsionalSystem, rates: Floats, inertias: Floats) -> TorsionalSystem:
-    """The system with other stiffnesses and inertias."""
     stiff, heavy = iter(rates.tolist()), iter(inertias.tolist())
     devices = [
-        one if one.stiffness is None else one._replace(stiffness=next(stiff))
-        for one in system.devices
+        device if device.stiffness is None else device._replace(stiffness=next(stiff))
+        for device in system.devices
     ]
-    bodies = [one._replace(inertia=next(heavy)) for one in system.bodies]
+    bodies = [body._replace(inertia=next(heavy)) for body in system.bodies]
     return system._replace(devices=tuple(devices), bodies=tuple(bodies))
 
 
 def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
-    """Variants in which the same bodies have an inertia: their motions split alike."""
+    """Yield groups of variants in which equal bodies have an inertia: motions split alike."""
     every = np.arange(variants)
     if all(numbers.all() for numbers in inertias.values()):
         yield every
@@ -148,49 +151,48 @@ def _of_one_structure(  # noqa: PLR0913 PLR0917
     variants: int,
     first: FirstVariant,
 ) -> Floats:
-    """The frequencies of variants in which the same bodies have an inertia."""
     stiff = _VariedNumbers(system.rates, stiffnesses)
     heavy = _VariedNumbers(system.inertias, inertias)
     alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
-    found = np.full((variants, len(modes)), np.nan)
-    for one, own in alike.parts(first, modes):
-        places = [index for index, mode in enumerate(modes) if mode in own]
+    frequencies = np.full((variants, len(modes)), np.nan)
+    for part, modes_of_part in alike.parts(first, modes):
+        places = [index for index, mode in enumerate(modes) if mode in modes_of_part]
         if places:
-            asked = [own.index(modes[index]) for index in places]
-            found[:, places] = one.frequencies(asked, variants)
-    return found
+            asked = [modes_of_part.index(modes[index]) for index in places]
+            frequencies[:, places] = part.frequencies(asked, variants)
+    return frequencies
 
 
-def varied_numbers(own: Floats, varied: Varied, variants: Integers) -> Floats:
-    """Numbers, or rows of them, for each of some variants, of shape (variants, ...)."""
-    made: Floats = np.repeat(own[None], len(variants), axis=0)
+def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:
+    """Return the numbers of some variants, shape (variants, ...)."""
+    numbers_of_variants: Floats = np.repeat(constants[None], len(variants), axis=0)
     for place, numbers in varied.items():
-        made[:, place] = numbers[variants]
-    return made
+        numbers_of_variants[:, place] = numbers[variants]
+    return numbers_of_variants
 
 
 class _VariedNumbers:
-    """Numbers of devices or bodies: those of the first variant, and what is other in others."""
+    """Numbers of devices or bodies in the first variant, and varied numbers."""
 
-    def __init__(self, own: Floats, varied: Varied) -> None:
-        self.first: Floats = varied_numbers(own, varied, np.arange(1))[0]
+    def __init__(self, constants: Floats, varied: Varied) -> None:
+        self.first: Floats = varied_numbers(constants, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
-        """The same where the others are as in the first variant."""
-        made = copy(self)
-        made.varied = {place: n for place, n in self.varied.items() if place in places}
-        return made
+        """Restrict the variation to some places, with other numbers as in the first variant."""
+        restricted = copy(self)
+        restricted.varied = {place: n for place, n in self.varied.items() if place in places}
+        return restricted
 
     def rows(self, start: int, stop: int) -> Floats:
-        """All numbers of some variants: of one, if they are the same for all."""
+        """Return all numbers of some variants; a single row if nothing varies."""
         if not self.varied:
             return self.first[None]
         return varied_numbers(self.first, self.varied, np.arange(start, stop))
 
 
 class _Alike:
-    """Variants of a system that split alike."""
+    """Variants of a system whose motions split alike."""
 
     def __init__(
         self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
@@ -201,9 +203,9 @@ class _Alike:
     def parts(
         self, first: FirstVariant, modes: Sequence[int]
     ) -> Iterator[tuple[_Alike, Sequence[int]]]:
-        """What stays apart in all variants, with the numbers of its modes in the first one.
+        """Yield the motions that are uncoupled in all variants, with modes as in the first variant.
 
-        Of many links there is one part, of which the lowest modes alone are found.
+        A system of many links is not split, as only its lowest modes are calculated.
         """
         system = first.of(self.system)
         alike = ((system.inertias > 0) == (self.system.inertias > 0)).all()
@@ -211,18 +213,21 @@ class _Alike:
         if not alike or not self.split.modes or self.split.has_many_more(max(modes) + 1):
             yield whole
             return
-        found = separate_motions(system, self.split, first.stiffnesses, first.inertias)
-        if len(found) == 1:
+        separate = separate_motions(system, self.split, first.stiffnesses, first.inertias)
+        if len(separate) == 1:
             yield whole
             return
-        for part in found:
-            one = copy(self)
-            one.split = part.split
-            one.stiff, one.heavy = self.stiff.only(part.devices), self.heavy.only(part.bodies)
-            yield one, part.modes
+        for part in separate:
+            variants_of_part = copy(self)
+            variants_of_part.split = part.split
+            variants_of_part.stiff, variants_of_part.heavy = (
+                self.stiff.only(part.devices),
+                self.heavy.only(part.bodies),
+            )
+            yield variants_of_part, part.modes
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
-        """Of shape (variants, modes), or (1, modes) if they are the same in all."""
+        """Calculate frequencies, shape (variants, modes), or (1, modes) for equal variants."""
         variants = variants if self.heavy.varied or self.stiff.varied else 1
         alone = not self.heavy.varied and len(self.stiff.varied) == 1
         if self.split.has_many_more(max(modes) + 1) and not (
@@ -241,38 +246,37 @@ class _Alike:
         return self._of_matrices(modes, variants)
 
     def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
-        """Those of one variant of many links, by sparse matrices."""
+        """Calculate the lowest modes of a variant of many links, by sparse matrices."""
         from vstatics.torsion.vibration.natural import lowest_modes  # which imports scipy
 
-        numbers = (one.rows(variant, variant + 1)[0] for one in (self.stiff, self.heavy))
+        numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
         system = _with_numbers(self.system, *numbers)
         omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
         return omegas
 
     def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
-        """A few thousand matrices at a time."""
         system, split, heavy = self.system, self.split, self.heavy
-        same = None if heavy.varied else normed_twists(system, split, heavy.first)
+        common = None if heavy.varied else normed_twists(system, split, heavy.first)
         step = max(NUMBERS // (len(self.stiff.first) * split.free.shape[1]), 1)
-        found = []
+        blocks = []
         for start in range(0, variants, step):
             stop = min(start + step, variants)
-            twists = same or normed_twists(system, split, heavy.rows(start, stop))
+            twists = common or normed_twists(system, split, heavy.rows(start, stop))
             omegas = natural_frequencies(twists, self.stiff.rows(start, stop), min(modes))
-            found.append(omegas[:, modes])
-        return np.concatenate(found)
+            blocks.append(omegas[:, modes])
+        return np.concatenate(blocks)
 
 
 class WithoutDevice(NamedTuple):
-    """What the frequencies of a system with the device follow from.
+    """System without a device, which determines the frequencies with the device.
 
     Attributes
     ----------
     poles : Poles
-        The modes without the device.
+        Modes without the device.
     slack : float
-        Compliance behind that of the device: of links without inertia, which give way in
-        balance of the other devices. [rad/(N*m)]
+        Compliance in series with the device, from links without inertia that are held by other
+        devices. [rad/(N*m)]
     """
 
     poles: Poles
@@ -282,22 +286,23 @@ class WithoutDevice(NamedTuple):
 def without(
     system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
 ) -> WithoutDevice | None:
-    """The system without a device; None where the device carries no torque in any mode.
+    """Remove a device from a system; return None if the device carries no torque in any mode.
 
     Parameters
     ----------
     system : TorsionalSystem
+        System with the device.
     split : Coordinates
-        Of the system with the device.
+        Coordinates of the system with the device.
     stiffnesses : ndarray, shape (devices,)
-        Of all elastic devices. [N*m/rad]
+        Stiffnesses of all elastic devices. [N*m/rad]
     device : int
-        Its place among them.
+        Place of the device among the elastic devices.
 
     Examples
     --------
-    A mass of 2 on a spring of 8, a shaft from there to a link without inertia, and from there
-    a second shaft of 5 to a mass of 1: without the first shaft the second one is behind it.
+    A mass of 2 on a spring of 8 is connected to a mass of 1 by two shafts in series. Without the
+    first shaft, the compliance of the second shaft (stiffness 5) is in series with the first.
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.coordinates import coordinates
@@ -310,33 +315,33 @@ def without(
     >>> poles.squares.round(9), poles.weights.round(9), round(slack, 9)
     (array([0., 4.]), array([1. , 0.5]), 0.2)
     """
-    alone = _held_alone(system, device)
-    if alone == "massless":
+    held_motion = _held_alone(system, device)
+    if held_motion == "massless":
         return None
-    own = normed_twists(system, split, system.inertias)
-    others = NormedTwists(*(np.delete(part, device, axis=0) for part in own))
+    normed = normed_twists(system, split, system.inertias)
+    others = NormedTwists(*(np.delete(part, device, axis=0) for part in normed))
     [rows] = triangular(others, np.delete(stiffnesses, device)[None])
-    count = own.massless.shape[1]
-    of_massless, aside = rows[:count, :count], rows[:count, count:]
-    against = np.linalg.solve(of_massless.T, own.massless[device])
-    twists = own.heavy[device] - against @ aside
+    count = normed.massless.shape[1]
+    of_massless, by_modes = rows[:count, :count], rows[:count, count:]
+    shares = np.linalg.solve(of_massless.T, normed.massless[device])
+    twists = normed.heavy[device] - shares @ by_modes
     _, sizes, vectors = np.linalg.svd(rows[count:, count:] if count else rows)
     squares = np.zeros(len(vectors))
     squares[: len(sizes)] = sizes**2
-    if alone == "heavy":
+    if held_motion == "heavy":
         squares[-1] = 0.0
     weights = (vectors @ twists) ** 2
-    return WithoutDevice(Poles(squares[::-1], weights[::-1]), float(against @ against))
+    return WithoutDevice(Poles(squares[::-1], weights[::-1]), float(shares @ shares))
 
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
-    """Whether a device resists a motion that no other resists, and whether that has inertia."""
+    """Return whether a device alone resists a motion, and whether the motion has inertia."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]
 
     def is_held(*forms: Form) -> bool:
-        free = [system.free(*some, *forms) for some in (others, elastic)]
+        free = [system.free(*resisting, *forms) for resisting in (others, elastic)]
         return bool(free[0].shape[1] > free[1].shape[1])
 
     return "massless" if is_held(*bodies) else "heavy" if is_held() else ""

@@ -1,7 +1,7 @@
-"""Natural frequencies of the variants of a block: `omega[mode, gear]` of expressions.
+"""Natural frequencies of the variants of a block, for `omega[mode, gear]` in expressions.
 
-Variants with the same ratios have the same links, so they are calculated together. A sweep finds
-`frequencies` through the record of this annex, and only when a frequency is asked for.
+Variants with equal ratios have the same motions of links, so they are calculated together. A sweep
+calls `frequencies` through the record of this annex, and only when a frequency is requested.
 """
 
 from __future__ import annotations
@@ -24,20 +24,21 @@ from vstatics.torsion.vibration.other_ratios import VariedSystem, frequencies_of
 from vstatics.torsion.vibration.variants import first_variant, variant_frequencies
 
 OF_MECHANISM = ("ratio", "efficiency")
-"""Quantities that belong to a mechanism."""
+"""Varied quantities that belong to a mechanism."""
 FEW_EQUAL_RATIOS = 64
-"""Where fewer variants than these have the same ratios they are solved with those of others."""
+"""Mean number of variants with equal ratios below which variants of all ratios are solved together.
+"""
 
 Asked = Mapping[int, Sequence[int]]
-"""Index of a gear -> indices of modes, of those that are not rigid."""
+"""Index of a gear -> indices of modes, without rigid modes."""
 
 
 class VariedQuantity(Protocol):
-    """A number of the case that a sweep varies."""
+    """Number of the case that a sweep varies."""
 
     @property
     def owner(self) -> int:
-        """Index of the mechanism, of the elastic device, or of the link."""
+        """Index of the mechanism, elastic device or link."""
 
     @property
     def quantity(self) -> str:
@@ -45,14 +46,14 @@ class VariedQuantity(Protocol):
 
 
 class VariedFrequencies(NamedTuple):
-    """Natural frequencies of variants, and why there are none.
+    """Natural frequencies of variants, and variants without frequencies.
 
     Attributes
     ----------
     omegas : ndarray, shape (variants, gears, modes)
-        NaN where a variant has fewer modes, and what is not asked for. [rad/s]
+        NaN where a variant has fewer modes or the frequency was not requested. [rad/s]
     tied_up, conflict : ndarray, shape (variants,)
-        Whether a gear that is asked for can't turn, or its freewheels are in conflict.
+        Whether a requested gear cannot rotate, or its freewheels are in conflict.
     """
 
     omegas: Floats
@@ -67,20 +68,23 @@ def frequencies(
     asked: Asked,
     first: Floats | None = None,
 ) -> VariedFrequencies:
-    """The frequencies of variants.
+    """Calculate the requested natural frequencies of variants.
 
-    Where stiffnesses and inertias alone vary modes are numbered as in the first variant of all,
-    else by their frequencies.
+    If only stiffnesses and inertias vary, modes are numbered as in the first variant of the
+    sweep; otherwise by ascending frequency.
 
     Parameters
     ----------
     case : Transmission
+        Case with the numbers that do not vary.
     targets : sequence of VariedQuantity
+        Varied numbers of the case.
     values : ndarray, shape (variants, targets)
-        The varied numbers, all of them possible.
+        Values of the varied numbers, all within their ranges.
     asked : mapping
+        Requested modes of each gear.
     first : ndarray, shape (1, targets), optional
-        The numbers of the first variant of all; that of these when not given.
+        Values of the first variant of the sweep, by default of the first variant in `values`.
 
     Examples
     --------
@@ -108,20 +112,20 @@ def frequencies(
             omegas[:, gear, modes], safe = _by_ratios(case, targets, values, gear, modes)
             left = left[~safe]
         for rows in _alike(kinds, left):
-            one = _with_ratios(case, targets, values[rows[0]])
-            system = vibrating(one, one.gears[gear])
+            variant = _with_ratios(case, targets, values[rows[0]])
+            system = vibrating(variant, variant.gears[gear])
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                found = _of_gear(case, system, targets, values[rows], modes, first)
-                omegas[rows[:, np.newaxis], gear, modes] = found
+                of_gear = _of_gear(case, system, targets, values[rows], modes, first)
+                omegas[rows[:, np.newaxis], gear, modes] = of_gear
     return VariedFrequencies(omegas, tied_up, conflict)
 
 
 def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
-    """The numbers of modes that a gear of the case has at most: as it is, or with varied inertias.
+    """Return the numbers of the modes that a gear of the case can have with varied inertias.
 
-    A gear that is tied up may have one in a variant.
+    A gear that is tied up counts with one mode, as it can rotate in a variant.
 
     Raises
     ------
@@ -136,14 +140,14 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
         else:
             case = replace(case, inertias={**case.inertias, link: 1.0})
     systems = [vibrating(case, gear) for gear in case.gears]
-    counts = [1 if isinstance(one, str) else coordinates(one).modes for one in systems]
+    counts = [1 if isinstance(system, str) else coordinates(system).modes for system in systems]
     return [str(number) for number in range(1, max(counts, default=0) + 1)]
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
-    """A number for each variant: one for equal ratios.
+    """Number the variants so that equal ratios have equal numbers.
 
-    Efficiencies count where freewheels or the slopes of springs with points depend on torques.
+    Efficiencies count if freewheels or the slopes of springs with points depend on torques.
     """
     by_torque = case.freewheels or any(spring.points for spring in case.springs)
     deciding = ("ratio", "efficiency") if by_torque else ("ratio",)
@@ -156,7 +160,7 @@ def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: F
 
 
 def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
-    """The variants among some that are of one kind."""
+    """Yield the given variants in groups of equal kind."""
     if not len(rows):
         return
     order = rows[np.argsort(kinds[rows], kind="stable")]
@@ -166,7 +170,6 @@ def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
 def _with_ratios(
     case: Transmission, targets: Sequence[VariedQuantity], values: Floats
 ) -> Transmission:
-    """The case with the ratios and efficiencies of a variant."""
     mechanisms = list(case.mechanisms)
     for target, value in zip(targets, values.tolist(), strict=True):
         if target.quantity in OF_MECHANISM:
@@ -182,9 +185,9 @@ def _by_ratios(
     gear: int,
     modes: Sequence[int],
 ) -> tuple[Floats, Booleans]:
-    """The frequencies of a gear where nearly all ratios differ, and which of them are found."""
-    one = _with_ratios(case, targets, values[0])
-    system = vibrating(one, one.gears[gear])
+    """Calculate the frequencies of a gear if nearly all ratios differ, and flag known variants."""
+    variant = _with_ratios(case, targets, values[0])
+    system = vibrating(variant, variant.gears[gear])
     if isinstance(system, str):
         return np.full((len(values), len(modes)), np.nan), np.zeros(len(values), np.bool_)
     twists = {}
@@ -210,7 +213,6 @@ def _of_gear(  # noqa: PLR0913 PLR0917
     modes: Sequence[int],
     first: Floats | None,
 ) -> Floats:
-    """The frequencies of a gear, of shape (variants, modes)."""
     stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
     start = _elastic_and_heavy(case, system, targets, values[:1] if first is None else first)
     return variant_frequencies(
@@ -226,7 +228,6 @@ def _of_gear(  # noqa: PLR0913 PLR0917
 def _elastic_and_heavy(
     case: Transmission, system: TorsionalSystem, targets: Sequence[VariedQuantity], values: Floats
 ) -> tuple[dict[int, Floats], dict[int, Floats]]:
-    """Varied stiffnesses and inertias by their places; what is open in a gear has none."""
     places = {device.name: place for place, device in enumerate(system.elastic)}
     stiffnesses, inertias = {}, {}
     for target, numbers in zip(targets, values.T, strict=True):
