@@ -1,16 +1,16 @@
-"""The same case in motion: what happens to it by a scenario.
+"""Simulation of shifts and launches: the motion of a case over time under a scenario.
 
-1. `scenario` reads what happens: a case, a start, controls or shifts, torques.
-2. `system` makes a `MotionSystem` of it, and the equations that hold while the same things stick.
-3. `events`: they are solved in closed form, else step by step, to where a margin ends; from there
-   on something else sticks.
-4. `course` goes from event to event, `record` keeps what is asked for: a `Motion`, whose energy
-   must close. `run` is all of it, `bounds` says how long it may take; `stepping` goes on as it is
-   told.
+1. `scenario` reads a scenario: a case, a start, controls or shifts, and torques.
+2. `system` builds a `MotionSystem` with its equations of motion while a set of contacts sticks.
+3. `events` solves the equations, in closed form or step by step, up to the next event, and selects
+   the sticking and slipping states after it.
+4. `course` goes from event to event, and `record` stores the requested results as a `Motion`, whose
+   energy balance must close. `run` does all of this, `bounds` limits the wall-clock time, and
+   `stepping` advances a run interactively.
 
-`published` is the method of Tarasik, for comparison. `variants` are many runs with other numbers,
-of sweeps and samples. `pictures` draws a run over time, `report` has the section of a page, `cli`
-the command `vstatics simulate`. The annex needs scipy, an extra. How it all is derived:
+`published` is the method of Tarasik, for comparison. `variants` runs many variations of a scenario
+for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a page, and
+`cli` is the command `vstatics simulate`. The annex needs scipy, an extra. The derivation is in
 docs/method.md.
 
 >>> from vstatics import ShiftElement, Transmission

@@ -1,4 +1,4 @@
-"""How long a run may take by the clock on the wall, and how long it would take."""
+"""Limit of the wall-clock time of a run, and estimate of its total time."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 Guard: TypeAlias = Callable[[float], str]
-"""Is told how far a run is [s], again and again; says why it is to stop there, or nothing."""
+"""Callback that receives the reached time [s] and returns a reason to stop, or an empty text."""
 
 
 def wall_limit(seconds: float) -> Guard:
-    """Stops a run that takes longer.
+    """Return a guard that stops a run after a wall-clock time.
 
     Parameters
     ----------
     seconds : float
-        From now on. [s]
+        Time limit from now on. [s]
 
     Examples
     --------
@@ -33,27 +33,27 @@ def wall_limit(seconds: float) -> Guard:
 
 
 class Pace:
-    """How fast a run comes on, of one that is stopped after some seconds of the processor.
+    """Estimator of the total time of a run, from a run stopped after some processor time.
 
-    Where others work beside it, a run waits before its first steps, too: by the clock they would
-    seem to come on by nothing.
+    Processor time is measured, because other processes can delay the first steps of a run.
 
     Parameters
     ----------
     duration : float
-        Of the run. [s]
+        Duration of the run. [s]
     seconds : float
-        After which it is stopped, from its first step on: what comes before may be imports. [s]
+        Processor time after which the run is stopped, measured from its first step. Earlier time
+        can be spent on imports. [s]
     """
 
     def __init__(self, duration: float, seconds: float) -> None:
         self.duration, self.seconds = duration, seconds
         self._first = math.inf
         self._half = self._last = (0.0, 0.0)
-        """After how long the run was where. [s]"""
+        """Processor times with the times reached in the run. [s]"""
 
     def __call__(self, at: float) -> str:
-        """Keep how far the run is; stop it when its pace is known."""
+        """Record the time reached, and stop the run when the pace is known."""
         now = time.process_time()
         self._first = min(self._first, now)
         self._last = now - self._first, at
@@ -63,12 +63,12 @@ class Pace:
 
     @property
     def is_known(self) -> bool:
-        """Whether it took so long that it was stopped."""
+        """True if the run was stopped after the processor time."""
         return self._last[0] >= self.seconds
 
     @property
     def needed(self) -> float:
-        """What the whole run takes, by the second half of what was tried; 0 if it ended [s]."""
+        """Estimated time of the whole run [s], from the second half of the trial; 0 if finished."""
         if not self.is_known:
             return 0.0
         (began, half), (taken, at) = self._half, self._last

@@ -1,4 +1,4 @@
-"""A run from event to event."""
+"""Course of a run from event to event."""
 
 from __future__ import annotations
 
@@ -53,28 +53,31 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_AT_ONCE = 60
-"""Events within a moment, before it is told that there is no way on."""
+"""Largest number of events within a moment."""
 _LOOSEST = 4096.0
+"""Largest factor by which margins are relaxed at repeated events."""
 _MOST_EVENTS = 100_000
+"""Largest number of events of a run."""
 _BEHIND = 4.0
-"""Least time to the other side of a corner, by the distance of two numbers."""
+"""Shortest time to the other side of a corner, in units of rounding."""
 _MOST_LARGER = 8
-"""Times that values may become larger than any was because no step is small enough."""
+"""Number of increases of value scales after steps became too small."""
 _PATIENCE = 500
-"""Events after which it is asked whether they lead anywhere."""
+"""Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
+"""Largest number of sequence steps at one instant."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
 class EventRun:
-    """A run, which goes on from where it is.
+    """Run of a scenario from a start or an intermediate state.
 
     Parameters
     ----------
     record : Record
-        Knows the system and the start.
+        Record with the system and the start.
     engaged : sequence of int
-        Numbers of the shift elements that are engaged at the start.
+        Numbers of the shift elements engaged at the start.
     rtol : float
     watch : callable, optional
     """
@@ -89,34 +92,34 @@ class EventRun:
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
-        """Up to where it is known when something bends."""
+        """Time up to which breaks of inputs over time are known. [s]"""
         self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
         self.at = record.start
         self.before: States | None = None
-        """What stuck and slipped up to there."""
+        """Sticking and slipping states up to the present."""
         self.left: list[States] = []
-        """What ended there, and is not taken up again at this instant."""
+        """States that ended at the present instant, and cannot be selected again."""
         self.met: list[int] = []
-        """Indices of contacts whose slip ended there."""
+        """Indices of contacts with a slip that ended at the present."""
         self.at_limit: list[int] = []
-        """Indices of contacts that broke away there, all at one instant."""
+        """Indices of contacts that broke away at the present, all at one instant."""
         self.length: float | None = None
-        """Of the last step. [s]"""
+        """Length of the last step. [s]"""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
-        """Corners next to which the motion is."""
+        """Corners next to the present motion."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
     def run(self, until: float) -> None:
-        """Go on to a time [s].
+        """Advance the run to a time [s].
 
         Raises
         ------
         CaseError
-            When there is no way on.
+            If the run cannot go on.
         """
         self.until = until
         if until > self.horizon:
@@ -125,28 +128,28 @@ class EventRun:
         while self.at.time < until:
             selected = self._settled()
             equations = selected.margins.equations
-            found = self._to_event(selected, self._end(equations.time))
-            self._go(equations, instant_of(equations, found.time, found.state))
-            self._turn(found)
+            event = self._to_event(selected, self._end(equations.time))
+            self._go(equations, instant_of(equations, event.time, event.state))
+            self._turn(event)
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, largest(self.at.speeds))
             )
 
     def copy(self) -> EventRun:
-        """The same run here, which goes on by itself."""
-        made = copy(self)
-        made.record, made.commands = self.record.copy(), copy(self.commands)
-        made.sequences, made.meetings = self.sequences.copy(), self.meetings.copy()
-        return made
+        """Return an independent copy of the run."""
+        copied = copy(self)
+        copied.record, copied.commands = self.record.copy(), copy(self.commands)
+        copied.sequences, copied.meetings = self.sequences.copy(), self.meetings.copy()
+        return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Do a step here, whatever its condition is.
+        """Apply a step now, without its condition.
 
         Parameters
         ----------
         step : SequenceStep
         values : mapping of str to float
-            Of the numbers and states that it sets.
+            Values of the numbers and states that the step sets.
         """
         at = self.at
         self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
@@ -155,42 +158,42 @@ class EventRun:
         self._look_ahead()
 
     def _look_ahead(self) -> None:
-        """Find when something bends by the time, and by what is compared."""
+        """Find the breaks of inputs over time, and the corners of formulas."""
         self.breaks = break_times(self.system, self.horizon)
         self.corners = corners(self.system)
 
     def _go(self, equations: Equations, at: Instant) -> None:
-        """Be at an instant, up to which equations held."""
+        """Move to an instant at the end of a set of equations."""
         self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
-    def _turn(self, found: MarginEnd) -> None:
-        """Note what ends here, if anything does."""
+    def _turn(self, event: MarginEnd) -> None:
+        """Record the states that end at an event."""
         before = self.before
-        if not found.watches or before is None:
+        if not event.watches or before is None:
             self.left = []
             return
-        self._meet(found)
-        self._count(found)
+        self._meet(event)
+        self._count(event)
         self.left = self.left if self.at_once else []
-        if any(watch.kind not in FOLLOWING for watch in found.watches):
+        if any(watch.kind not in FOLLOWING for watch in event.watches):
             self.left = [*self.left, before]
-        self.before = turned(before, found.watches)
-        self.met = [watch.of for watch in found.watches if watch.kind == "slip"]
-        self.at_limit = [watch.of for watch in found.watches if watch.kind == "hold"]
+        self.before = turned(before, event.watches)
+        self.met = [watch.of for watch in event.watches if watch.kind == "slip"]
+        self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _end(self, time: float) -> float:
-        """Up to where nothing bends, jumps or is due by the time alone [s]."""
-        end = next((one for one in self.breaks if one > time), self.until)
+        """Return the end of a smooth piece of inputs [s]."""
+        end = next((break_time for break_time in self.breaks if break_time > time), self.until)
         return min(end, self.sequences.next_time(), self.until)
 
     def _settled(self) -> Selected:
-        """What sticks and slips, with all steps done that are due here."""
+        """Select the states at the present after all due steps of sequences."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
             selected = self._selected()
             equations, state = selected.margins.equations, selected.state
-            self._tell(self.at.time, self.before, equations.states)
+            self._record_changes(self.at.time, self.before, equations.states)
             if not (self.sequences.going or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state, self.scales, self.record.value_scales)
@@ -207,7 +210,7 @@ class EventRun:
             self._go(equations, instant_of(equations, self.at.time, state))
             self.left = []
             self._do(due, judge.now)
-        names = listed([one.name for one in self.sequences.going if one.step], 6)
+        names = listed([progress.name for progress in self.sequences.going if progress.step], 6)
         message = (
             f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one "
             f"instant, without end: {names}"
@@ -215,7 +218,7 @@ class EventRun:
         raise CaseError("E697", message, ("sequences",))
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
-        """Corners next to which the motion is, but for bends that it passes."""
+        """Yield the corners next to the motion, except bends that count as passed."""
         for index, corner in enumerate(self.corners):
             for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
@@ -223,9 +226,9 @@ class EventRun:
                     yield place, awaited
 
     def _drags_otherwise(self, judge: Judge) -> bool:
-        """Whether an element that drags while it is open opens or closes here by what it sees.
+        """Return whether the feedback control of an open, dragging element changes its state now.
 
-        Its control is 0 at such an instant: what it is next follows from how all moves.
+        The control is 0 at such an instant, so the next state depends on the motion.
         """
         carrying, states = self.selection.choices.carrying, judge.equations.states
         for contact, state in zip(self.system.contacts, states.contacts, strict=True):
@@ -240,10 +243,12 @@ class EventRun:
         return False
 
     def _do(self, due: SequenceProgress, seen: tuple[float, Sequence[float]]) -> None:
-        """Do a step that is due."""
+        """Apply a due step."""
         step = due.step
-        assert step is not None  # noqa: S101 - it is due
-        values = {name: value_of(self.system, one, *seen) for name, one in step.settings.items()}
+        assert step is not None  # noqa: S101 - a due sequence has a step
+        values = {
+            name: value_of(self.system, value, *seen) for name, value in step.settings.items()
+        }
         for name, value in values.items():
             if not math.isfinite(value):
                 path = (*due.path, "set", name)
@@ -254,13 +259,13 @@ class EventRun:
         self.give(step, values)
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 
-    def _meet(self, found: MarginEnd) -> None:
-        """Note the corners that are met, and refuse one that is met without end."""
-        for watch in found.watches:
+    def _meet(self, event: MarginEnd) -> None:
+        """Record the corners that are met, and reject endless switching at a corner."""
+        for watch in event.watches:
             if watch.kind != "corner":
                 continue
             place, judged = self.watched[watch.of]
-            self.meetings.note(place, found.time)
+            self.meetings.note(place, event.time)
             corner = self.corners[place.corner]
             within = AHEAD * self.span
             if not corner.jumps[place.number]:
@@ -270,25 +275,25 @@ class EventRun:
                     "switches to and fro without end: on each side of its jump the motion goes "
                     "back to the other side"
                 )
-            elif self.meetings.hastens(place, found.time, self.until):
+            elif self.meetings.hastens(place, event.time, self.until):
                 why = "switches to and fro faster and faster, so the run does not reach its end"
             else:
                 continue
-            message = f"at {found.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}"
+            message = f"at {event.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}"
             raise CaseError("E601", message, corner.path)
 
-    def _count(self, found: MarginEnd) -> None:
-        close = found.time - self.latest <= SAME_INSTANT * self.span
+    def _count(self, event: MarginEnd) -> None:
+        close = event.time - self.latest <= SAME_INSTANT * self.span
         self.at_once = self.at_once + 1 if close else 0
-        self.latest = found.time
+        self.latest = event.time
         self.events += 1
         stays = False
         if self.events % _PATIENCE == 0:
-            stays = found.time - self.mark < NO_PROGRESS * self.span
-            self.mark = found.time
+            stays = event.time - self.mark < NO_PROGRESS * self.span
+            self.mark = event.time
         if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
-            watch = found.watches[0]
-            raise CaseError("E601", self._endless(found.time, watch), self._path(watch))
+            watch = event.watches[0]
+            raise CaseError("E601", self._endless(event.time, watch), self._path(watch))
 
     def _endless(self, time: float, watch: Watch) -> str:
         name = self._name(watch)
@@ -305,7 +310,7 @@ class EventRun:
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
-        # where events come at one instant, what decides is rounding: it is judged less strictly
+        # Rounding decides between simultaneous events, so margins are relaxed.
         slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
         try:
@@ -322,7 +327,8 @@ class EventRun:
             self.record.jumps(at.time, selected.jump)
         if len(self.at_limit) > 1:
             states = selected.margins.equations.states
-            self._look_beside(ModesAsked(at, before, scales, [*self.left, states], met), states)
+            asked = ModesAsked(at, before, scales, [*self.left, states], met)
+            self._note_alternative(asked, states)
         return selected
 
     def _no_state(self) -> CaseError:
@@ -344,32 +350,32 @@ class EventRun:
         return CaseError("E602", message)
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a formula whose jump was met now, or before by what has no admissible state."""
+        """Return a formula with a jump met now, or earlier by a choice without admissible state."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
-        paths = {self._path_of(*one) for one in choices}
+        paths = {self._path_of(*choice) for choice in choices}
         for place in (*now, *earlier):
             corner = self.corners[place.corner]
             if corner.jumps[place.number] and (place in now or corner.path in paths):
                 return corner
         return None
 
-    def _look_beside(self, asked: ModesAsked, states: States) -> None:
-        """Note what could break away as well as what does."""
+    def _note_alternative(self, asked: ModesAsked, states: States) -> None:
+        """Record contacts that could break away instead of the selected contacts."""
         try:
             other = self.selection.selected(asked, thorough=False)
         except (NoChoice, CaseError):
             return
-        beside = other.margins.equations.states
+        alternative = other.margins.equations.states
         broken = [
-            {index for index in self.at_limit if one.contacts[index] != "stick"}
-            for one in (states, beside)
+            {index for index in self.at_limit if candidate.contacts[index] != "stick"}
+            for candidate in (states, alternative)
         ]
         if broken[0] != broken[1]:
             self.record.fits_too(asked.at.time, *broken)
 
     def _to_event(self, selected: Selected, end: float) -> MarginEnd:
-        """Integrate to the next event, or to an end."""
+        """Integrate up to the next event, or to the end of the piece."""
         equations = selected.margins.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ())
@@ -380,11 +386,11 @@ class EventRun:
         try:
             for step in self._steps(selected, end, tolerances):
                 self.length = step.end - step.start
-                found = finder.event_in(step) or MarginEnd(step.end, step.last, ())
-                self.record.step(step, found.time, found.state)
+                event = finder.event_in(step) or MarginEnd(step.end, step.last, ())
+                self.record.step(step, event.time, event.state)
                 self._watched()
-                if found.watches:
-                    return found
+                if event.watches:
+                    return event
         except TooSmall:
             if behind := self._behind_corner(equations, end):
                 return behind
@@ -392,10 +398,10 @@ class EventRun:
         return MarginEnd(end, step.last, ())
 
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the instant right behind a corner before which no step is small enough, if any.
+        """Return the instant right behind a corner that no step passes, if there is one.
 
-        What leaves 0 there, a step over the corner tells wrong by as much as it becomes, or even
-        with the wrong sign. So the motion goes straight to the other side.
+        A quantity that leaves 0 at the corner is wrong by its full size after a step across the
+        corner, even in sign. So the motion is extrapolated linearly to the other side.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
@@ -405,7 +411,7 @@ class EventRun:
             sides = self._sides(equations, at, there)
             passed = np.flatnonzero(sides * before < abs(sides)).tolist()
             if passed:
-                return MarginEnd(at, there, tuple(Watch("corner", one) for one in passed))
+                return MarginEnd(at, there, tuple(Watch("corner", index) for index in passed))
             length *= 2
         return None
 
@@ -416,7 +422,7 @@ class EventRun:
         return np.sign([first - second for first, second in both])
 
     def _watched(self) -> None:
-        """Stop where that is asked for, unless this is the end."""
+        """Stop the run if the guard asks for a stop before the end."""
         time = self.record.time
         if self.watch is not None and time < self.until and (why := self.watch(time)):
             raise CaseError("E604", f"at {time:.9g} s {why}")
@@ -424,7 +430,7 @@ class EventRun:
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances
     ) -> Iterator[TimeStep]:
-        """Steps up to a time: in closed form where all is straight, or something can swing."""
+        """Yield steps up to a time, in closed form if possible, or else explicit."""
         equations, state = selected.margins.equations, selected.state
         time = equations.time
         if equations.has_closed_form:
@@ -445,7 +451,7 @@ class EventRun:
         end: float,
         tolerances: StepTolerances,
     ) -> Iterator[TimeStep]:
-        """Steps of an explicit method up to a time, or to a corner that no step passes."""
+        """Yield steps of an explicit method up to a time, or to a corner that no step passes."""
         time, state = begin
         for _ in range(_MOST_LARGER):
             try:
@@ -462,13 +468,13 @@ class EventRun:
         raise TooSmall
 
     def _too_small(self, equations: Equations) -> Problem:
-        """Why no step is small enough: a torque that is no number, or that jumps."""
+        """Return the reason for steps that are too small: an invalid or jumping torque."""
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         for ahead in AHEAD_OF_STOP:
             at = time + ahead * self.duration
             _, torques = equations.acting(at, state)
-            for one, torque in zip(self.system.outside, torques.tolist(), strict=False):
-                name = self.system.names[one.link]
+            for load, torque in zip(self.system.outside, torques.tolist(), strict=False):
+                name = self.system.names[load.link]
                 what = f"at {at:.6g} s the torque on {name} is {torque:g}"
                 if not math.isfinite(torque):
                     return Problem("E605", f"{what}, expected a number", ("torques", name))
@@ -486,7 +492,7 @@ class EventRun:
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
-        """A corner that is here, else what of the torques changes most with its speed."""
+        """Return a problem at a near corner, or of the torque that is steepest in speed."""
         for place in self.meetings.latest(time)[:1]:
             corner = self.corners[place.corner]
             message = (
@@ -517,7 +523,7 @@ class EventRun:
         return StepTolerances(relative, absolute)
 
     def _joined(self, at: Instant, before: States | None) -> Instant:
-        """The instant after what joins here has joined."""
+        """Return the instant after the impact of joining contacts."""
         system = self.system
         rigid, joining = [], []
         for index, contact in enumerate(system.contacts):
@@ -532,30 +538,29 @@ class EventRun:
                     joining.append(index)
         if not joining:
             return at
-        made = impact(system, at, rigid, joining)
-        self.record.impact_work += made.work
-        for index, energy in zip(joining, made.energies, strict=True):
-            if at.time > 0:  # what happens at the start is no event
+        after_impact = impact(system, at, rigid, joining)
+        self.record.impact_work += after_impact.work
+        for index, energy in zip(joining, after_impact.energies, strict=True):
+            if at.time > 0:  # an impact at the start is not an event
                 joined = event_of(at.time, system.contacts[index], "impact", energy)
                 self.record.events.append(joined)
             self.record.impact += energy
             self.record.joined.add(index)
-        return at._replace(speeds=made.speeds)
+        return at._replace(speeds=after_impact.speeds)
 
-    def _tell(self, time: float, before: States | None, states: States) -> None:
-        """List what changed."""
+    def _record_changes(self, time: float, before: States | None, states: States) -> None:
         if before is not None:
             for index, contact in enumerate(self.system.contacts):
                 if not (contact.is_drag or index in self.record.joined):
                     change = before.contacts[index], states.contacts[index]
-                    self._tell_change(time, contact, *change)
+                    self._record_change(time, contact, *change)
             for index, spring in enumerate(self.system.springs):
-                self._tell_change(time, spring, before.springs[index], states.springs[index])
-            self._tell_meshes(time, before, states)
+                self._record_change(time, spring, before.springs[index], states.springs[index])
+            self._record_meshes(time, before, states)
         self.record.joined.clear()
 
-    def _tell_meshes(self, time: float, before: States, states: States) -> None:
-        """List mechanisms that begin to be held still by their friction, or to move again."""
+    def _record_meshes(self, time: float, before: States, states: States) -> None:
+        """Record mechanisms that friction begins to hold still, or that move again."""
         pairs = zip(before.meshes, states.meshes, strict=True)
         for index, (earlier, later) in enumerate(pairs):
             if earlier in SIGNS_OF_MESHES and later == "stick" and self._holds(index, states):
@@ -567,13 +572,13 @@ class EventRun:
             self.record.events.append(event_of(time, self.system.meshes[index], kind))
 
     def _holds(self, mesh: int, states: States) -> bool:
-        """Whether without friction in mechanisms a mechanism would move."""
+        """Return whether a mechanism would move if no mechanism had friction."""
         loose = self.selection.structure(states.held, ("",) * len(states.meshes))
         slip = self.system.meshes[mesh].slip
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """The key of the scenario to which a watch belongs, as far as it has one."""
+        """Return the path of a watch in the scenario, or an empty path."""
         scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
@@ -585,7 +590,7 @@ class EventRun:
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
-        """The key of the scenario to which a choice belongs, as far as it has one."""
+        """Return the path of a choice in the scenario, or an empty path."""
         scenario, system = self.system.scenario, self.system
         if kind == "contacts" and system.contacts[index].switch:
             return "torques", self._name_of(kind, index)
@@ -624,8 +629,10 @@ class EventRun:
             return f"the state {self.system.scenario.states[watch.of].name}"
         return f"the sequence {self.sequences.going[watch.of].name}"
 
-    def _tell_change(self, time: float, device: Contact | Elastic, before: str, after: str) -> None:
-        sticks = ("stick", "rigid", "parted")  # the last one is no matter of friction
+    def _record_change(
+        self, time: float, device: Contact | Elastic, before: str, after: str
+    ) -> None:
+        sticks = ("stick", "rigid", "parted")  # parting is not an event of friction
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
             kind = "slips"
@@ -641,18 +648,18 @@ class EventRun:
             self.record.events.append(slid_back(event) if after == "-" else event)
 
     def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
-        """Return whether a device began to slip right before a time [s], to whichever side.
+        """Return whether a device began to slip right before a time [s], to any side.
 
-        Where its slip is too small to be seen ahead, the first side may be the wrong one.
+        The first side can be wrong if the slip is too small for the look-ahead.
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)
-        of_device = (one for one in events if one.element == device.name)
+        of_device = (event for event in events if event.element == device.name)
         last = next(of_device, None)
         if last is None:
             return time <= near
         return last.event == "slips" and time - last.time <= near
 
     def _has_slipped(self, device: Contact | Elastic) -> bool:
-        """Whether a device slipped since the last event: without capacity it can also rest."""
+        """Return whether a device slipped since the last event; it can rest without capacity."""
         return self.record.largest_slip(device.row) > STANDING * self.scales.speed

@@ -1,4 +1,4 @@
-"""Types of the scenarios that come with the program: only their names show what they are."""
+"""Types of the shipped scenarios, by which type checkers know the results of `example`."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ScenarioName: TypeAlias = Literal[
     "scenarios/tarasik-set-upshift",
     "scenarios/tarasik-truck",
 ]
-"""Names of the scenarios."""
+"""Names of the shipped scenarios."""
 
 
 class Example(Protocol):

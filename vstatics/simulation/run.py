@@ -1,4 +1,4 @@
-"""Simulate a scenario."""
+"""Simulation of a scenario from start to end."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 _END = ("duration",)
-"""Where it is told that a run does not come to its end, if nothing else is at fault."""
+"""Path of a problem that stops a run when no other key is at fault."""
 
 Method = Literal["events", "tarasik"]
 
@@ -50,32 +50,33 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     watch: Guard | None = None,
     columns: Sequence[tuple[str, str]] = (),
 ) -> Motion:
-    """The motion of a case by a scenario.
+    """Simulate the motion of a case under a scenario.
 
     Parameters
     ----------
     scenario : Scenario
     step : float, optional
-        Its multiples are instants of the motion too. [s]
+        Spacing of additional instants of the motion. [s]
     rtol : float
-        Accuracy of event times by the duration, of speeds and energies by their largest. [-]
+        Tolerance of event times relative to the duration, and of speeds and energies relative to
+        the largest. [-]
     method : {"events", "tarasik"}
-        The second is the published one, for comparison; see `tarasik`.
+        `tarasik` is a published method, for comparison; see `published.tarasik`.
     watch : callable, optional
-        Is told the time that is reached [s], again and again; a text stops the run there.
+        Function that is called with the time reached [s]; a returned text stops the run.
     columns : sequence of (str, str)
-        Tables and rows that `asked` of the motion is to have besides, such as
-        ``("accelerations", "out")``; of the method `events`.
+        Additional tables and rows in `asked` of the motion, such as ``("accelerations", "out")``;
+        for the method `events` only.
 
     Returns
     -------
     Motion
-        With `stopped` where the run had to stop before its end.
+        Results, with `stopped` set if the run stopped before the end.
 
     Raises
     ------
     CaseError
-        Of what can't begin, with paths in the scenario.
+        If the scenario cannot start, with paths in the scenario.
 
     Examples
     --------
@@ -95,7 +96,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     if step is not None and not 0 <= step < math.inf:
         raise ValueError(f"step is {step:g}, expected a number of seconds")
     check_scenario(scenario)
-    with np.errstate(all="ignore"):  # what is no number is told where it matters
+    with np.errstate(all="ignore"):  # invalid numbers are reported where they matter
         if method == "tarasik":
             from vstatics.simulation.published.tarasik import tarasik
 
@@ -114,7 +115,7 @@ def begun(
     watch: Guard | None = None,
     columns: Sequence[tuple[str, str]] = (),
 ) -> EventRun:
-    """A run at its start, by the equations of motion; see `simulate`."""
+    """Prepare a run at the start, by the equations of motion; see `simulate`."""
     scenario = with_fixed_ratios(with_all_converters(scenario))
     asked = rows_of_tables(columns, scenario)
     gear = start_gear(scenario)
@@ -127,30 +128,30 @@ def begun(
     start = start_instant(system, speeds, twists, angles)
     record = Record(system, start, step, asked)
     notes = (*bare_capacities(scenario.case), *cut_controls(scenario))
-    told = (Message(one.id, one.message) for one in notes)
-    record.messages += [*told, *messages]
+    note_messages = (Message(note.id, note.message) for note in notes)
+    record.messages += [*note_messages, *messages]
     return EventRun(record, engaged, rtol, watch)
 
 
 def _to_its_end(run: EventRun) -> Motion:
-    """The motion of a run."""
+    """Run to the end, and return the motion."""
     record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:
         run.run(run.duration)
     except CaseError as stop:
         [first, *_] = stop.problems
-        hurried = bool(watch and watch(record.time))  # then nothing is at fault
+        hurried = bool(watch and watch(record.time))  # stopped by the limit, not by a fault
         stopped = first if first.path or hurried else first._replace(path=_END)
     if not record.pieces:
-        assert stopped is not None  # noqa: S101 - it can't end without a start
+        assert stopped is not None  # noqa: S101 - a run without pieces was stopped
         raise CaseError([stopped])
     motion = record.motion(stopped, hurried=hurried)
     return motion if stopped else _closed(motion, record.turnover)
 
 
 def _settled(system: MotionSystem, speeds: Floats) -> Floats:
-    """Twists at t = 0 with which nothing swings [rad]."""
+    """Return the twists at t = 0 at which the springs are at rest [rad]."""
     try:
         return settled_twists(system, speeds)
     except NoChoice:
@@ -159,7 +160,7 @@ def _settled(system: MotionSystem, speeds: Floats) -> Floats:
 
 
 def _closed(motion: Motion, turnover: float) -> Motion:
-    """The motion, marked where its energy does not close by the energy that was at work."""
+    """Return the motion, marked as stopped if the energy balance does not close."""
     balance = abs(motion.energy.balance)
     if balance <= max(CLOSED_ENERGY * turnover, NO_ENERGY):
         return motion

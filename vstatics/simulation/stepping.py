@@ -1,4 +1,4 @@
-"""A run that goes on as somebody tells it, and can go back."""
+"""Interactive run that is advanced step by step and can return to earlier states."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ from vstatics.simulation.tolerances import RTOL
 
 @refusing()
 def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
-    """A run at its start, to be advanced.
+    """Begin a run that can be advanced step by step.
 
     Parameters
     ----------
     scenario : Scenario
-        Its `duration` ends nothing.
+        Scenario; `duration` does not end the run.
     rtol : float
-        As in `simulate`. [-]
+        Tolerance as in `simulate`. [-]
 
     Returns
     -------
     SteppedRun
-        At time 0.
+        Run at time 0.
 
     Raises
     ------
     CaseError
-        Of what can't begin, with paths in the scenario.
+        If the scenario cannot start, with paths in the scenario.
 
     Examples
     --------
-    A brake stops a wheel of 2 kg*m^2, and is tried before:
+    A brake stops a wheel of 2 kg*m^2; an earlier state is restored afterwards:
 
     >>> from vstatics import ShiftElement, Transmission
     >>> from vstatics.simulation import Capacity, Scenario, Start, constant
@@ -60,17 +60,17 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     0.25
     """
     check_scenario(scenario)
-    with np.errstate(all="ignore"):  # what is no number is told where it matters
+    with np.errstate(all="ignore"):  # invalid numbers are reported where they matter
         return SteppedRun(begun(scenario, step=None, rtol=rtol))
 
 
 class SteppedRun:
-    """A run that goes on as it is told.
+    """Interactive run that is advanced step by step.
 
     Attributes
     ----------
     state
-        Where the run is. It never changes: to assign one of before is to go back there.
+        Immutable present state of the run. Assign an earlier state to return to it.
     """
 
     def __init__(self, state: EventRun) -> None:
@@ -78,7 +78,7 @@ class SteppedRun:
 
     @property
     def state(self) -> EventRun:
-        """Where the run is."""
+        """Present state of the run."""
         return self._state
 
     @state.setter
@@ -89,35 +89,34 @@ class SteppedRun:
 
     @property
     def time(self) -> float:
-        """The present [s]."""
+        """Present time [s]."""
         return self.state.at.time
 
     @property
     def speeds(self) -> dict[str, float]:
-        """Of links at present, by name [rad/s]."""
+        """Present speeds of links, by name [rad/s]."""
         speeds = self.state.at.speeds.tolist()
         return _SteppedSpeeds(zip(self.state.system.names, speeds, strict=True))
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What has happened."""
+        """Events up to the present."""
         return tuple(self.state.record.events)
 
     def advance(self, seconds: float, /, **settings: float) -> None:
-        """Set numbers, have sequences act, and go on.
+        """Set numbers, let sequences act, and advance the run.
 
         Parameters
         ----------
         seconds : float
-            How long. [s]
+            Length of the advance. [s]
         **settings : float
-            Numbers of `set`, and states, and what they are from now on.
+            New values of numbers that sequences set, and of states.
 
         Raises
         ------
         CaseError
-            Of a number that there is not, or when there is no way on; then the run stays where it
-            was.
+            If a name is unknown, or the run cannot go on. The run then stays in its state.
         """
         _check(self.state.system.scenario, seconds, settings)
         state = self.state.copy()
@@ -129,7 +128,7 @@ class SteppedRun:
 
 
 class _SteppedSpeeds(dict[str, float]):
-    """By names; one that is not there is told with those that are."""
+    """Speeds by name, with an error that suggests existing names."""
 
     def __missing__(self, name: str) -> float:
         hint = nearest(name, self) or f", expected {listed(list(self))}"
@@ -139,7 +138,7 @@ class _SteppedSpeeds(dict[str, float]):
 def _check(scenario: Scenario, seconds: float, settings: Mapping[str, float]) -> None:
     if not (_is_number(seconds) and seconds > 0):
         raise CaseError("E675", f"advance by {seconds!s} s, expected a number above 0")
-    known = [*scenario.settings, *(one.name for one in scenario.states)]
+    known = [*scenario.settings, *(state.name for state in scenario.states)]
     for name, value in settings.items():
         if name not in known:
             hint = nearest(name, known) or f", expected {listed(known) or 'no name'}"

@@ -1,163 +1,164 @@
-"""Tolerances of a simulation, by what they compare; parts of the largest where nothing is said."""
+"""Tolerances of a simulation, grouped by purpose; relative to the largest value if not stated."""
 
 from __future__ import annotations
 
 # a run
 RTOL = 1e-8
-"""Of the integration, if nobody says otherwise: so much is left of the energy at most, too."""
+"""Default tolerance of the integration; also bounds the error of the energy balance."""
 LEAST_RTOL = 3e-14
-"""The solver refuses less: it would be rounding."""
+"""Smallest tolerance that the integrator accepts; less would be rounding."""
 CLOSED_ENERGY = 1e-8
-"""A run closes that leaves no more than this part of the largest energy."""
+"""Largest error of the energy balance of a valid run, relative to the largest energy."""
 NO_ENERGY = 1e-12
-"""An energy that is none. [J]"""
+"""Energy that counts as zero. [J]"""
 PRINTED = 1e-9
-"""Less than this part of the largest number of its kind is printed as 0."""
+"""Ratio to the largest number of a table column kind below which 0 is printed."""
 CLOSED_BALANCE = 5e-4
-"""A balance below it is 0 to three decimals. [J]"""
+"""Energy balance that is 0 to three decimals. [J]"""
 
 # numbers that are given
 LARGEST_NUMBER = 1e15
-"""What is larger, in SI, is mistyped: a ship has 1e9 kg, and turns no faster than 1e2 rad/s."""
+"""Largest plausible number in SI units: a ship has 1e9 kg, and turns at most at 1e2 rad/s."""
 LEAST_NUMBER = 1e-15
-"""The same of what is smaller: the balance wheel of a watch has 1e-9 kg*m^2."""
+"""Smallest plausible number in SI units: the balance wheel of a watch has 1e-9 kg*m^2."""
 UNLIKE_INERTIAS = 1e-12
-"""Part of the largest inertia below which another one is rounding."""
+"""Ratio to the largest inertia below which an inertia is rounding."""
 
 # times
 SAME_INSTANT = 1e-11
-"""Events as near as this part of the duration come at one instant."""
+"""Distance of simultaneous events, relative to the duration."""
 SAME_TIME = 1e-12
-"""Times that differ by this part are the same but for rounding."""
+"""Relative difference of times that are equal except for rounding."""
 SAME_END = 1e-13
-"""A stretch that ends so near to the end of a piece ends there."""
+"""Distance of a stretch from the end of a piece at which both end together."""
 AHEAD = 1e-7
-"""Part of a duration or a step by which it is looked ahead, and over which slopes are taken."""
+"""Look-ahead and interval of slopes, relative to a duration or a step."""
 SIGHT = 1e-6
-"""The same where what changes follows from speeds, whose rounding is larger."""
+"""Look-ahead for quantities derived from speeds, whose rounding is larger."""
 LONGEST_DURATION = 1e4
-"""Times in a run are judged by no longer duration: a motion is as fast in a long run. [s]"""
+"""Largest duration used as a time scale: motion in a long run is as fast as in a short run. [s]"""
 LEAST_DURATION = 1e-9
-"""Slopes are taken over a part of no shorter one. [s]"""
+"""Smallest duration used as a time scale of slopes. [s]"""
 NO_PROGRESS = 1e-5
-"""Steps without end, by the duration: what switches to and fro has no longer ones."""
+"""Largest progress, relative to the duration, of a run caught in endless switching."""
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
-"""Parts of the duration behind a stop at which a torque may be no number."""
+"""Parts of the duration after a stop at which a torque is checked for invalid numbers."""
 BEYOND_ALL = 1e6
-"""A torque at a stop that is larger than all others by this factor is the cause. [-]"""
+"""Ratio to all other torques above which a torque at a stop is the cause. [-]"""
 ROOT_PART = 1e-14
-"""A root of a polynomial, by the interval: nearer there is nothing but rounding."""
+"""Tolerance of a polynomial root, relative to the interval; rounding allows no less."""
 ROOT_TIME = 1e-15
-"""A root by the margin itself, as a part of the time."""
+"""Tolerance of a root of the margin itself, relative to the time."""
 
 # speeds, torques, margins
 STANDING = 1e-9
-"""A speed, torque or impulse that is 0 but for rounding, by the largest of its kind."""
+"""Speed, torque or impulse that is 0 except for rounding, relative to the largest of its kind."""
 NO_MARGIN = 1e-10
-"""A margin is below 0 by more than this part of what is large."""
+"""Violation of a margin that counts, relative to the scale of the margin."""
 LEAST_VALUE = 1e-30
-"""Of a state, beside which others are accurate."""
+"""Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
-"""Part of the largest value of a state up to which it is as accurate."""
+"""Ratio to the largest value of a control state down to which the tolerance shrinks."""
 BETWEEN_INSTANTS = 1e-9
-"""States between the instants of a step are as accurate, by the largest number in it."""
+"""Accuracy of states between instants of a step, relative to the largest value in the step."""
 EQUAL_SIDES = 1e-10
-"""What is compared is equal if it differs by less than this part."""
+"""Relative difference of equal numbers in a comparison."""
 SOON = 1e2
-"""By so much of what it changes until there a comparison may be equal: times have that rounding."""
+"""Multiple of the change during the look-ahead that counts as a size, because times are rounded."""
 MET = 1e-3
-"""... and it meets now what it reaches in this part of the time that is looked ahead."""
+"""Fraction of the look-ahead within which numbers meet now."""
 SLIDING = 1e-3
-"""A motion that stays as near to a jump, by the size of the numbers compared, slides along it."""
+"""Distance from a jump, relative to the compared numbers, of a motion that slides along it."""
 NEAR_LIMIT = 1e-3
-"""A state is at a limit that it reaches in this part of the time that is looked ahead."""
+"""Fraction of the look-ahead within which a state counts as at its limit."""
 EXACT_SIDES = 1e-13
-"""A comparison turns where it is passed by this part of what is compared."""
+"""Relative difference at which a comparison changes its side."""
 ROUNDED_INPUT = 1e-14
-"""Part of the largest of its kind by which a number that a formula sees is uncertain."""
+"""Rounding of a number seen by a formula, relative to the largest of its kind."""
 ROUNDED_SUM = 1e-15
-"""Part of the sizes of its terms that rounding leaves of a sum which is 0."""
+"""Rounding of a sum, relative to the sizes of its terms."""
 PASSED_LIMIT = 1e-10
-"""A limit is passed by more than this part of the largest torque."""
+"""Violation of a torque limit that counts, relative to the largest torque."""
 FALLING_MARGIN = 1e-12
-"""A margin that changes less while it is looked ahead stays."""
+"""Relative change of a margin during the look-ahead that counts as a fall."""
 TIGHT_SLACK = 1e-6
-"""Slacks as near to the least, by the largest, are at their limit with it."""
+"""Distance of slacks at their limit from the smallest slack, relative to the largest."""
 REGULAR_CORNER = 1e-9
-"""Limits whose determinant is less do not meet in a corner."""
+"""Determinant below which limits do not meet in a corner."""
 NO_SPLIT = 1e-12
-"""What is left of the goal where no split lies within all limits."""
+"""Residual of the goal at which no split lies within all limits."""
 WITHIN_LIMITS = 1e-6
-"""A split may pass limits by this part of the largest slack: so far least squares are accurate."""
+"""Violation of limits allowed in a split, the accuracy of least squares, by the largest slack."""
 SHARED_TORQUE = 1e-6
-"""A torque takes part in a redundant direction that has more of it."""
+"""Share of a torque in a redundant direction that counts."""
 SAME_VALUES = 1e-9
-"""Values at one instant that differ by less do not jump."""
+"""Relative difference of values at an instant that is not a jump."""
 MADE_CAPACITY = 1e-9
-"""A number may be above the capacity of the case, or below 0, by this part."""
+"""Relative excess of a control over the capacity of the case, or below 0, that is allowed."""
 MISSING_MASS = 1e-3
-"""Part of the mass of a vehicle that its inertia may lack."""
+"""Fraction of a vehicle mass that the inertia can lack."""
 LEAST_PROBABILITY = 2.0**-53
-"""A normal distribution has no number for a part of 0."""
+"""Smallest probability for a normal distribution, which is infinite at 0."""
 
 # matrices
 INDEPENDENT_MOTION = 1e-9
-"""A direction counts that is above this part of the largest."""
+"""Ratio to the largest singular value above which a direction is independent."""
 BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
-"""The same among weighted torques, whose weights differ."""
+"""Threshold of independence for weighted torques, lowered by the range of the weights."""
 ROUNDED_MOTION = 1e-12
-"""Parts of a motion below this are rounding."""
+"""Part of a motion below which a component is rounding."""
 MOVING_LINK = 1e-9
-"""Links whose speeds in a motion are below stand still in it."""
+"""Speed in a motion below which a link is at rest."""
 DEPENDENT = 1e-12
-"""Singular values below this part of the largest are rounding, in least squares."""
+"""Ratio of singular values below which they are rounding, in least squares."""
 LIGHT_MOTION = 1e-13
-"""An inertia of a motion below this part of the largest is none."""
+"""Ratio to the largest inertia of a motion below which a motion has no inertia."""
 RIGID_SQUARE = 1e-10
-"""A square of a frequency below this part of the largest belongs to a rigid motion."""
+"""Ratio to the largest squared frequency below which a motion is rigid."""
 LEAST_MASS = 1e-30
-"""In place of the mass of a motion that has none, under a root. [kg*m^2]"""
+"""Substitute for a zero mass under a root. [kg*m^2]"""
 NOT_ZERO = 1e-300
-"""In place of 0, by which something is divided."""
+"""Substitute for a zero divisor."""
 
 # curves over time
 CHORD = 8e-4
-"""Chords between the instants of a run come so near to a column, by its range: people see 1e-3."""
+"""Distance of chords between stored instants from a curve, by its range; people see 1e-3."""
 NO_RANGE = 1e-9
-"""A column that changes less, by the largest of its kind, does not change but for rounding."""
+"""Range of a constant column, relative to the largest of its kind."""
 EQUAL_EXTREMES = 1e-7
-"""Extremes that differ by less, by the range, may be equal: polynomials are as accurate."""
+"""Relative difference of equal extremes, the accuracy of polynomials."""
 
 # slopes
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
-"""Time over which a change along the motion is told, as a part of the duration, and at most [s]:
-rounding leaves nine digits of a jerk."""
+"""Interval of a slope along the motion, relative to the duration, and at most in s; rounding leaves
+nine digits of a jerk.
+"""
 NO_CHANGE = 1e-14
-"""Part of its terms by which a sum changes by rounding alone."""
+"""Ratio to the terms of a sum below which a change is rounding."""
 DIFFERENCE_STEP = 1e-6
-"""Step of a difference in place of a slope, by the largest speed."""
+"""Step of difference quotients, relative to the largest speed."""
 NEWTON_STEP = 1e-13
-"""A step of Newton's rule that is smaller is the last."""
+"""Step at which Newton's method has converged."""
 LEAST_SENSE = 1e-6
-"""A torque senses its rate by this part of the largest slope at least, whatever its own is, ..."""
+"""Least sensitivity of a torque to its rate, relative to the largest slope."""
 NO_SENSE = 1e-30
-"""... and by this where all are 0. [N*m*s/rad]"""
+"""Sensitivity of a torque to its rate where all slopes are 0. [N*m*s/rad]"""
 STRAIGHT_BALANCE = 1e-12
-"""A torque that bends does not act along a motion if it does so by less."""
+"""Largest component of a nonlinear torque along a motion that counts as zero."""
 
 # stretches in closed form
 ENOUGH_TERMS = 1e-18
-"""A term of a series that is smaller, by what it is added to, is the last."""
+"""Ratio to the sum at which a term of a series is the last."""
 SHORTEST_PART = 2.0**-14
-"""By which a part may be shortened, where torques bend."""
+"""Smallest factor by which a part is shortened for nonlinear torques."""
 FITTING_TORQUE = 1e-12
-"""How near polynomials come to torques, by the largest torque."""
+"""Accuracy of polynomials of torques, relative to the largest torque."""
 
 # the published method
 PUBLISHED_RTOL = 1e-12
-"""The finest tolerance of its integration."""
+"""Smallest tolerance of the published method."""
 NO_COEFFICIENT = 1e-9
-"""Coefficients of a motion below this part of the largest are 0."""
+"""Ratio to the largest coefficient of a motion below which a coefficient is 0."""
 
 # iterations
 LAST_BIT = 2e-16

@@ -1,8 +1,8 @@
-"""From event to event: how a motion is integrated, where something changes, what follows.
+"""Integration from event to event: search for events, and states after each event.
 
-`start` and `springs_at_start` determine the state at the start, `instants` where everything is.
-`selection` finds what sticks: by `choices`, in the order of `search`; redundant torques are divided
-by `split`, what joins at once has its speeds by `impacts`. Then `stretches` in closed form, or
-`time_steps` of an explicit method, go on until one of the `margins` ends, which `location` finds;
-`unbounded` tells why they can't.
+`start` and `springs_at_start` determine the start, `instants` describes the motion at an instant.
+`selection` selects the sticking and slipping states among `choices`, in the order of `search`.
+`split` divides redundant torques, and `impacts` calculates speeds after links join at once. Then
+`stretches` integrates in closed form, or `time_steps` by an explicit method, until one of the
+`margins` ends, whose time `location` finds. `unbounded` explains runs that cannot go on.
 """

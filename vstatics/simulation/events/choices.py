@@ -1,4 +1,4 @@
-"""What speeds and capacities fix of an instant, and what may stick or slip there."""
+"""Candidate states of contacts, mechanisms and springs at an instant: fixed, or a choice."""
 
 from __future__ import annotations
 
@@ -29,36 +29,36 @@ from vstatics.simulation.tolerances import AHEAD, STANDING
 
 
 class ModeChoices:
-    """The choices of a system.
+    """Builder of the fixed states and the open choices of a system at an instant.
 
     Parameters
     ----------
     system : MotionSystem
     loose : MotionStructure
-        While nothing sticks.
+        Structure while nothing sticks.
     """
 
     def __init__(self, system: MotionSystem, loose: MotionStructure) -> None:
         self.system, self.layout = system, system.layout
-        rows = system.rows(one.row for one in system.contacts)
+        rows = system.rows(contact.row for contact in system.contacts)
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > STANDING
-        """Contacts whose slip can jump, since something without inertia moves along."""
+        """Contacts whose slip can jump, because a link without inertia moves along."""
         motions = np.hstack([loose.free, loose.light])
         self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
-        """Mechanisms whose links always turn as one: nothing is lost there, as in statics."""
+        """Mechanisms whose links always rotate as a block: lossless, as in statics."""
         self.carried = [
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
-        """Mechanisms whose speeds can jump in the same way."""
+        """Mechanisms whose speeds can jump, because a link without inertia moves along."""
         self.leaping = [
-            bool((np.abs(loose.light[one.link]) > STANDING).any()) for one in system.outside
+            bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
         ]
-        """Outside torques on links whose speeds can jump in the same way."""
+        """Outside torques on links whose speeds can jump."""
         self.within = AHEAD * system.scenario.span
-        """How far it is looked ahead. [s]"""
+        """Length of the look-ahead. [s]"""
         self.carrying: dict[int, bool] = {}
-        """Of elements by index, where it is known: whether they carry anything from now on."""
+        """Whether a shift element carries torque from now on, by index, as far as known."""
 
     def at(
         self,
@@ -67,7 +67,7 @@ class ModeChoices:
         scales: LargeSizes,
         met: Sequence[int] = (),
     ) -> tuple[States, list[Choice]]:
-        """What is fixed by speeds and capacities, and what has a choice."""
+        """Return the states fixed by speeds and capacities, and the open choices."""
         choices: list[Choice] = []
         system = self.system
         self.seen = seen_at(system, at)
@@ -95,9 +95,11 @@ class ModeChoices:
         return States(tuple(contacts), tuple(meshes), tuple(springs), tuple(pieces)), choices
 
     def _leaps(self, pieces: Sequence[int]) -> Iterator[Choice]:
-        """Pieces of points over a speed to which it may jump, the nearest first."""
-        for index, (one, leaping) in enumerate(zip(self.system.outside, self.leaping, strict=True)):
-            law = one.law
+        """Yield choices among the pieces of a speed-dependent law on a link that can jump."""
+        for index, (load, leaping) in enumerate(
+            zip(self.system.outside, self.leaping, strict=True)
+        ):
+            law = load.law
             if leaping and isinstance(law, Points) and law.over == "speed" and law.x[1:]:
                 now = pieces[index]
                 others = sorted(range(len(law.x) + 1), key=lambda piece: abs(piece - now))
@@ -111,7 +113,7 @@ class ModeChoices:
         now = math.nextafter(at.time, math.inf)
         times = now, at.time + self.within
         capacity = programme_at(contact.programme, now, self.seen)
-        if capacity == 0:  # it may begin to rise here
+        if capacity == 0:  # an oncoming shift element can begin at 0 here
             capacity = programme_at(contact.programme, times[1], self.seen)
         if contact.while_open is not None:
             programme = self.system.by_element[contact.while_open].programme
@@ -136,7 +138,7 @@ class ModeChoices:
     def _switch(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
-        """On which side of a jump a motion is; right there it may stick."""
+        """Return the side of a jump on which a motion is; at the jump, add a choice to stick."""
         switch = self.system.contacts[index].switch
         assert switch is not None  # noqa: S101 - it is asked of these alone
         over, curve, side, _ = switch.jump
@@ -170,7 +172,7 @@ class ModeChoices:
         if abs(speed) > STANDING * scales.speed and not self.carried[index]:
             return sign(speed) + torque
         signs = ("-", "+") if speed < 0 else ("+", "-")
-        choices.append(("meshes", index, ("stick", *(one + torque for one in signs))))
+        choices.append(("meshes", index, ("stick", *(direction + torque for direction in signs))))
         return "stick"
 
     def _spring(self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice]) -> str:
@@ -194,40 +196,37 @@ class ModeChoices:
                 choices.append(("springs", index, ("stick", *slipping)))
         return "stick"
 
-    def _piece(self, at: Instant, one: OutsideTorque, last: int | None) -> int:
-        """The piece of points over a speed or an angle."""
-        law = one.law
+    def _piece(self, at: Instant, load: OutsideTorque, last: int | None) -> int:
+        """Return the index of the active piece of a law over speed or angle."""
+        law = load.law
         if not isinstance(law, Points) or law.over == "time":
             return 0
         if law.over == "speed":
-            value = float(at.speeds[one.link])
+            value = float(at.speeds[load.link])
         else:
-            value = float(at.angles[self.layout.angles.index(one.link)])
+            value = float(at.angles[self.layout.angles.index(load.link)])
         return _piece_at(value, law.x, last, STANDING * max(1.0, abs(value)))
 
 
 def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int:
-    """The piece of the points of a converter."""
     pump, turbine = (float(at.speeds[link - 1]) for link in converter[1:3])
     if pump == 0 or max(abs(pump), abs(turbine)) <= STANDING:
-        # no ratio; what follows tells, piece by piece
+        # Without input speed there is no speed ratio; the search tries piece by piece.
         return len(converter.points) if last is None else last
     return _piece_at(turbine / pump, [ratio for ratio, _, _ in converter.points], last, STANDING)
 
 
 def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:
-    """The piece of the coefficient of friction."""
     slip = abs(float(contact.row @ at.speeds))
     return _piece_at(slip, contact.corners, last, STANDING * max(1.0, slip))
 
 
 def _spring_piece(twist: float, spring: Elastic, last: int | None) -> int:
-    """The piece of the points of a spring."""
     return _piece_at(twist, spring.curve.corners, last, STANDING * max(1.0, abs(twist)))
 
 
 def _piece_at(value: float, corners: Sequence[float], last: int | None, near: float) -> int:
-    """The piece that holds from a value on; at a corner it may be either side's."""
+    """Return the index of the piece active from a value on; at a corner prefer the last piece."""
     if last is not None:
         ends = (-math.inf, *corners, math.inf)
         if ends[last] - near <= value <= ends[last + 1] + near:

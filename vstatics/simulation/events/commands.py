@@ -1,4 +1,4 @@
-"""What steps of sequences do to a system: numbers that are set, shifts, dog clutches."""
+"""Changes that a step of a sequence makes: numbers, shifts and dog clutches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.simulation.system.sight import looking, with_settings
 
 
 class StepCommands:
-    """What was commanded so far, as a scenario would say it beforehand.
+    """Commands of sequences up to now, written into the scenario as scheduled inputs.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class StepCommands:
     def given(
         self, system: MotionSystem, time: float, step: SequenceStep, values: Mapping[str, float]
     ) -> MotionSystem:
-        """The system after a step.
+        """Return the system after a step.
 
         Parameters
         ----------
@@ -40,11 +40,11 @@ class StepCommands:
             [s]
         step : SequenceStep
         values : mapping of str to float
-            Of the numbers that it sets.
+            Values of the numbers that the step sets.
         """
         if step.shift is not None:
             shifts = self.scenario.shifts or ()
-            place = bisect_right([one.at for one in shifts], time)
+            place = bisect_right([shift.at for shift in shifts], time)
             new = step.shift._replace(at=time)
             shifts = (*shifts[:place], new, *shifts[place:])
             self.scenario = self.scenario._replace(shifts=shifts)
@@ -52,33 +52,33 @@ class StepCommands:
             self._command(number, time, closed=closed)
         if step.shift is not None or step.dogs:
             system = with_programmes(system, programmes(self.scenario, self.engaged))
-        settings = {name: values.get(name, one) for name, one in system.settings.items()}
+        settings = {name: values.get(name, default) for name, default in system.settings.items()}
         return with_settings(system, settings)
 
     def _command(self, number: int, time: float, *, closed: bool) -> None:
-        """Have a dog clutch closed or open from a time on."""
+        """Command a dog clutch to close or open from a time on."""
         controls = dict(self.scenario.controls or {})
         control = controls.get(number)
         before: tuple[tuple[float, bool], ...] = ((0.0, number in self.engaged),)
         if isinstance(control, Dog):
             before = control.points
-        kept = [one for one in before if one[0] < time]
-        later = [one for one in before if one[0] > time]
-        controls[number] = Dog((*kept, (time, closed), *later))
+        earlier = [point for point in before if point[0] < time]
+        later = [point for point in before if point[0] > time]
+        controls[number] = Dog((*earlier, (time, closed), *later))
         self.scenario = self.scenario._replace(controls=controls)
 
 
 def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[float]) -> float:
-    """What a number is set to, by all that is seen."""
+    """Return the value to which a step sets a number."""
     if isinstance(value, Formula):
         return looking(system, value).at(time, seen)
     return value.y[0]
 
 
 def with_states(scenario: Scenario, now: Floats, values: Mapping[str, float]) -> Floats:
-    """Values of states after some were set, each within its limits."""
-    made = now.copy()
-    for index, one in enumerate(scenario.states):
-        if one.name in values:
-            made[index] = min(max(values[one.name], one.least), one.most)
-    return made
+    """Return values of states after a step set some of them, clipped to the limits."""
+    after = now.copy()
+    for index, state in enumerate(scenario.states):
+        if state.name in values:
+            after[index] = min(max(values[state.name], state.least), state.most)
+    return after

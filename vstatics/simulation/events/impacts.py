@@ -1,8 +1,8 @@
-"""What joins at once: speeds after an impact.
+"""Speeds after an impact, when contacts close and links join at once.
 
-Mechanisms, closed dogs and freewheels at their stop take impulses, friction does not: ``M (w+ - w)
-= -C p`` and ``C' w+ = 0``, so half of ``p C' w`` is lost. A freewheel takes an impulse one way
-only.
+Mechanisms, closed dog clutches and locked freewheels take impulses, friction does not. With mass
+matrix M, constraint rows C' and impulses p: ``M (w+ - w) = -C p`` and ``C' w+ = 0``, so half of ``p
+C' w`` is lost. A freewheel takes an impulse in one direction only.
 """
 
 from __future__ import annotations
@@ -22,34 +22,34 @@ from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
 class Impact(NamedTuple):
-    """Speeds after an impact, and what it takes."""
+    """Speeds and energies of an impact."""
 
     speeds: Floats
-    """Of links. [rad/s]"""
+    """Speeds of all links. [rad/s]"""
     energies: tuple[float, ...]
-    """Lost, by each contact that joins. [J]"""
+    """Energy lost in each joining contact. [J]"""
     work: float
-    """Of the impulses on links whose speeds are given. [J]"""
+    """Work of the impulses on links with given speeds. [J]"""
 
 
 def impact(
     system: MotionSystem, at: Instant, rigid: Sequence[int], joining: Sequence[int]
 ) -> Impact:
-    """The impact when contacts join; speeds that are given stay.
+    """Calculate the impact of joining contacts; given speeds do not change.
 
     Parameters
     ----------
     system : MotionSystem
     at : Instant
-        Before.
+        Instant before the impact.
     rigid : sequence of int
-        Indices of all contacts that hold anything, those that join among them.
+        Indices of all contacts that hold, including those that join.
     joining : sequence of int
     """
     speeds = at.speeds
-    wheels = [index for index, one in enumerate(system.contacts) if one.one_way]
+    wheels = [index for index, contact in enumerate(system.contacts) if contact.one_way]
     held = [system.contacts[index].row for index in rigid]
-    given = [one.row for one in system.contacts if one.is_given]
+    given = [contact.row for contact in system.contacts if contact.is_given]
     given += variator_rows(system, at.time)
     small = STANDING * max(1.0, largest(speeds))
     best: Impact | None = None
@@ -77,17 +77,18 @@ def impact(
 def _projected(
     system: MotionSystem, speeds: Floats, rows: Floats, given: Sequence[Floats]
 ) -> tuple[Floats, Floats]:
-    """Speeds that rows leave, nearest by kinetic energy, and the impulses of the rows.
+    """Project speeds onto constraint rows with least change of kinetic energy.
 
-    Those of links whose speeds are given stay; their impulses are the last.
+    Returns the speeds after the impact and the impulses of all rows; the impulses of links with
+    given speeds come last.
     """
     mass = system.mass
     every = np.vstack([rows, system.rows(given)])
     free = null(every)
-    kept = solved(every, np.append(np.zeros(len(rows)), system.rows(given) @ speeds))
+    particular = solved(every, np.append(np.zeros(len(rows)), system.rows(given) @ speeds))
     reduced = free.T @ mass @ free
-    motions = np.linalg.lstsq(reduced, free.T @ mass @ (speeds - kept), rcond=LIGHT_MOTION)[0]
-    after: Floats = kept + free @ motions
+    motions = np.linalg.lstsq(reduced, free.T @ mass @ (speeds - particular), rcond=LIGHT_MOTION)[0]
+    after: Floats = particular + free @ motions
     return after, solved(every.T, mass @ (speeds - after))
 
 
@@ -98,7 +99,7 @@ def _energies(
     rigid: Sequence[int],
     joining: Sequence[int],
 ) -> tuple[float, ...]:
-    """What each of the contacts that join takes, by its impulse and its slip before."""
+    """Share the lost energy among the joining contacts, by impulse and slip before."""
     before, after, work = change
     energy = kinetic_energy(system, before) - kinetic_energy(system, after) + work
     first = len(system.meshes)
@@ -107,10 +108,10 @@ def _energies(
         for place, index in enumerate(rigid)
         if index in joining
     ]
-    rest = (energy - sum(shares)) / len(shares)
-    return tuple(share + rest for share in shares)
+    correction = (energy - sum(shares)) / len(shares)
+    return tuple(share + correction for share in shares)
 
 
 def kinetic_energy(system: MotionSystem, speeds: Floats) -> float:
-    """Of all bodies [J]."""
+    """Return the kinetic energy of all bodies [J]."""
     return float(system.inertias @ (system.heavy @ speeds) ** 2) / 2

@@ -1,4 +1,4 @@
-"""Where everything is at an instant, its state of equations, and when something bends or jumps."""
+"""State of the motion at an instant, and times at which an input bends or jumps."""
 
 from __future__ import annotations
 
@@ -20,77 +20,77 @@ from vstatics.simulation.tolerances import STANDING
 
 
 class Instant(NamedTuple):
-    """Where everything is."""
+    """State of the whole motion at an instant, in physical quantities."""
 
     time: float
     """[s]"""
     speeds: Floats
-    """Of links. [rad/s]"""
+    """Speeds of all links. [rad/s]"""
     twists: Floats
     angles: Floats
     values: Floats
-    """Of states and temperatures."""
+    """Values of states and temperatures."""
     accounts: Floats
-    """Works and losses up to here. [J]"""
+    """Works and losses since the start. [J]"""
 
 
 class Jump(NamedTuple):
-    """Twists that change at once, along motions without inertia."""
+    """Sudden change of twists along motions without inertia."""
 
     link: str
     energy: float
-    """Lost. [J]"""
+    """Energy lost. [J]"""
 
 
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """The state with the twists that balance the torques where nothing heavy moves."""
+    """Return the state with twists that balance the torques on links without inertia."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     _, torques = equations.acting(equations.time, state)
-    rest = equations.by_slope.T @ (equations.structure.balances @ torques)
-    if largest(rest) <= STANDING * scales.torque:
+    unbalanced = equations.by_slope.T @ (equations.structure.balances @ torques)
+    if largest(unbalanced) <= STANDING * scales.torque:
         return state, None
-    motion = equations.along @ -np.linalg.solve(equations.stiff, rest)
+    motion = equations.along @ -np.linalg.solve(equations.stiff, unbalanced)
     turned = equations.structure.light_rates @ motion
-    made = state.copy()
+    balanced = state.copy()
     springs = equations.layout.spring_ports
-    made[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
+    balanced[equations.twists] += np.where(equations.ports.bends, turned[springs], 0.0)
     given = torques * turned
     given[springs] = 0.0
-    made[equations.works] += given
+    balanced[equations.works] += given
     before, after = (
-        equations.system.elastic_energy(one[equations.twists]) for one in (state, made)
+        equations.system.elastic_energy(vector[equations.twists]) for vector in (state, balanced)
     )
     signs = np.ones(len(given))
     signs[equations.layout.outside :] = -1.0
     lost = float(signs @ given) - (after - before)
     links = np.abs(equations.structure.light @ motion)
-    return made, Jump(equations.system.names[int(links.argmax())], lost)
+    return balanced, Jump(equations.system.names[int(links.argmax())], lost)
 
 
 def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) -> Floats:
-    """The motions with inertia at an instant; drivers have their speeds exactly."""
+    """Return the motions with inertia at an instant, with exact speeds of drivers."""
     driven = [sliding_speed(system, index, at) for index in structure.drivers]
     return structure.motions(at.speeds, np.array(driven))
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """The speed of a driver, such as that with which a motion slides along a jump [rad/s]."""
+    """Return the speed of a driver, for example of a motion sliding along a jump [rad/s]."""
     now = math.nextafter(at.time, math.inf)
-    for one in system.variators:
-        if one.contact == contact:
-            return (one.reference - one.ratio.at(now)) * float(at.speeds[one.first])
+    for variator in system.variators:
+        if variator.contact == contact:
+            return (variator.reference - variator.ratio.at(now)) * float(at.speeds[variator.first])
     switch = system.contacts[contact].switch
-    assert switch is not None  # noqa: S101 - it is asked of these alone
+    assert switch is not None  # noqa: S101 - drivers are variators or switches
     angle = float(at.angles[system.layout.angles.index(switch.link)])
     speed = switch.jump.speed.at(now)
     return speed + switch.jump.by_angle * angle
 
 
 def state_of(equations: Equations, at: Instant) -> Floats:
-    """The state of equations at an instant."""
+    """Return the state vector of the equations at an instant."""
     state = np.empty(equations.size)
     state[: equations.motions] = motions_of(equations.system, equations.structure, at)
     state[equations.twists] = at.twists
@@ -102,7 +102,7 @@ def state_of(equations: Equations, at: Instant) -> Floats:
 
 
 def _yield(equations: Equations, time: float, state: Floats) -> None:
-    """Twist springs without dampers that slip as far as their limits are; the rest is heat."""
+    """Limit the twists of slipping springs without dampers; the released energy is heat."""
     if not equations.limited.any():
         return
     twists, heat = state[equations.twists], state[equations.slipped]
@@ -115,7 +115,7 @@ def _yield(equations: Equations, time: float, state: Floats) -> None:
 
 
 def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
-    """The instant that a state of equations stands for."""
+    """Return the instant described by a state vector of the equations."""
     state = state.copy()
     _yield(equations, time, state)
     return Instant(
@@ -131,7 +131,7 @@ def instant_of(equations: Equations, time: float, state: Floats) -> Instant:
 def start_instant(
     system: MotionSystem, speeds: Floats, twists: Floats, angles: Floats | None = None
 ) -> Instant:
-    """The instant t = 0, up to which nothing has worked; angles of links are 0 when not given."""
+    """Return the instant t = 0 with empty energy accounts; missing angles are 0."""
     layout, elements = system.layout, system.case.shift_elements
     accounts = np.zeros(layout.ports + 2 * len(system.springs) + len(system.meshes))
     stores = [elements[index].heat_store for index in layout.hot]
@@ -144,18 +144,18 @@ def start_instant(
 
 
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
-    """All that is seen at an instant but what follows from torques."""
+    """Return all quantities visible to formulas at an instant, except functions of torques."""
     rates = system.port_rows @ at.speeds
     return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
 def break_times(system: MotionSystem, until: float) -> list[float]:
-    """Times up to one at which something bends or jumps, in order [s]."""
+    """Return the sorted times before `until` at which an input bends or jumps [s]."""
     curves: list[object] = [device.programme.curve for device in system.may_slip]
-    curves += [one.law for one in system.outside]
-    curves += [one.rate for one in system.scenario.states]
-    curves += [one.switch.jump.at for one in system.contacts if one.switch]
-    curves += [one.ratio for one in system.variators]
+    curves += [load.law for load in system.outside]
+    curves += [state.rate for state in system.scenario.states]
+    curves += [contact.switch.jump.at for contact in system.contacts if contact.switch]
+    curves += [variator.ratio for variator in system.variators]
     curves += [when.formula for when in conditions(system)]
     times: set[float] = set()
     for curve in curves:
@@ -167,17 +167,17 @@ def break_times(system: MotionSystem, until: float) -> list[float]:
 
 
 def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
-    """Speeds and torques that are large at the start."""
+    """Return large speeds and torques at the start, as scales for rounding."""
     torque = 1.0
     times = [at.time, *break_times(system, system.scenario.duration)]
     seen = seen_at(system, at)
     for contact in system.contacts:
         held = [abs(capacity_at(contact, time, seen=seen)) for time in times]
-        torque = max([torque, *(one for one in held if math.isfinite(one))])
+        torque = max([torque, *(value for value in held if math.isfinite(value))])
     for spring in system.springs:
         limit = abs(programme_at(spring.programme, at.time, seen))
         torque = max(torque, limit if math.isfinite(limit) else 0.0)
-    for one in system.outside:
-        if isinstance(one.law, Points):
-            torque = max(torque, *map(abs, one.law.y))
+    for load in system.outside:
+        if isinstance(load.law, Points):
+            torque = max(torque, *map(abs, load.law.y))
     return LargeSizes(max(1.0, largest(at.speeds)), torque)

@@ -1,4 +1,4 @@
-"""Where in a step a margin ends."""
+"""Time at which a margin ends within a time step."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from vstatics.simulation.tolerances import (
 
 _NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(9) / 8)
 _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
-"""Values at nine parts of an interval -> powers of the part, the highest first."""
+"""Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
+"""
 _LOW = 0.1
-"""A margin that turns between instants may be below 0 there, if so near by what it falls."""
+"""Largest ratio of a minimum between instants to the fall before, to examine the minimum."""
 _PLACES = 65
-"""In a gap between two instants."""
+"""Number of points at which a polynomial is evaluated in a gap between two instants."""
 _NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
-"""Parts of an interval at whose beginning a margin may be 0."""
+"""Parts of an interval at which a margin that begins at 0 is examined."""
 
 
 @lru_cache(maxsize=8)
 def _in_gaps(nodes: tuple[float, ...]) -> Floats:
-    """The matrix from values at nodes to those at five places in each gap, its ends included."""
     at = np.array(nodes)
     inner = at[:-1, None] + np.diff(at)[:, None] * np.linspace(0, 1, 5)
     powers = np.vander(inner.reshape(-1), len(at))
@@ -43,7 +43,7 @@ def _in_gaps(nodes: tuple[float, ...]) -> Floats:
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
-    """Where in a gap the polynomial through values is lowest.
+    """Return the place of the minimum of an interpolating polynomial in a gap.
 
     >>> round(_lowest((0.0, 0.3, 0.6, 1.0), (np.array([0.0, 0.3, 0.6, 1.0]) - 0.41)**2, 1), 9)
     0.41
@@ -59,7 +59,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 
 
 class MarginEnd(NamedTuple):
-    """Where margins end."""
+    """Time, state and watches of the first margins that end."""
 
     time: float
     state: Floats
@@ -67,34 +67,36 @@ class MarginEnd(NamedTuple):
 
 
 class Finder:
-    """Finds the events of a piece.
+    """Finder of the events of a smooth piece of motion.
 
     Parameters
     ----------
     margins : Margins
-        Of the piece.
+        Margins of this piece.
     scales : LargeSizes
     """
 
     def __init__(self, margins: Margins, scales: LargeSizes) -> None:
         self.equations, self.margins = margins.equations, margins
         self.least = self.noise = NO_MARGIN * margins.units(scales)
-        self.following = np.array([one.kind in FOLLOWING for one in margins.watches], dtype=bool)
-        """Of margins: it may end, and rise again, before one that ends behind it."""
+        self.following = np.array(
+            [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
+        )
+        """Margins that can end and rise again before an earlier margin ends."""
         system = self.equations.system
         self.by_formula = [
-            (one.name, one.programme.given)
-            for one in system.contacts
-            if isinstance(one.programme.given, Formula)
+            (contact.name, contact.programme.given)
+            for contact in system.contacts
+            if isinstance(contact.programme.given, Formula)
         ]
         self.torques = [
-            (port, system.names[one.link])
-            for port, one in enumerate(system.outside)
-            if isinstance(one.law, Formula)
+            (port, system.names[load.link])
+            for port, load in enumerate(system.outside)
+            if isinstance(load.law, Formula)
         ]
 
     def event_in(self, step: TimeStep) -> MarginEnd | None:
-        """The first event in a step."""
+        """Return the first event in a step."""
         self._check_capacities(step)
         self._check_torques(step)
         times, states = step.times, step.states
@@ -116,7 +118,6 @@ class Finder:
         return self._located(step, above, under)
 
     def _noise_of(self, margins: Floats) -> Floats:
-        """Noise of margins in a step: what follows is as accurate as its largest value in it."""
         sizes = np.abs(margins).max(axis=1, initial=0.0)
         following = self.following & np.isfinite(sizes)
         return np.where(following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least)
@@ -124,10 +125,11 @@ class Finder:
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
     ) -> tuple[int, tuple[float, Floats]] | None:
-        """Where up to an instant, by its number, a margin is below 0 between two instants.
+        """Find the first negative margin between two instants, up to instant number `last`.
 
-        Polynomials through the instants of each part tell where that may be; also the number of
-        the instant behind. The margins at the start of the step stand before the others.
+        Interpolating polynomials through the instants of each part show the candidates. Returns the
+        number of the next instant, with time and margins of the minimum. The first column of
+        `margins` belongs to the start of the step.
         """
         count = len(step.nodes)
         nodes = (0.0, *step.nodes.tolist())
@@ -150,13 +152,12 @@ class Finder:
             part, gap = divmod(number, count)
             place = _lowest(nodes, by_parts[watch, part], gap)
             time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
-            made = self.margins.along(np.array([time]), step.between(np.array([time])))[:, 0]
-            if (made < -self.noise).any():
-                return number, (time, made)
+            minimum = self.margins.along(np.array([time]), step.between(np.array([time])))[:, 0]
+            if (minimum < -self.noise).any():
+                return number, (time, minimum)
         return None
 
     def _check_capacities(self, step: TimeStep) -> None:
-        """Refuse a control by a formula that gives no number."""
         for name, law in self.by_formula:
             if not abs(value := law.at(step.end)) <= LARGEST_NUMBER:
                 what = f"at {step.end:.6g} s the control of {name} gives {value:g}"
@@ -164,7 +165,6 @@ class Finder:
                 raise CaseError("E609", f"{what}, {wanted}", ("controls", name))
 
     def _check_torques(self, step: TimeStep) -> None:
-        """Refuse a torque by a formula of a size that nothing has."""
         if not self.torques:
             return
         _, torques = self.equations.acting(step.end, step.last)
@@ -179,7 +179,6 @@ class Finder:
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]
     ) -> MarginEnd:
-        """The first place in an interval at which a margin is 0."""
         places = []
         for index in map(int, np.flatnonzero(under[1] < -self.noise)):
             if above[1][index] > 0:
@@ -199,11 +198,11 @@ class Finder:
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))
 
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
-        """Where a margin is 0 again that is 0 at first.
+        """Return the zero of a margin that is 0 at the start of an interval as well.
 
-        One that does not rise ends at the first time if a choice depends on it, else where it is
-        below 0 by more than rounding. So does that of a split: it is 0 while a clutch without
-        capacity sticks in a loop of others.
+        A margin that never rises ends at the start if a choice depends on it. Otherwise it ends
+        where it is below 0 by more than rounding. The latter holds for margins of splits, too: they
+        are 0 while a clutch without capacity sticks in a loop of others.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
@@ -218,7 +217,7 @@ class Finder:
         return self._root(step, index, float(times[place - 1]), float(times[place]))
 
     def _leaves(self, step: TimeStep, index: int, ends: tuple[float, float]) -> float:
-        """Where a margin falls below 0 by more than rounding, to the next time, by halves."""
+        """Return the time at which a margin falls below 0 by more than rounding, by bisection."""
         first, last = ends
         while first < (middle := first + (last - first) / 2) < last:
             margins = self.margins.along(np.array([middle]), step.between(np.array([middle])))
@@ -227,7 +226,7 @@ class Finder:
         return last
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
-        """Where a margin is 0 between two times."""
+        """Return the zero of a margin between two times."""
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
@@ -235,7 +234,7 @@ class Finder:
 
         times = first + (last - first) * _NODES
         values = self.margins.along(times, step.between(times))[index]
-        if values[0] <= 0:  # between instants rounding is another
+        if values[0] <= 0:  # the dense output rounds differently from the instants
             return self._after_rise(step, index, first, last)
         if values[-1] >= 0:
             return last
@@ -254,7 +253,7 @@ class Finder:
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int
     ) -> tuple[float, Floats]:
-        """The place by the state as it is at the end of a step, not between."""
+        """Refine the time of a zero with states as accurate as at the end of a step."""
         length = step.end - step.start
         near = AHEAD * length
         for _ in range(2):

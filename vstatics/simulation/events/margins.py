@@ -1,4 +1,4 @@
-"""How far everything is from changing its state: a margin for each, below 0 where it must."""
+"""Margins of all states: the distance from each change of state, negative after it is due."""
 
 from __future__ import annotations
 
@@ -41,28 +41,32 @@ Watched = Literal[
     "awaited",
     "corner",
 ]
-"""A slip that may end; what sticks may slip, alone or together; a mesh may stand still, its flow
-turn, or it may begin to move; a spring may reach its limit, or grip again; points over a speed may
-have a corner; a state may reach its limit, or leave it; what a step waits for may become true; a
-formula may bend."""
+"""Kinds of margins.
+
+A slip can end. A sticking contact can slip, alone (`hold`) or together with others (`split`). A
+moving mesh can come to rest (`mesh`), its power flow can reverse (`flow`), and a mesh at rest can
+begin to move (`cone`). A spring can reach its torque limit or grip again. A law over a speed or
+angle has corners (`piece`). A state of the control can reach or leave its limit. The condition of a
+step can become true (`awaited`), and a formula can bend (`corner`).
+"""
 
 
 FOLLOWING: tuple[Watched, ...] = ("state", "awaited", "corner")
-"""What follows from the states of what sticks and slips, and decides nothing of them."""
+"""Kinds that follow from sticking and slipping without influence on the choice of states."""
 
 
 class Watch(NamedTuple):
-    """What a margin is of."""
+    """Identity of a margin."""
 
     kind: Watched
     of: int
-    """Of the contact, mesh, spring or outside torque."""
+    """Index of the contact, mesh, spring or outside torque."""
     side: int = 1
-    """The side on which it changes: the sign of the torque, or of the step to another piece."""
+    """Side of the change: sign of the torque, or of the step between pieces."""
 
 
 class LargeSizes(NamedTuple):
-    """What is large here."""
+    """Scales of large speeds and torques in a run."""
 
     speed: float
     """[rad/s]"""
@@ -71,56 +75,56 @@ class LargeSizes(NamedTuple):
 
 
 class SplitRoom(NamedTuple):
-    """The room that limits leave to redundant torques."""
+    """Room that torque limits leave to redundant torques."""
 
     slack: Floats
     directions: Floats
     """Changes of the slacks along the redundant directions."""
     ways: Floats
-    """Of each slack, -1 where that of a mesh is on the other side than by the least norm."""
+    """Sign of each slack; -1 where a mesh has the opposite torque sign of the least-norm split."""
     widest: Floats
-    """The slacks of the split that leaves most room."""
+    """Slacks of the split that leaves most room."""
 
     def is_of(self, slack: Floats, directions: Floats) -> bool:
-        """Whether it was found from these."""
+        """Return whether the room was calculated from the given slacks and directions."""
         given = self.slack * self.ways, self.directions * self.ways[:, None]
         return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
 
     @property
     def room(self) -> float:
-        """The largest least slack [N*m]."""
+        """Smallest slack of the split that leaves most room [N*m]."""
         return float(self.widest.min())
 
     @property
     def tight(self) -> Booleans:
-        """What is at its limit in the split that leaves most room."""
-        found: Booleans = self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
-        return found
+        """Slacks at the limit in the split that leaves most room."""
+        at_limit: Booleans = self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
+        return at_limit
 
     def on_other_side(self, rows: slice) -> SplitRoom:
-        """The same with the torque of a mesh on its other side."""
-        slack, directions, ways = (one.copy() for one in self[:3])
-        for one in (slack, directions, ways):
-            one[rows] *= -1
+        """Return the room with the opposite torque sign of a mesh."""
+        slack, directions, ways = (array.copy() for array in self[:3])
+        for array in (slack, directions, ways):
+            array[rows] *= -1
         return SplitRoom(slack, directions, ways, widest(slack, directions))
 
 
 class Awaited(NamedTuple):
-    """A comparison that a step waits for, or at which a formula bends, and its side."""
+    """Comparison in the condition of a step or at a bend of a formula, with the side."""
 
     compared: Compared
     side: str
-    """`+`, `-`, `0` where it stays there, or `?` of what is no number."""
+    """`+`, `-`, `0` where both numbers stay equal, or `?` if a number is not finite."""
     size: float
-    """Of what is compared, at the instant from which on it is watched."""
+    """Size of the compared numbers when the watch begins."""
     is_equal: bool
-    """Whether both are equal at that instant, wherever they move."""
+    """Whether both numbers are equal when the watch begins, even if moving."""
     change: float
-    """Of their difference, while it is looked ahead."""
+    """Change of the difference during the look-ahead."""
 
 
 class Margins:
-    """The margins of equations; torques in N*m, speeds in rad/s."""
+    """Margins of a set of equations; torques in N*m, speeds in rad/s."""
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
@@ -128,10 +132,13 @@ class Margins:
         layout, structure = equations.layout, equations.structure
         self.watches: list[Watch] = []
         self.is_torque: list[bool] = []
-        place = {(one.kind, one.of): row for row, one in enumerate(structure.multipliers)}
+        place = {
+            (multiplier.kind, multiplier.of): row
+            for row, multiplier in enumerate(structure.multipliers)
+        }
         self.slipping: list[tuple[int, float]] = []
         self.holding: list[tuple[Contact, int, int]] = []
-        """Contact, its multiplier, and the side: +1 its upper limit, -1 its lower one."""
+        """Contact, row of its multiplier, and side: +1 upper limit, -1 lower limit."""
         for index, state in enumerate(states.contacts):
             if state in SIGNS:
                 self.slipping.append((layout.contacts + index, SIGNS[state]))
@@ -140,8 +147,8 @@ class Margins:
             zip(system.contacts, states.contacts, strict=True)
         ):
             if state == "stick":
-                own = contact.switch.jump.side if contact.switch else "+"
-                for side in (1, -1) if own == "+" else (-1, 1):
+                first = contact.switch.jump.side if contact.switch else "+"
+                for side in (1, -1) if first == "+" else (-1, 1):
                     if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
                         self.holding.append((contact, place["contact", index], side))
                         self._watch("hold", index, side)
@@ -154,35 +161,37 @@ class Margins:
         if self.shared:
             self._watch("split", -1)
         self.last_room: SplitRoom | None = None
-        """Found last: what is tight is asked after how far it is from its limit."""
+        """Latest room; the search for slacks at their limit uses it again."""
         self.straight_limits = self._straight_limits()
-        self.sees = any(one.programme.look is not None for one in system.may_slip)
-        """Whether a limit is that of a control which sees something."""
+        self.sees = any(device.programme.look is not None for device in system.may_slip)
+        """Whether a torque limit is controlled by a formula of the motion."""
         self.slip_ports = np.array([port for port, _ in self.slipping], dtype=int)
         self.slip_signs = np.array([sign for _, sign in self.slipping])
         contacts = [system.contacts[port - layout.contacts] for port, _ in self.slipping]
-        self.switches = [(row, one.switch) for row, one in enumerate(contacts) if one.switch]
-        """Rows of slips that are those from a jump, with their jumps."""
-        self.jumping = [row for row, one in enumerate(self.holding) if one[0].switch][::2]
+        self.switches = [
+            (row, contact.switch) for row, contact in enumerate(contacts) if contact.switch
+        ]
+        """Rows of slips measured from a jump, with their jumps."""
+        self.jumping = [row for row, holding in enumerate(self.holding) if holding[0].switch][::2]
         """First of the two limits of each contact at a jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
         self.deciding = len(self.watches)
-        """So many tell whether a choice is admissible; the others follow it."""
+        """Number of margins that decide about a choice; the remaining ones follow from it."""
         self._states()
         self.sequences: list[Awaited] = []
 
     def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
-        """Watch what steps of sequences wait for, or corners of formulas, each with a number."""
-        for number, one in compared:
+        """Watch conditions of sequence steps or corners of formulas, with numbers."""
+        for number, comparison in compared:
             self._watch(kind, number, torque=False)
-            self.sequences.append(one)
+            self.sequences.append(comparison)
 
     def _states(self) -> None:
-        """Limits of states: of one that is free both, of one that is held when it leaves."""
+        """Watch both limits of free states, and the departure of states from a limit."""
         self.limits_of_states: list[tuple[int, int, float]] = []
         held = self.equations.changes.held.tolist()
-        for index, one in enumerate(self.equations.system.scenario.states):
-            for side, limit in ((1, one.most), (-1, one.least)):
+        for index, state in enumerate(self.equations.system.scenario.states):
+            for side, limit in ((1, state.most), (-1, state.least)):
                 if math.isfinite(limit) and held[index] in (0, side):
                     self.limits_of_states.append((index, side, limit))
                     self._watch("state", index, side, torque=False)
@@ -221,8 +230,9 @@ class Margins:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
         self.touching: list[tuple[int, float]] = []
-        """Springs beside their play, by index, and the sign of the torque of spring and damper
-        together, which is that of the spring in contact and the other one where they part."""
+        """Springs in contact next to their play: index and sign of the torque. Spring and damper
+        together have this sign in contact, and the opposite sign after parting.
+        """
         for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
             side = spring.side(self._piece(index)) if spring.can_part else 0.0
             if side:
@@ -230,22 +240,21 @@ class Margins:
                 self._watch("limit" if state == "stick" else "grip", index)
 
     def _piece(self, spring: int) -> int:
-        """The piece of its points on which a spring is, by its index."""
         return self.equations.states.pieces[self.equations.layout.curves + spring]
 
     def _pieces(self) -> None:
-        """Corners of points over a speed, an angle or a twist."""
+        """Watch the corners of laws over speed, angle or twist, and of converters."""
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Its row among rates, or in the state, the place of the corner, the side."""
-        for index, one in enumerate(equations.system.outside):
-            law = one.law
+        """Row among rates or in the state (then true), place of the corner, side."""
+        for index, load in enumerate(equations.system.outside):
+            law = load.law
             if not isinstance(law, Points) or law.over == "time":
                 continue
-            if not one.acts(equations.states.contacts):
+            if not load.acts(equations.states.contacts):
                 continue
             by_angle = law.over == "angle"
-            row = self._row_of_angle(one.link) if by_angle else index
+            row = self._row_of_angle(load.link) if by_angle else index
             for corner, side in self._ends(index, law.x):
                 self.corners.append((row, by_angle, corner, side))
         self._frictions()
@@ -254,18 +263,17 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Converter, ratio of speeds at a corner, side."""
+        """Index of the converter, speed ratio at a corner, side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
 
     def _row_of_angle(self, link: int) -> int:
-        """In a state, of a link by its index."""
         return int(self.equations.angles.start) + self.equations.layout.angles.index(link)
 
     def _frictions(self) -> None:
-        """Corners of the friction of what slips."""
+        """Watch the corners of the friction of slipping contacts."""
         equations = self.equations
         contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
         for index, (contact, state) in enumerate(contacts):
@@ -278,7 +286,7 @@ class Margins:
     def _ends(
         self, index: int, corners: Sequence[float], *, torque: bool = False
     ) -> Iterator[tuple[float, float]]:
-        """The corners between which a law is, and on which side of each."""
+        """Watch the ends of the active piece of a law, and yield each corner with a side."""
         piece = self.equations.states.pieces[index]
         for place, step in ((piece - 1, -1), (piece, 1)):
             if 0 <= place < len(corners):
@@ -286,7 +294,7 @@ class Margins:
                 yield corners[place], float(-step)
 
     def _straight_limits(self) -> Floats | None:
-        """Limits of what sticks as ``c0 + c1 t``; None where one is a formula."""
+        """Return limits of sticking contacts as ``c0 + c1 t``, or None if not linear."""
         time = self.equations.time
         lines = []
         for contact, _, side in self.holding:
@@ -302,46 +310,46 @@ class Margins:
         return np.array(lines).reshape(len(lines), 2)
 
     def _limits_by_torques(self) -> Floats:
-        """Of contacts at jumps: the torques on both sides, between which theirs is.
+        """Return the port weights of the side torques that bound a contact at a jump.
 
-        While one sticks both sides act, so it takes what is too much of their sum.
+        While the contact sticks, the torques of both sides act; it carries the excess of their sum.
         """
         outside = self.equations.system.outside
-        made = np.zeros((len(self.holding), self.equations.layout.ports))
+        weights = np.zeros((len(self.holding), self.equations.layout.ports))
         sticking = [watch.of for watch in self.watches if watch.kind == "hold"]
         for row, (contact, _, side) in enumerate(self.holding):
             if contact.switch:
-                beside = sticking[row], "-" if side > 0 else "+"
-                for port, one in enumerate(outside):
-                    if beside in one.when and one.acts(self.equations.states.contacts):
-                        made[row, port] = side
-        return made
+                switch_side = sticking[row], "-" if side > 0 else "+"
+                for port, load in enumerate(outside):
+                    if switch_side in load.when and load.acts(self.equations.states.contacts):
+                        weights[row, port] = side
+        return weights
 
     def limits(self, times: Floats, seen: Floats | None) -> Floats:
-        """Limits of what sticks at times, shape (limits, times) [N*m]."""
+        """Return the torque limits of sticking contacts at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
-            made: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
-            return made
+            limits: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
+            return limits
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """What is large beside each margin."""
+        """Return the scale of each margin."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:
             units[at] = EXACT_SIDES / NO_MARGIN * max(abs(limit), NOT_ZERO)
             at += 1
-        for one in self.sequences:
-            units[at] = EXACT_SIDES / NO_MARGIN * max(one.size, NOT_ZERO)
+        for comparison in self.sequences:
+            units[at] = EXACT_SIDES / NO_MARGIN * max(comparison.size, NOT_ZERO)
             at += 1
         return units
 
     def at(self, time: float, state: Floats) -> Floats:
-        """All margins at a time."""
+        """Return all margins at a time."""
         return self.along(np.array([time]), state[:, None])[:, 0]
 
     def along(self, times: Floats, states: Floats) -> Floats:
-        """All margins at several times, shape (margins, times)."""
+        """Return all margins at several times, shape (margins, times)."""
         equations = self.equations
         rates, torques = equations.acting_at(times, states)
         held: Floats = equations.structure.torques @ torques
@@ -383,33 +391,33 @@ class Margins:
         return np.vstack(parts)
 
     def _of_values(self, times: Floats, states: Floats, seen: Floats) -> Floats:
-        """Of states at their limits, and of what steps wait for."""
+        """Return the margins of state limits and of conditions of steps."""
         changes = self.equations.changes
         values = states[self.equations.values]
-        made = []
+        margins = []
         for index, side, limit in self.limits_of_states:
             if changes.held[index]:
-                made.append(side * changes.rates[index].along(times, seen))
+                margins.append(side * changes.rates[index].along(times, seen))
             else:
-                made.append(side * (limit - values[index]))
-        for one in self.sequences:
-            first, second = one.compared
-            found = first.along(times, seen) - second.along(times, seen)
-            if one.side in "0?":
-                made.append(EQUAL_SIDES * one.size - np.abs(found))
+                margins.append(side * (limit - values[index]))
+        for comparison in self.sequences:
+            first, second = comparison.compared
+            difference = first.along(times, seen) - second.along(times, seen)
+            if comparison.side in "0?":
+                margins.append(EQUAL_SIDES * comparison.size - np.abs(difference))
             else:
-                made.append(SIGNS[one.side] * found)
-        return np.array(made)
+                margins.append(SIGNS[comparison.side] * difference)
+        return np.array(margins)
 
     def _slack(self, times: Floats, held: Floats, torques: Floats, seen: Floats | None) -> Floats:
-        """Of contacts that stick, then of meshes, shape (slacks, times)."""
+        """Return the slacks of sticking contacts, then of meshes, shape (slacks, times)."""
         cones = [self.limits(times, seen) - self.sides[:, None] * held[self.held_rows]]
         if self.by_torques is not None:
             cones[0] += self.by_torques @ torques
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                both[:, width < 0] = width[width < 0]  # it pushes away, to either side
+                both[:, width < 0] = width[width < 0]  # torques push away from the jump
         for mesh, friction, less, more in self.cones:
             torque, taken = held[mesh], held[friction]
             sign = np.where(torque >= 0, 1.0, -1.0)
@@ -417,7 +425,7 @@ class Margins:
         return np.vstack(cones)
 
     def _directions(self, held: Floats) -> Floats:
-        """Changes of the slacks along redundant directions."""
+        """Return the changes of the slacks along redundant directions."""
         redundant = self.equations.structure.redundant
         rows = [-side * redundant[row] for _, row, side in self.holding]
         for mesh, friction, less, more in self.cones:
@@ -433,11 +441,11 @@ class Margins:
         return self._roomiest(slack, held).room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
-        """Limits with the torque of each mesh on the side on which there is most room.
+        """Return the torque room with each mesh on the side that leaves most room.
 
-        What a mesh takes lies in a cone on either side of 0. Where its torque is redundant, that of
-        least norm says nothing of the side: others are tried while no split is within all limits.
-        Only where a mesh is at its limit can its other side leave more room.
+        The friction torque of a mesh is within a cone on either side of 0. The least-norm split
+        does not determine the side of a redundant torque, so other sides are tried until some split
+        is within all limits. Only a mesh at its limit can gain room on its other side.
         """
         first, redundant = len(self.holding), self.equations.structure.redundant
         directions = self._directions(held)
@@ -451,29 +459,31 @@ class Margins:
         ]
         while best.room <= 0:
             others = [best.on_other_side(rows) for rows in either if best.tight[rows].any()]
-            found = max(others, key=attrgetter("room"), default=best)
-            if found.room <= best.room:
+            roomiest = max(others, key=attrgetter("room"), default=best)
+            if roomiest.room <= best.room:
                 break
-            best = found
+            best = roomiest
         self.last_room = best
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """What is at its limit in the split that leaves most room."""
+        """Return the watches at a limit in the split that leaves most room."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
         held = (self.equations.structure.torques @ torques)[:, 0]
-        found = self._roomiest(self._slack(at, held[:, None], torques, seen)[:, 0], held)
-        watches = [one for kind in ("hold", "cone") for one in self.watches if one.kind == kind]
+        room = self._roomiest(self._slack(at, held[:, None], torques, seen)[:, 0], held)
+        watches = [
+            watch for kind in ("hold", "cone") for watch in self.watches if watch.kind == kind
+        ]
         return [
             watch._replace(side=watch.side * int(way))
-            for watch, way, tight in zip(watches, found.ways, found.tight.tolist(), strict=True)
+            for watch, way, tight in zip(watches, room.ways, room.tight.tolist(), strict=True)
             if tight
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """What ends, for a mesh with the side to which it begins to move."""
+        """Return the watch of a change, for a mesh with the side of the beginning motion."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
@@ -481,7 +491,7 @@ class Margins:
         return watch._replace(side=watch.side if held >= 0 else -watch.side)
 
     def split(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Torques of what holds, those of least norm within the limits, shape (held, times).
+        """Return constraint torques, of least norm within the limits, shape (multipliers, times).
 
         All shapes end with the times; `rates` and `torques` are those of the ports.
         """
@@ -490,16 +500,16 @@ class Margins:
             return held
         seen = self.equations.seen_at(times, states, rates, torques) if self.sees else None
         slack = self._slack(times, held, torques, seen)
-        made = held.copy()
+        within_limits = held.copy()
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             given = slack[:, column], self._directions(held[:, column])
-            if self.cones:  # of which the sides are open
+            if self.cones:  # the torque signs of the meshes are open
                 given = self._roomiest(slack[:, column], held[:, column])[:2]
             change = least(*given)
             if change is not None:
-                made[:, column] += self.equations.structure.redundant @ change
-        return made
+                within_limits[:, column] += self.equations.structure.redundant @ change
+        return within_limits
 
     def _of_springs(
         self,
@@ -512,15 +522,15 @@ class Margins:
         equations = self.equations
         first = equations.layout.springs
         springs = equations.system.springs
-        made = []
+        margins = []
         for index in self.bending:
             limit = programme_along(springs[index].programme, times, seen)
-            made.append((limit - np.abs(torques[first + index]))[None, :])
+            margins.append((limit - np.abs(torques[first + index]))[None, :])
         for index, sign in self.gripping:
             spring, rate = springs[index], rates[first + index]
             if spring.viscous:
                 trial = spring.stiffness * states[equations.twists][index] + spring.viscous * rate
-                made.append(
+                margins.append(
                     (sign * trial - programme_along(spring.programme, times, seen))[None, :]
                 )
             else:
@@ -528,17 +538,17 @@ class Margins:
                     equations.limit_slopes(time, rates[:, n], states[:, n])[index]
                     for n, time in enumerate(times.tolist())
                 ]
-                made.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
+                margins.append((sign * (rate - np.array(slopes) / spring.stiffness))[None, :])
         for index, sign in self.touching:
             fixed, by_twist = springs[index].curve.piece(self._piece(index))
             elastic = fixed + by_twist * states[equations.twists][index]
             trial = elastic + springs[index].viscous * rates[first + index]
-            made.append((sign * trial)[None, :])
-        return made
+            margins.append((sign * trial)[None, :])
+        return margins
 
 
 def _is_limited(device: Contact | Elastic, time: float) -> bool:
-    """Whether there is a torque that it does not carry."""
+    """Return whether a device has a finite torque limit."""
     programme = device.programme
     return programme.look is not None or math.isfinite(programme_at(programme, time))
 

@@ -1,4 +1,4 @@
-"""Corners of formulas that are met again and again within a moment."""
+"""Detection of formula corners that are met repeatedly within a moment."""
 
 from __future__ import annotations
 
@@ -13,35 +13,35 @@ from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, NOT_ZERO, SLIDING
 
 _PASSED = 4
-"""Times that a bend is met within a moment until it counts as passed."""
+"""Number of meetings within a moment after which a bend counts as passed."""
 _SWITCHES = 8
-"""Times that a jump is met within a moment until it counts as switching without end."""
+"""Number of meetings within a moment after which a jump counts as switching without end."""
 _DOUBLINGS = 3
-"""Doublings of a number of meetings, none of which may take longer than the one before it."""
+"""Number of compared doublings of the meetings."""
 _FIRST_DOUBLING = 3
-"""Power of 2 of the meetings from which on doublings are compared: the first ones settle."""
+"""Power of 2 of the meetings after which doublings are compared, because first meetings settle."""
 _LONGER = 1.2
-"""Factor up to which a doubling takes no longer than the one before it."""
+"""Factor of duration up to which a doubling counts as no longer than the last."""
 _MOST_MEETINGS = 1e5
-"""Meetings of a jump that no run is able to follow."""
+"""Number of meetings of a jump that a run cannot follow."""
 
 
 class CornerPlace(NamedTuple):
-    """A corner among those of a system."""
+    """Place of a corner in a system."""
 
     corner: int
     """Index of the corner."""
     number: int
-    """Index among the numbers with which it is compared."""
+    """Index among the numbers that the corner compares."""
 
 
 class CornerMeetings:
-    """When corners were met lately.
+    """Record of recent meetings of corners.
 
     Parameters
     ----------
     span : float
-        Time by parts of which instants are near. [s]
+        Time scale; instants within a small part of it are near. [s]
     """
 
     def __init__(self, span: float) -> None:
@@ -52,7 +52,7 @@ class CornerMeetings:
         """Times of the meetings with the numbers 1, 2, 4, 8, ... [s]"""
 
     def copy(self) -> CornerMeetings:
-        """Return the same meetings, which go on by themselves."""
+        """Return an independent copy of the meetings."""
         return deepcopy(self)
 
     def note(self, place: CornerPlace, time: float) -> None:
@@ -63,13 +63,13 @@ class CornerMeetings:
             self.doublings.setdefault(place, []).append(time)
 
     def latest(self, time: float) -> list[CornerPlace]:
-        """Return the corners that were met right before a time [s], the last one first."""
+        """Return the corners met right before a time [s], latest first."""
         met = {place: times[-1] for place, times in self.times.items()}
         near = (place for place in met if time - met[place] <= AHEAD * self.span)
         return sorted(near, key=met.__getitem__, reverse=True)
 
     def hastens(self, place: CornerPlace, time: float, end: float) -> bool:
-        """Return whether a jump is met ever faster, so that no run reaches the end.
+        """Return whether a jump is met ever faster, so that the run cannot reach the end.
 
         A cycle of constant period needs twice the time for each doubling of its meetings. Where no
         doubling takes longer than the one before, their number grows exponentially, at least.
@@ -84,21 +84,21 @@ class CornerMeetings:
         return bool(len(doublings) - 1 + more > math.log2(_MOST_MEETINGS))
 
     def is_passed(self, place: CornerPlace, time: float) -> bool:
-        """Return whether a bend needs no watch for a while, as it was met too often.
+        """Return whether a bend was met too often and needs no watch for a while.
 
-        Its formula has the same value on both sides, so the run may go on without a stop there.
+        Its formula has one value on both sides, so the run can go on without a stop there.
         """
         times = [*self.times.get(place, ())][-_PASSED:]
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
     def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
-        """Return whether a jump is met without end: each side drives the motion to the other.
+        """Return whether a jump is met without end, driven across from both sides.
 
         Parameters
         ----------
         place : CornerPlace
         judged : Awaited
-            As it was judged last.
+            Latest judgement of the comparison.
         within : float
             Time of the look-ahead. [s]
         """

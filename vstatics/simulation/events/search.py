@@ -1,4 +1,4 @@
-"""The order in which choices of what sticks are tried."""
+"""Order in which choices of sticking and slipping states are tried."""
 
 from __future__ import annotations
 
@@ -11,28 +11,30 @@ from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
 _FIRST_TRIED = 12
-"""Choices by their order, before a guess."""
+"""Number of choices tried in order of rank, before a guess."""
 _MOST_PIVOTS = 300
+"""Largest number of steps of block pivoting."""
 _IN_VAIN = 3
-"""Times at which all that fails is changed though it is not less than before."""
+"""Number of block pivots allowed without a decrease of the number of failures."""
 _WORTH_WHILE = 24_000
-"""So many choices are tried by the square of what has one, before it is told that there is none:
-a try of many takes longer."""
+"""Number of choices tried, divided by the squared number of open states. A trial of a large system
+takes longer.
+"""
 
 
 Kind = Literal["contacts", "meshes", "springs", "pieces"]
-"""What may stick or slip, as systems and their states call it."""
+"""Kinds of choices, named as the fields of `States`."""
 Choice = tuple[Kind, int, tuple[Any, ...]]
-"""Its kind, its index, its states: the one that sticks first; of pieces their numbers."""
+"""Kind, index and possible states of a choice, sticking first; of laws the numbers of pieces."""
 Changed = tuple[tuple[int, Any], ...]
-"""Numbers of choices, and what is chosen in place of their first states."""
+"""Numbers of choices with states other than the first."""
 
 
 class ModeSearch:
-    """Goes through choices: most sticking first, then nearest to before.
+    """Search through choices: most sticking first, then nearest to before.
 
-    What fails in a choice tells which to try next; a guess is made where these do not do, and when
-    all are gone, all others are tried.
+    The failures of a choice show which choice to try next. If this fails, a guess is tried, and
+    finally all remaining choices.
     """
 
     def __init__(
@@ -52,16 +54,16 @@ class ModeSearch:
         self.turned: list[tuple[int, Any]] = []
 
     def __iter__(self) -> Iterator[States]:
-        """Choices, as they are to be tried at first."""
+        """Yield the choices of the first trial."""
         yield from self._best(_FIRST_TRIED)
         yield from self._near(self.guess())
 
     def others(self) -> Iterator[States]:
-        """As many more as are worth while."""
+        """Yield further choices, limited by the time that a trial takes."""
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
-        """Those that are waiting, the best first; then all others."""
+        """Yield `count` choices: waiting choices by rank, then the remaining choices."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
@@ -72,21 +74,21 @@ class ModeSearch:
             yield self._with(changed)
 
     def pivoting(self) -> Iterator[States]:
-        """From all sticking on, all that fails is changed; where that gains nothing, one thing.
+        """Yield choices by block pivoting from all sticking, or single changes without progress.
 
-        J. Judice, F. Pires, Computers and Operations Research 1994: block pivoting, with the rule
-        of Murty, by which a linear complementarity problem comes to its end.
+        J. Judice, F. Pires, Computers and Operations Research 1994: block pivoting, with Murty's
+        rule, with which a linear complementarity problem is solved in finitely many steps.
         """
         changes: dict[int, Any] = {}
         least, spare = len(self.choices) + 1, _IN_VAIN
         singly: set[Changed] = set()
         for _ in range(_MOST_PIVOTS):
             self.changed = tuple(sorted(changes.items()))
-            if self.changed in singly:  # from here on it would go round
+            if self.changed in singly:  # a cycle
                 return
             yield self._with(self.changed)
             turned = dict(reversed(self.turned))
-            if not turned:  # nothing of it can be changed
+            if not turned:  # no failure can be changed
                 return
             if len(turned) < least:
                 least, spare = len(turned), _IN_VAIN
@@ -98,20 +100,19 @@ class ModeSearch:
             changes = self._changes({**changes, **turned})
 
     def _near(self, guess: States | None) -> Iterator[States]:
-        """A guess as far as there is a choice, and what is next to it."""
+        """Yield a guess, restricted to the open choices."""
         if guess is None:
             return
-        found = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
-        self.changed = tuple(sorted(self._changes(found).items()))
+        guessed = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
+        self.changed = tuple(sorted(self._changes(guessed).items()))
         yield self._with(self.changed)
 
-    def _changes(self, found: Mapping[int, Any]) -> dict[int, Any]:
-        """What differs from the first states."""
+    def _changes(self, states: Mapping[int, Any]) -> dict[int, Any]:
         first = [options[0] for _, _, options in self.choices]
-        return {number: state for number, state in found.items() if state != first[number]}
+        return {number: state for number, state in states.items() if state != first[number]}
 
     def fails(self, states: States, failing: Sequence[Watch], released: States | None) -> None:
-        """Note what fails in the choice that was tried last."""
+        """Record the failures of the last choice, and queue neighbouring choices."""
         if released is not None:
             changes = dict(self.changed)
             for number, (kind, index, _) in enumerate(self.choices):
@@ -129,7 +130,7 @@ class ModeSearch:
                 self._push(changes, single=True)
 
     def _push(self, changes: dict[int, str], *, single: bool) -> None:
-        """Have a choice tried: meshes that move together count as one."""
+        """Queue a choice; all moving meshes count together as a single slipping state."""
         changed = tuple(sorted(changes.items()))
         if changed in self.seen:
             return
@@ -140,14 +141,14 @@ class ModeSearch:
         heappush(self.waiting, (rank, changed))
 
     def _with(self, changed: Changed) -> States:
-        made = self.base._asdict()
+        fields = self.base._asdict()
         for number, state in changed:
             kind, index, _ = self.choices[number]
-            made[kind] = (*made[kind][:index], state, *made[kind][index + 1 :])
-        return States(**made)
+            fields[kind] = (*fields[kind][:index], state, *fields[kind][index + 1 :])
+        return States(**fields)
 
     def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
-        """Other states of what fails."""
+        """Yield the numbers and other states of the choice behind a failed margin."""
         number = self.place.get((KIND_OF.get(watch.kind), watch.of))
         if number is None:
             return
@@ -159,7 +160,6 @@ class ModeSearch:
         yield from ((number, option) for option in options if option != now)
 
     def _all(self) -> Iterator[Changed]:
-        """All choices, most sticking first."""
         for count in range(len(self.choices) + 1):
             for slipping in combinations(range(len(self.choices)), count):
                 for signs in product(*(self.choices[index][2][1:] for index in slipping)):
@@ -174,15 +174,14 @@ KIND_OF: Mapping[str, Kind | None] = {
     "limit": "springs",
     "grip": "springs",
 }
-"""What has a choice where a margin ends."""
+"""Kind of the choice that a margin watches."""
 
 
 def _distance(states: States, before: States | None) -> int:
-    """In how many things states differ from before."""
     if before is None:
         return 0
     return sum(
-        one != other
+        state != other
         for mine, others in zip(states[:3], before[:3], strict=True)
-        for one, other in zip(mine, others, strict=True)
+        for state, other in zip(mine, others, strict=True)
     )

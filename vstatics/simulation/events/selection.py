@@ -1,8 +1,8 @@
-"""What sticks and what slips from an instant on.
+"""Selection of the sticking and slipping states from an instant on.
 
-Of the admissible choices that with most sticking, then the one nearest to before: all that may
-stick is tried as sticking first, then with one of them slipping, and so on. A choice is admissible
-where no margin is below 0, and none that is 0 falls.
+Of all admissible choices, the one with most sticking states is selected, then the one nearest to
+the states before. The search first lets all candidates stick, then lets one of them slip, and so
+on. A choice is admissible if no margin is negative, and no margin at 0 falls.
 """
 
 from __future__ import annotations
@@ -29,18 +29,19 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
+"""Finite substitute for an infinite margin."""
 _NEARER = (1.0, 1e-2, 1e-4)
-"""So much nearer is looked ahead where that finds nothing: in the end what comes is one instant."""
+"""Factors of the look-ahead, tried in turn while no choice is found."""
 _MOST_TURNED = 8
-"""Times that a slip is sought which the torques that see it do not turn back."""
+"""Largest number of corrections for slips that feedback torques turn back."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
-    """No admissible choice."""
+    """Signal that no choice is admissible."""
 
 
 class Selected(NamedTuple):
-    """A choice, with the margins of its equations, and the state that follows."""
+    """Selected choice: margins of the equations, and the consistent state."""
 
     margins: Margins
     state: Floats
@@ -48,7 +49,7 @@ class Selected(NamedTuple):
 
 
 class ModesAsked(NamedTuple):
-    """For what instant a choice is looked for, as in `ModeSelection.select`."""
+    """Request for a choice, with the parameters of `ModeSelection.select`."""
 
     at: Instant
     before: States | None
@@ -58,7 +59,7 @@ class ModesAsked(NamedTuple):
 
 
 class ModeSelection:
-    """Chooses what sticks and what slips in a system."""
+    """Selection of sticking and slipping states in a system."""
 
     def __init__(self, system: MotionSystem) -> None:
         self.system = system
@@ -68,11 +69,11 @@ class ModeSelection:
         self.within = self.choices.within
 
     def of(self, system: MotionSystem) -> ModeSelection:
-        """The same in a system whose programmes and settings are others, or at another instant."""
-        made = copy(self)
-        made.system, made.choices = system, copy(self.choices)
-        made.choices.system, made.choices.carrying = system, {}
-        return made
+        """Return a copy for a system with changed programmes or settings."""
+        selection = copy(self)
+        selection.system, selection.choices = system, copy(self.choices)
+        selection.choices.system, selection.choices.carrying = system, {}
+        return selection
 
     def select(
         self,
@@ -82,7 +83,7 @@ class ModeSelection:
         left: Sequence[States] = (),
         met: Sequence[int] = (),
     ) -> Selected:
-        """The choice from an instant on.
+        """Return the selected choice from an instant on.
 
         Parameters
         ----------
@@ -90,7 +91,7 @@ class ModeSelection:
         before : States, optional
         scales : LargeSizes
         left : sequence of States
-            That can't be kept.
+            Choices that were left and cannot be kept.
         met : sequence of int
             Indices of contacts whose slip ends here.
 
@@ -98,7 +99,7 @@ class ModeSelection:
         ------
         NoChoice
         CaseError
-            Of a link without inertia whose speed nothing determines.
+            If the speed of a link without inertia is not determined.
         """
         asked = ModesAsked(at, before, scales, left, met)
         ahead = copy(self)
@@ -111,7 +112,7 @@ class ModeSelection:
         return ahead.selected(asked, thorough=True)
 
     def selected(self, asked: ModesAsked, *, thorough: bool) -> Selected:
-        """The choice from an instant on, of the first or of all that are worth while."""
+        """Return the first admissible choice; if `thorough`, search much longer."""
         at, before, scales, left, met = asked
         base, choices = self.choices.at(at, before, scales, met)
         search = ModeSearch(base, choices, before, partial(self._guess, asked))
@@ -124,19 +125,19 @@ class ModeSelection:
                 search.fails(states, tried[states], None)
                 continue
             try:
-                found, failing = self._tried(states, at, scales)
+                candidate, failing = self._tried(states, at, scales)
             except CaseError as error:
-                fault, found, failing = fault or error, None, []
+                fault, candidate, failing = fault or error, None, []
             except np.linalg.LinAlgError:
-                found, failing = None, []
-            if found is not None and found.margins.equations.states not in left:
-                joined = self._joined(found.margins.equations.states, choices)
-                if joined == found.margins.equations.states:
-                    return found
-                spare = spare or found  # it fits as the joined one does, but for rounding
-                found = self._admissible(joined, at, scales)
-                if found is not None and found.margins.equations.states not in left:
-                    return found
+                candidate, failing = None, []
+            if candidate is not None and candidate.margins.equations.states not in left:
+                joined = self._joined(candidate.margins.equations.states, choices)
+                if joined == candidate.margins.equations.states:
+                    return candidate
+                spare = spare or candidate  # differs from the joined choice by rounding only
+                candidate = self._admissible(joined, at, scales)
+                if candidate is not None and candidate.margins.equations.states not in left:
+                    return candidate
             failing = [watch for watch in failing if self._may_change(watch, states)]
             tried[states] = failing
             search.fails(states, failing, self._released(states, at, choices))
@@ -147,14 +148,13 @@ class ModeSelection:
         raise NoChoice
 
     def _admissible(self, states: States, at: Instant, scales: LargeSizes) -> Selected | None:
-        """Return a choice if it is admissible."""
         try:
             return self._tried(states, at, scales)[0]
         except (CaseError, np.linalg.LinAlgError):
             return None
 
     def _joined(self, states: States, choices: Sequence[Choice]) -> States:
-        """Return the states in which contacts between links that are held together stick as well.
+        """Return states in which contacts between rigidly connected links stick as well.
 
         Such a contact has no slip that could begin, and its torque is redundant.
         """
@@ -168,7 +168,7 @@ class ModeSelection:
         return states._replace(contacts=tuple(contacts))
 
     def _guess(self, asked: ModesAsked) -> States | None:
-        """What sticks a little later, if all links had some inertia: nothing is singular then."""
+        """Return the states a little later if all links had inertia, which avoids singularity."""
         ahead = SelectionAhead(self.system)
         ahead.within = self.within
         return ahead.found(asked)
@@ -176,9 +176,9 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """The states in which meshes move whose speeds are given by what is heavy.
+        """Return states in which meshes move whose speeds are determined by links with inertia.
 
-        In a gear nearly all are: a mesh may stand, or its speed jump, only in what slips.
+        In a gear nearly all meshes are. Only in a slipping part can a mesh rest, or its speed jump.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:
@@ -193,11 +193,11 @@ class ModeSelection:
             slip = self.system.meshes[index].slip
             speed = float(slip @ speeds)
             if abs(speed) > STANDING * scales.speed and not _moves(slip, motions.light):
-                meshes[index] = next(one for one in moving if one[0] == sign(speed))
+                meshes[index] = next(state for state in moving if state[0] == sign(speed))
         return states._replace(meshes=tuple(meshes))
 
     def _may_change(self, watch: Watch, states: States) -> bool:
-        """Whether a mesh that fails could move at all, with what sticks besides meshes."""
+        """Return whether a failing mesh could move with the sticking contacts held."""
         if KIND_OF.get(watch.kind) != "meshes":
             return True
         meshes = tuple("" if state == "stick" else state for state in states.meshes)
@@ -209,7 +209,7 @@ class ModeSelection:
         return _moves(slip, motions.free) or _moves(slip, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
-        """The states with all meshes moving that would, if none of them held by its friction."""
+        """Return states with all meshes in motion that would move without friction."""
         held = [
             index
             for kind, index, _ in choices
@@ -244,9 +244,9 @@ class ModeSelection:
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
     ) -> tuple[Selected | None, list[Watch]]:
-        """A choice if it is admissible, with the flows of meshes and the pieces that go with it.
+        """Try a choice, and adjust the flows of meshes and the pieces of laws.
 
-        Else what fails in it.
+        Returns the choice if it is admissible, and otherwise the failing watches.
         """
         tried: set[States] = set()
         failing: list[Watch] = []
@@ -266,43 +266,43 @@ class ModeSelection:
             if not failing:
                 return Selected(margins, state, jump), []
             only = all(watch.kind in ("flow", "piece") for watch in failing)
-            states = turned(states, [one for one in failing if only or one.kind == "flow"])
+            states = turned(states, [watch for watch in failing if only or watch.kind == "flow"])
         return None, failing
 
     def _stick_across(self, states: States) -> bool:
-        """Whether one law sticks at two jumps, over speed and angle: it has no torque there."""
+        """Return whether a law sticks at two jumps, over speed and angle."""
         return any(
-            sum(states.contacts[index] == "stick" for index, _ in one.when) > 1
-            for one in self.system.outside
-            if len(one.when) > 1 and one.acts(states.contacts)
+            sum(states.contacts[index] == "stick" for index, _ in load.when) > 1
+            for load in self.system.outside
+            if len(load.when) > 1 and load.acts(states.contacts)
         )
 
     def _jumps(
         self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes
     ) -> bool:
-        """Whether something heavy would have to change its speed at once."""
+        """Return whether a link with inertia would have to change its speed at once."""
         heavy = self.system.heavy
         speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
         return largest(speeds - heavy @ at.speeds) > 100 * STANDING * scales.speed
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
-        """What sticks although it slips: something of it can't."""
+        """Return watches of slipping contacts and meshes that are chosen to stick."""
         least = STANDING * scales.speed
-        found = []
+        watches = []
         for index, contact in enumerate(self.system.contacts):
             slip = float(contact.row @ at.speeds)
             if states.contacts[index] == "stick" and abs(slip) > least:
-                found.append(Watch("hold", index, 1 if slip > 0 else -1))
+                watches.append(Watch("hold", index, 1 if slip > 0 else -1))
         for index, mesh in enumerate(self.system.meshes):
             slip = float(mesh.slip @ at.speeds)
             if states.meshes[index] == "stick" and abs(slip) > least:
-                found.append(Watch("cone", index, 1 if slip > 0 else -1))
-        return found
+                watches.append(Watch("cone", index, 1 if slip > 0 else -1))
+        return watches
 
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
-        """What is below its margin, or at it and falling."""
+        """Return the watches with negative margins, or at 0 and falling."""
         units = margins.units(scales)[: margins.deciding]
         now = _finite(margins.at(time, state)[: margins.deciding])
         below = ~(now >= -STANDING * units)
@@ -315,41 +315,44 @@ class ModeSelection:
         falls = near & (then - now < -least)
         sizes = np.where(falls, then / units, np.inf)
         failing = _failed(margins, time + self.within, ahead, sizes)
-        # friction of a mesh that others hold still is as small as its torque, and none is needed
+        # A mesh that other parts hold still needs no friction: its friction torque is as small as
+        # its torque.
         states = margins.equations.states
         return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
-        """The state a little later, its margins, and of these the least changes that count.
+        """Return the state a little later, the margins, and the least significant margin changes.
 
-        By what acts then: a brake whose capacity begins at 0 would do nothing before. What such a
-        brake brings from rest is small beside all but the terms of the speeds and torques of then.
+        Torques are taken at the later time: a brake whose capacity begins at 0 does nothing before.
+        The change from rest that such a brake causes is only compared with the speeds and torques
+        at the later time, as it is small compared with all others.
         """
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
-        if margins.sees or equations.ports.looks:  # torques follow what they see
+        if margins.sees or equations.ports.looks:  # torques depend on the motion
             ahead = self._seen(margins, later, state, ahead)
         then = _finite(margins.at(later, ahead)[:count])
         structure, motions = equations.structure, np.abs(state[: equations.motions])
         acting = np.abs(equations.acting(later, ahead)[1])
         motions = motions + self.within * np.abs(structure.accelerations) @ acting
         speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
-        sprung = largest(acting[equations.layout.spring_ports])  # at its limit nothing holds it
-        # a twist grows by a difference of speeds, of which rounding leaves something at rest
+        # the torque of a spring at its limit is in no constraint
+        sprung = largest(acting[equations.layout.spring_ports])
+        # A twist grows with a difference of speeds, whose rounding error is not zero at rest.
         twisted = self.within * largest(equations.ports.stiffness) * largest(speeds)
         sizes = LargeSizes(largest(speeds), max(largest(torques), sprung, twisted))
         return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
 
     def _seen(self, margins: Margins, later: float, state: Floats, ahead: Floats) -> Floats:
-        """The state a little later by torques that follow what they see then.
+        """Return the state a little later under torques that depend on the later state.
 
-        A law that is steep at rest may turn back what slips too little to be seen so far from it:
-        such a slip begins if it does where it is 0.
+        A steep law around zero slip can reverse a slip that is too small for the look-ahead. Such a
+        slip begins if it does at zero slip.
         """
         slips = slice(len(margins.slipping))
         for _ in range(_MOST_TURNED):
             seen, ahead = ahead, state + self.within * margins.equations.derivative(later, ahead)
-            before, then = (margins.at(later, one)[slips] for one in (seen, ahead))
+            before, then = (margins.at(later, vector)[slips] for vector in (seen, ahead))
             turned = (before > 0) & (then < 0)
             if not turned.any():
                 return ahead
@@ -359,7 +362,7 @@ class ModeSelection:
 
 
 class SelectionAhead(ModeSelection):
-    """The same where all links have some inertia, by what is admissible a little later."""
+    """Selection with a little inertia on all links, by the margins a little later."""
 
     def __init__(self, system: MotionSystem) -> None:
         links = len(system.names)
@@ -373,7 +376,7 @@ class SelectionAhead(ModeSelection):
         )
 
     def found(self, asked: ModesAsked) -> States | None:
-        """Of the choices by pivoting the first that is admissible, if one is."""
+        """Return the first admissible choice found by block pivoting, if any."""
         search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
         for states in search.pivoting():
             try:
@@ -388,7 +391,7 @@ class SelectionAhead(ModeSelection):
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
-        """What is below its margin a little later."""
+        """Return the watches with negative margins a little later."""
         ahead, then, least = self._ahead(margins, time, state)
         sizes = then / margins.units(scales)[: margins.deciding]
         return _failed(margins, time + self.within, ahead, np.where(then < -least, sizes, np.inf))
@@ -399,22 +402,21 @@ def _finite(margins: Floats) -> Floats:
 
 
 def _moves(slip: Floats, motions: Floats) -> bool:
-    """Whether motions change a slip."""
     return bool((np.abs(slip @ motions) > STANDING).any())
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
-    """What fails, most first, by sizes that are finite; of what holds together what is tight."""
-    found: list[Watch] = []
+    """Return failed watches, worst first, with splits replaced by the watches at a limit."""
+    failed: list[Watch] = []
     order = np.argsort(sizes, kind="stable")
     for index in order[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
-        found += margins.tight(time, state) if watch.kind == "split" else [watch]
-    return [margins.breaking(watch, time, state) for watch in found]
+        failed += margins.tight(time, state) if watch.kind == "split" else [watch]
+    return [margins.breaking(watch, time, state) for watch in failed]
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:
-    """The states with the other flow of each mesh that is watched, and on the next pieces."""
+    """Return states with reversed flows of watched meshes and with the next pieces of laws."""
     meshes, pieces = list(states.meshes), list(states.pieces)
     for watch in watches:
         if watch.kind == "flow":

@@ -1,4 +1,4 @@
-"""Sequences of steps: which is due, and what is watched until the next one is."""
+"""Sequences of steps: the step that is due, and the watched conditions of the next steps."""
 
 from __future__ import annotations
 
@@ -13,38 +13,38 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
 
 Happened = Callable[[Seen, float], bool]
-"""Whether what a word says has happened since a time [s]."""
+"""Test whether a named event has happened since a time [s]."""
 
 
 class SequenceProgress:
-    """How far a sequence is."""
+    """Progress of a sequence."""
 
     def __init__(self, sequence: StepSequence) -> None:
         self.sequence = sequence
         self.index = 0
         self.since = 0.0
-        """From when on the step is looked at. [s]"""
+        """Time from which on the step is considered. [s]"""
         self.true_at: float | None = None
-        """When its condition was true first. [s]"""
+        """Time at which the condition of the step first became true. [s]"""
 
     @property
     def step(self) -> SequenceStep | None:
-        """The step that is next; None behind the last."""
+        """Next step, or None after the last step."""
         steps = self.sequence.steps
         return steps[self.index] if self.index < len(steps) else None
 
     @property
     def name(self) -> str:
-        """The sequence, and the number of its step."""
+        """Name of the sequence with the number of the step."""
         return f"{self.sequence.name}, step {self.index + 1}"
 
     @property
     def path(self) -> Path:
-        """Of its step."""
+        """Path of the step in the scenario."""
         return "sequences", self.sequence.name, self.index + 1
 
     def next_time(self) -> float:
-        """When it is looked at again, whatever happens before [s]."""
+        """Return the time at which the step is due or overdue without an event [s]."""
         step = self.step
         if step is None:
             return math.inf
@@ -53,12 +53,12 @@ class SequenceProgress:
         return self.true_at + step.wait
 
     def is_due(self, time: float, judge: Judge, happened: Happened) -> bool:
-        """Whether its step is to be done.
+        """Return whether the step is due.
 
         Raises
         ------
         CaseError
-            Of a condition that was not true in time, or compares what is no number.
+            If a condition was not true in time, or compares a value that is not a number.
         """
         step = self.step
         if step is None:
@@ -77,15 +77,15 @@ class SequenceProgress:
         if step.when is None:
             return True
 
-        awaited = [judge.awaited(one) for one in step.when.comparisons]
-        sides = [one.side + "=" * one.is_equal for one in awaited]
+        awaited = [judge.awaited(comparison) for comparison in step.when.comparisons]
+        sides = [comparison.side + "=" * comparison.is_equal for comparison in awaited]
         if "?" in "".join(sides):
             message = f"at {judge.now.time:.9g} s what {self.name} compares is no number"
             raise CaseError("E650", message, (*self.path, "when"))
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
     def go_on(self, time: float) -> int:
-        """The step is done; its number."""
+        """Advance to the next step; return the number of the finished step."""
         self.index += 1
         done = self.index
         if self.sequence.repeat and self.step is None:
@@ -95,7 +95,7 @@ class SequenceProgress:
 
 
 class SequenceRun:
-    """The sequences of a run.
+    """Sequences of a run.
 
     Parameters
     ----------
@@ -103,27 +103,31 @@ class SequenceRun:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        self.going = [SequenceProgress(one) for one in scenario.sequences]
+        self.going = [SequenceProgress(sequence) for sequence in scenario.sequences]
 
     def copy(self) -> SequenceRun:
-        """The same, which goes on by itself."""
-        made = copy(self)
-        made.going = [copy(one) for one in self.going]
-        return made
+        """Return an independent copy."""
+        copied = copy(self)
+        copied.going = [copy(progress) for progress in self.going]
+        return copied
 
     def next_time(self) -> float:
-        """When one is looked at again, whatever happens before [s]."""
-        return min((one.next_time() for one in self.going), default=math.inf)
+        """Return the earliest time at which a step is due without an event [s]."""
+        return min((progress.next_time() for progress in self.going), default=math.inf)
 
     def due(self, time: float, judge: Judge, happened: Happened) -> SequenceProgress | None:
-        """The first that has a step to be done."""
-        return next((one for one in self.going if one.is_due(time, judge, happened)), None)
+        """Return the first sequence with a due step."""
+        return next(
+            (progress for progress in self.going if progress.is_due(time, judge, happened)), None
+        )
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """What steps wait for: the number of a sequence, a comparison."""
+        """Return the awaited comparisons, each with the number of the sequence."""
         return [
             (number, judge.awaited(comparison))
-            for number, one in enumerate(self.going)
-            if one.true_at is None and one.step is not None and one.step.when is not None
-            for comparison in one.step.when.comparisons
+            for number, progress in enumerate(self.going)
+            if progress.true_at is None
+            and progress.step is not None
+            and progress.step.when is not None
+            for comparison in progress.step.when.comparisons
         ]

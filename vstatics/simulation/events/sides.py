@@ -1,10 +1,10 @@
-"""Side of each comparison from an instant on: which of two numbers is the larger next.
+"""Side of each comparison from an instant on: the number that is larger next.
 
 Two numbers that are equal at an instant are compared a little later, where the motion is known with
 an error of fifth order, and then at growing distances: the first difference above rounding decides.
-So the side is that of the first derivative that is not zero. Where none decides, both numbers stay
-equal as far as anybody can see. Formulas that bend there have the same value on both sides, so the
-run goes on, until the difference leaves the zone of rounding.
+The side is therefore the sign of the first derivative that is not zero. If no difference decides,
+both numbers count as equal. A formula that bends there has one value on both sides, so the run goes
+on until the difference exceeds rounding.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vstatics.simulation.tolerances import EQUAL_SIDES, EXACT_SIDES, MET, ROUNDE
 
 
 class SeenInstant(NamedTuple):
-    """Everything that formulas see at an instant."""
+    """Values of all quantities that formulas see at an instant."""
 
     time: float
     """[s]"""
@@ -42,7 +42,7 @@ class Judge:
     state : ndarray
     scales : LargeSizes
     values : ndarray
-        Large values of states and temperatures.
+        Scales of large values of states and temperatures.
     """
 
     def __init__(
@@ -58,11 +58,10 @@ class Judge:
 
     @property
     def ahead(self) -> SeenInstant:
-        """Everything that formulas see a little later."""
+        """Values of all quantities that formulas see a little later."""
         return self._after(0)
 
     def _after(self, number: int) -> SeenInstant:
-        """Everything that formulas see after one of the distances."""
         while len(self._later) <= number:
             equations = self.equations
             end = self.now.time + equations.within * DISTANCES[len(self._later)]
@@ -72,18 +71,18 @@ class Judge:
         return self._later[number]
 
     def awaited(self, comparison: Formula) -> Awaited:
-        """Judge a comparison of a step."""
+        """Return the judgement of a comparison in the condition of a step."""
         if comparison not in self._known:
             system = self.equations.system
             self._known[comparison] = self.judged(compared(system, comparison))
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
-        """Judge two numbers."""
+        """Return the judgement of a pair of numbers."""
         now = math.nextafter(self.now.time, math.inf), self.now.values  # behind a jump in time
         (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
         apart, then = first - second, later - other
-        if math.isinf(apart):  # a pole: what comes behind it counts
+        if math.isinf(apart):  # at a pole the values behind it count
             first, second, apart = later, other, then
         change = abs(then - apart)
         size = max(abs(first), abs(second), SOON * change, self._size(pair))
@@ -93,7 +92,6 @@ class Judge:
         return Awaited(pair, side, size, is_equal, change)
 
     def _next_side(self, pair: Compared, then: float, size: float) -> str:
-        """Return the side to which equal numbers move."""
         for number in range(len(DISTANCES)):
             if number:
                 first, second = pair.at(*self._after(number))
@@ -103,26 +101,26 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Judge one number against ascending ones; only the two around it count.
+        """Return the judgements of a number against the two nearest of a sorted group.
 
         Returns
         -------
         list of (int, Awaited)
-            With the place in the group; everything of a group of one.
+            Place in the group and judgement; for a group of one pair, this pair.
         """
         judged = [*enumerate(map(self.judged, group))]
-        above = next((n for n, one in judged if one.side != "+"), len(judged))
+        above = next((n for n, awaited in judged if awaited.side != "+"), len(judged))
         return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
     def _size(self, pair: Compared) -> float:
-        """Return the size of the inputs of two numbers, in the measure of their difference.
+        """Return the size of the inputs of two numbers, in the measure of the difference.
 
         The difference is uncertain by the rounding of this size.
         """
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the size of the inputs of a number, in its measure."""
+        """Return the size of the inputs of a number, in the measure of the number."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0
@@ -133,12 +131,14 @@ class Judge:
                     seen[place] = moved
                     changes.append(abs(look.at(time, seen) - base))
                 seen[place] = values[place]
-                sum_of_changes += max((one for one in changes if one < math.inf), default=0.0)
+                sum_of_changes += max(
+                    (change for change in changes if change < math.inf), default=0.0
+                )
             self._sizes[look] = sum_of_changes / EXACT_SIDES
         return self._sizes[look]
 
     def _large(self, place: int, value: float) -> float:
-        """Return a large number of the kind of one that is seen."""
+        """Return a large value of the kind of a seen quantity."""
         layout, system = self.equations.layout, self.equations.system
         twists = layout.ports
         angles = twists + len(system.springs)
@@ -159,7 +159,6 @@ class Judge:
 
 
 def _side(apart: float) -> str:
-    """Return the sign of a difference; `0` if it is zero, `?` if it is not a number."""
     if math.isnan(apart):
         return "?"
     return "-+"[apart > 0] if apart else "0"

@@ -1,4 +1,4 @@
-"""Redundant torques: whether some split of them lies within all limits, and the least such one."""
+"""Split of redundant torques: the split with most room, and the least change into all limits."""
 
 from __future__ import annotations
 
@@ -11,17 +11,18 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
+"""Largest number of corners of the split that are enumerated."""
 
 
 def widest(slack: Floats, directions: Floats) -> Floats:
-    """The slacks of the split whose least one is largest: below 0 where none fits all limits.
+    """Return the slacks of the split whose smallest slack is largest; negative if no split fits.
 
     Parameters
     ----------
     slack : ndarray, shape (limits,)
-        Of one split.
+        Slacks of any split.
     directions : ndarray, shape (limits, d)
-        Changes of it along the redundant directions.
+        Changes of the slacks along the d redundant directions.
 
     Examples
     --------
@@ -33,17 +34,17 @@ def widest(slack: Floats, directions: Floats) -> Floats:
     places = _corners(slack, directions)
     if places is None:
         places = _by_programming(slack, directions)[:, None]
-    found = slack[:, None] + directions @ places
-    sizes = found.min(axis=0)
+    slacks = slack[:, None] + directions @ places
+    sizes = slacks.min(axis=0)
     best = int(sizes.argmax())
-    made: Floats = found[:, best] if sizes[best] > slack.min() else slack
-    return made
+    roomiest: Floats = slacks[:, best] if sizes[best] > slack.min() else slack
+    return roomiest
 
 
 def _corners(slack: Floats, directions: Floats) -> Floats | None:
-    """Splits at which as many slacks are equal as can be, shape (d, corners); None: too many.
+    """Return splits with the largest number of equal slacks, shape (d, corners).
 
-    The widest split is one of them.
+    The split with most room is one of them. Returns None if there are too many corners.
     """
     limits, count = directions.shape
     if math.comb(limits, count + 1) > _MOST_TORQUE_CORNERS:
@@ -52,19 +53,19 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     if not len(chosen):
         return np.zeros((count, 1))
     steep = largest(directions) or 1.0
-    ones = np.ones((*chosen.shape, 1))
-    matrices = np.concatenate([directions[chosen] / steep, -ones], axis=2)
+    unit_column = np.ones((*chosen.shape, 1))
+    matrices = np.concatenate([directions[chosen] / steep, -unit_column], axis=2)
     sizes = np.abs(np.linalg.det(matrices))
     regular = sizes > REGULAR_CORNER
     if not regular.any():
         return np.zeros((count, 1))
-    found = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
-    places: Floats = found[:, :count, 0].T / steep
+    solutions = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
+    places: Floats = solutions[:, :count, 0].T / steep
     return places
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:
-    """The same by linear programming, where there are many redundant directions."""
+    """Return the split with most room by linear programming, for many redundant directions."""
     from scipy.optimize import linprog
 
     count = directions.shape[1]
@@ -74,15 +75,15 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
     steep = largest(directions) or 1.0
     limits = np.hstack([-directions / steep, np.ones((len(slack), 1))])
     bounds = [(None, None)] * count + [(None, 10.0)]
-    made = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
-    if not made.success or made.x is None:
+    solution = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
+    if not solution.success or solution.x is None:
         return np.zeros(count)
-    place: Floats = made.x[:-1] * scale / steep
+    place: Floats = solution.x[:-1] * scale / steep
     return place
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """The least change of a split that brings it within all limits; None where none does.
+    """Return the least change of a split into all limits, or None if impossible.
 
     Examples
     --------
@@ -100,10 +101,10 @@ def least(slack: Floats, directions: Floats) -> Floats | None:
     stacked = np.vstack([directions.T / steep, needed[None, :]])
     goal = np.zeros(count + 1)
     goal[-1] = 1.0
-    found, _ = nnls(stacked, goal)
-    rest = stacked @ found - goal
-    if abs(rest[-1]) < NO_SPLIT:
+    weights, _ = nnls(stacked, goal)
+    residual = stacked @ weights - goal
+    if abs(residual[-1]) < NO_SPLIT:
         return None
-    change: Floats = -rest[:-1] / rest[-1] * scale / steep
+    change: Floats = -residual[:-1] / residual[-1] * scale / steep
     fits = (slack + directions @ change).min() >= -WITHIN_LIMITS * scale
     return change if fits else None

@@ -1,4 +1,4 @@
-"""Springs before a run: how they are damped, how they are loaded."""
+"""Springs before a run: their equivalent viscous damping, and their torques at the start."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ from vstatics.simulation.tolerances import DEPENDENT, LIGHT_MOTION, RIGID_SQUARE
 def with_viscous_damping(
     system: MotionSystem, speeds: Floats
 ) -> tuple[MotionSystem, tuple[Message, ...]]:
-    """The system with loss factors as viscous damping at its lowest natural frequency.
+    """Return the system with loss factors as viscous damping at the lowest natural frequency.
 
-    A loss factor tells a damping torque for a vibration of one frequency only: ``eta k/omega``
-    takes as much of it. That is the lowest one while everything sticks that does at the start.
+    A loss factor eta is equivalent to viscous damping ``eta k/omega`` at one frequency only. The
+    lowest natural frequency with all parts sticking that stick at the start is used.
     """
     names = [spring.name for spring in system.springs if spring.loss_factor]
     if not names:
@@ -53,7 +53,7 @@ def with_viscous_damping(
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
-    """The lowest natural frequency while everything sticks that has no slip [rad/s]; 0: none."""
+    """Return the lowest natural frequency with all contacts without slip closed, or 0 [rad/s]."""
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
@@ -64,14 +64,14 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
     free = null(system.rows(rows))
     seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
     bent = [
-        one
-        for one in system.springs
-        if programme_at(one.programme, 0.0, seen) > 0 and not one.is_damper
+        spring
+        for spring in system.springs
+        if programme_at(spring.programme, 0.0, seen) > 0 and not spring.is_damper
     ]
     if not bent or not free.shape[1]:
         return 0.0
-    forms = np.array([one.row for one in bent]) @ free
-    stiffness = (forms.T * [one.curve.slope_at(one.curve.at(0.0)) for one in bent]) @ forms
+    forms = np.array([spring.row for spring in bent]) @ free
+    stiffness = (forms.T * [spring.curve.slope_at(spring.curve.at(0.0)) for spring in bent]) @ forms
     mass = free.T @ system.mass @ free
     sizes, axes = np.linalg.eigh(mass)
     heavy = sizes > LIGHT_MOTION * sizes[-1]
@@ -86,9 +86,9 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
 
 
 def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
-    """Twists of the springs with which nothing swings under the torques of t = 0 [rad].
+    """Return the twists of the springs at rest under the torques of t = 0 [rad].
 
-    They carry what they would if they were rigid, within their limits.
+    The springs carry the torques of rigid connections, within their limits.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     CaseError
     """
     seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))
-    limits = [programme_at(one.programme, 0.0, seen) for one in system.springs]
+    limits = [programme_at(spring.programme, 0.0, seen) for spring in system.springs]
     bent = [n for n, limit in enumerate(limits) if limit > 0 and not system.springs[n].is_damper]
     held = _held_torques(system, speeds, bent)
     twists = np.zeros(len(system.springs))
@@ -112,13 +112,13 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
 
 
 def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> dict[int, float]:
-    """Torques of some springs if they were rigid, and no dry friction beside them [N*m]."""
+    """Return the torques of springs replaced by rigid connections [N*m]."""
     stiff = Programme(constant(math.inf), is_dog=True)
-    others = [one for one in system.contacts if one.beside is None]
+    others = [contact for contact in system.contacts if contact.beside is None]
     rigid = [Contact(system.springs[n].name, system.springs[n].row, stiff) for n in bent]
     limp = [
-        one if one.is_damper else one._replace(curve=straight_curve(0.0), viscous=0.0)
-        for one in system.springs
+        spring if spring.is_damper else spring._replace(curve=straight_curve(0.0), viscous=0.0)
+        for spring in system.springs
     ]
     other = replace(system, contacts=(*others, *rigid), springs=tuple(limp))
     other = with_settings(other, system.settings)
@@ -127,10 +127,10 @@ def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> 
     selected = ModeSelection(other).select(at, None, scales)
     equations = selected.margins.equations
     rates, torques = equations.acting(0.0, selected.state)
-    columns = (one[:, None] for one in (selected.state, rates, torques))
+    columns = (vector[:, None] for vector in (selected.state, rates, torques))
     held = selected.margins.split(np.zeros(1), *columns)[:, 0]
     return {
-        bent[one.of - len(others)]: float(torque)
-        for one, torque in zip(equations.structure.multipliers, held.tolist(), strict=True)
-        if one.kind == "contact" and one.of >= len(others)
+        bent[multiplier.of - len(others)]: float(torque)
+        for multiplier, torque in zip(equations.structure.multipliers, held.tolist(), strict=True)
+        if multiplier.kind == "contact" and multiplier.of >= len(others)
     }

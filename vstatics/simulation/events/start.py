@@ -1,4 +1,4 @@
-"""The speeds at the start: what is given determines all others."""
+"""Speeds, angles and twists at the start, determined by the given values."""
 
 from __future__ import annotations
 
@@ -20,53 +20,55 @@ from vstatics.simulation.tolerances import MOVING_LINK, STANDING
 
 
 def with_all_converters(scenario: Scenario) -> Scenario:
-    """The scenario with the converters of its case, too, of which none is a mechanism.
+    """Return the scenario with all converters of the case, including open converters.
 
     Raises
     ------
     CaseError
-        If one has no lambda.
+        If a converter has no lambda.
     """
     before = scenario.case
     try:
         case = with_open_converters(before)
     except CaseError as error:
-        problems = [one._replace(path=("case", *one.path)) for one in error.problems]
+        problems = [problem._replace(path=("case", *problem.path)) for problem in error.problems]
         raise CaseError(problems) from None
-    own = {one.name for one in before.converters} if scenario.converters else set()
-    moved = {one.name: one for one in case.converters if one.name not in own}
-    names = [one.name for one in case.mechanisms]
+    named = {converter.name for converter in before.converters} if scenario.converters else set()
+    moved = {
+        converter.name: converter for converter in case.converters if converter.name not in named
+    }
+    names = [mechanism.name for mechanism in case.mechanisms]
     ratios = {
         names.index(before.mechanisms[number - 1].name) + 1: ratio
         for number, ratio in scenario.speed_ratios.items()
     }
-    converters = (moved | {one.name: one for one in scenario.converters}).values()
+    converters = (moved | {converter.name: converter for converter in scenario.converters}).values()
     return scenario._replace(case=case, converters=tuple(converters), speed_ratios=ratios)
 
 
 def with_fixed_ratios(scenario: Scenario) -> Scenario:
-    """The scenario with variators as pairs of the ratios that they have in its first gear.
+    """Return the scenario with fixed variators as gear pairs with the ratios of the start gear.
 
-    Those that move, or stand at 0, stay.
+    Variators that move, or that have the ratio 0, are kept.
     """
     case, name = scenario.case, scenario.start.gear
-    kinds = [one for one in case.mechanisms if one.kind]
+    kinds = [mechanism for mechanism in case.mechanisms if mechanism.kind]
     if not kinds:
         return scenario
-    gear = next((one for one in case.gears if one.name == name), Gear())
+    gear = next((candidate for candidate in case.gears if candidate.name == name), Gear())
     ratios = dict(enumerate(case.gear_ratios(gear), 1))
     moving = dict(scenario.speed_ratios)
-    for number, one in enumerate(case.mechanisms, 1):
-        if one.kind and not ratios[number]:
-            moving.setdefault(number, constant(0.0))  # no pair has this ratio
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        if mechanism.kind and not ratios[number]:
+            moving.setdefault(number, constant(0.0))  # a pair cannot have this ratio
     others = dict.fromkeys(moving, 1.0)  # their pairs are not used
     pairs = case.as_pairs(gear._replace(speed_ratios={**gear.speed_ratios, **others}))
-    assert pairs is not None  # noqa: S101 - none is 0, and none a converter
+    assert pairs is not None  # noqa: S101 - no ratio is 0, and converters are left out
     return scenario._replace(case=pairs, speed_ratios=moving)
 
 
 def start_gear(scenario: Scenario) -> Gear | None:
-    """The gear of the start, with the freewheels that hold in it among the engaged elements.
+    """Return the gear of the start, with locked freewheels among the engaged elements.
 
     Raises
     ------
@@ -89,12 +91,12 @@ def start_gear(scenario: Scenario) -> Gear | None:
 
 
 def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
-    """The speeds of all links at t = 0 [rad/s].
+    """Return the speeds of all links at t = 0 [rad/s].
 
     Raises
     ------
     CaseError
-        Of speeds that contradict each other, or leave something open.
+        If speeds contradict each other, or do not determine all others.
     """
     scenario = system.scenario
     case, start = scenario.case, scenario.start
@@ -129,27 +131,27 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
 
 
 def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
-    """Angles of links and twists of springs at t = 0 [rad].
+    """Return the angles of links and twists of springs at t = 0 [rad].
 
     Rigid mechanisms tie angles as they tie speeds, and the twist of a spring is the angle between
-    its ends unless it can slip. What is not given is 0 where nothing determines it.
+    its ends unless it can slip. Values that are not determined are 0.
 
     Raises
     ------
     CaseError
-        Of twists and angles that contradict each other, or leave open how springs share a twist.
+        If twists and angles contradict each other, or leave the sharing of a twist open.
     """
     start, links = system.scenario.start, np.eye(len(system.names))
-    twists = np.array([start.twists.get(one.name, 0.0) for one in system.springs])
+    twists = np.array([start.twists.get(spring.name, 0.0) for spring in system.springs])
     tied = {} if start.settled else {n: s for n, s in enumerate(system.springs) if not s.may_slip}
     given = [
         (("angles", system.names[link - 1]), links[link - 1], angle)
         for link, angle in start.angles.items()
     ]
     given += [
-        (("twists", one.name), one.row, start.twists[one.name])
-        for one in tied.values()
-        if one.name in start.twists
+        (("twists", spring.name), spring.row, start.twists[spring.name])
+        for spring in tied.values()
+        if spring.name in start.twists
     ]
     if not given:
         return np.zeros(len(links)), twists
@@ -159,18 +161,18 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
     _check_angles(matrix, values, [path for path, *_ in given])
     open_still, angles = null(matrix), solved(matrix, values)
     loose = []
-    for number, one in tied.items():
-        if one.name in start.twists:
+    for number, spring in tied.items():
+        if spring.name in start.twists:
             continue
-        if largest(one.row @ open_still) > MOVING_LINK:
-            loose.append(one)
+        if largest(spring.row @ open_still) > MOVING_LINK:
+            loose.append(spring)
         else:
-            twists[number] = one.row @ angles
-    matrix = np.vstack([matrix, system.rows(one.row for one in loose)])
+            twists[number] = spring.row @ angles
+    matrix = np.vstack([matrix, system.rows(spring.row for spring in loose)])
     values = np.append(values, np.zeros(len(loose)))
     angles = solved(matrix, values)
     if largest(matrix @ angles - values) > STANDING * max(1.0, largest(values)):
-        names = spoken([one.name for one in loose])
+        names = spoken([spring.name for spring in loose])
         message = f"the twists that are given leave open how {names} share the others: give more"
         raise CaseError("E726", message, ("start", "twists"))
     is_open = np.abs(null(matrix)).max(axis=1, initial=0.0) > MOVING_LINK
@@ -178,7 +180,6 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 
 
 def _check_angles(matrix: Floats, values: Floats, paths: Sequence[tuple[str, str]]) -> None:
-    """Refuse the first angle or twist that contradicts what is given before it."""
     for count in range(len(values) - len(paths) + 1, len(values) + 1):
         rows, wanted = matrix[:count], values[:count]
         if largest(rows @ solved(rows, wanted) - wanted) > STANDING * max(1.0, largest(wanted)):
@@ -192,13 +193,12 @@ def _check_angles(matrix: Floats, values: Floats, paths: Sequence[tuple[str, str
 
 
 def fixed_rows(system: MotionSystem) -> list[Floats]:
-    """Rows of speeds that are 0 whatever sticks: of mechanisms, of variators at the start."""
+    """Return constraint rows that always hold: of mechanisms, and of variators at the start."""
     rows = [mesh.row for mesh in system.meshes]
-    return rows + [system.contacts[one.contact].row for one in system.variators]
+    return rows + [system.contacts[variator.contact].row for variator in system.variators]
 
 
 def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
-    """Refuse speeds that are given of links which the train ties to each other."""
     rows = fixed_rows(system)
     for link in given:
         before = null(system.rows(rows))
@@ -212,7 +212,7 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
 def _backward(
     system: MotionSystem, speeds: Floats, free: Floats, scale: float
 ) -> Iterator[Problem]:
-    """Freewheels that hold anything, and turn in the way in which they hold.
+    """Yield a problem for each locking freewheel that slips backward at the start.
 
     Freewheels on an open motion without inertia can change their slip at once.
     """
@@ -231,14 +231,13 @@ def _backward(
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """Speeds with the open motions such that springs do not twist and freewheels hold.
+    """Return speeds completed so that springs do not twist and freewheels hold.
 
-    A motion in which nothing heavy moves never needs a given speed: the torques at t = 0 determine
-    it, whatever speed it had before.
+    A motion without inertia never needs a given speed: the torques at t = 0 determine it.
     """
     heavy, _ = split_motions(system.heavy, free)
     rows = system.rows(
-        one.row for one in system.springs if one.element is None and not one.is_damper
+        spring.row for spring in system.springs if spring.element is None and not spring.is_damper
     )
     bent = rows @ free
     moved = np.abs(bent).max(axis=1, initial=0.0) > MOVING_LINK
@@ -255,7 +254,7 @@ def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float)
         )
         raise _left_open(system, heavy, hint)
     filled: Floats = speeds + free @ part
-    freewheels = system.rows(one.row for one in system.contacts if one.one_way)
+    freewheels = system.rows(contact.row for contact in system.contacts if contact.one_way)
     if idle.shape[1] and len(freewheels):
         filled += idle @ solved(freewheels @ idle, -freewheels @ filled)
     return filled
@@ -270,13 +269,13 @@ def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
 def _contradiction(
     system: MotionSystem, matrix: Floats, wanted: Floats, given: dict[int, float]
 ) -> Problem:
-    """The first given speed that does not fit what stands before it."""
+    """Return a problem for the first given speed that contradicts earlier speeds."""
     first = len(wanted) - len(given)
     names = list(given)
     for count in range(first + 1, len(wanted) + 1):
         rows, values = matrix[:count], wanted[:count]
-        found = solved(rows, values)
-        if largest(rows @ found - values) > STANDING * max(1.0, largest(values)):
+        solution = solved(rows, values)
+        if largest(rows @ solution - values) > STANDING * max(1.0, largest(values)):
             link = names[count - 1 - first]
             others = solved(rows[:-1], values[:-1])
             name = system.case.link_name(link)

@@ -1,11 +1,11 @@
-"""Equations of motion in closed form, stretch by stretch: by the exponential of their matrix.
+"""Solution of the equations of motion in closed form, by matrix exponentials.
 
-``dx/dt = A x + B c + D dc/dt``: what is straight stands in A, and the torques c, which are given by
-the time or bend with a speed, are polynomials over a stretch. Those that bend follow from the
-motion, which follows from them: it is calculated again until nothing changes (waveform relaxation;
-their slopes at the start stand in A, so little does). Works and losses are sums over Gauss points.
-A stretch has equal parts, in which the fastest motion that has not died away turns through about
-three radians.
+In ``dx/dt = A x + B c + D dc/dt`` the matrix A contains all linear terms. The torques c, which are
+given over time or are nonlinear in the speeds, are polynomials over a stretch of time. Nonlinear
+torques and the motion depend on each other, so both are iterated to convergence (waveform
+relaxation). The slopes of the torques at the start are in A, so few iterations are needed. Works
+and losses are sums over Gauss points. A stretch has equal parts; in each part the fastest motion
+that has not decayed turns through about three radians.
 """
 
 from __future__ import annotations
@@ -32,21 +32,21 @@ from vstatics.simulation.tolerances import (
 
 _NONE = np.zeros(0)
 _TERMS = 22
-"""Of the series."""
+"""Number of terms of the exponential series."""
 
 
 class Exponential:
-    """``exp(A s)`` for s from 0 to 1: by its series, after so many halvings.
+    """Matrix exponential ``exp(A s)`` for s from 0 to 1, by scaling and squaring.
 
     Parameters
     ----------
     matrix : ndarray
         A.
     nodes : ndarray, optional
-        Parts of the time for which it is wanted again and again.
+        Parts of the time at which the exponential is needed repeatedly.
     rows : int, optional
-        Number of the first rows, which alone are wanted there. Below them, A is 0 but for some of
-        the numbers next to its diagonal, as in chains of derivatives: this saves most of the work.
+        Number of the first rows, which alone are needed at the nodes. Below them, A is 0 except for
+        some numbers next to its diagonal, as in chains of derivatives. This saves most of the work.
 
     Examples
     --------
@@ -65,107 +65,114 @@ class Exponential:
         """Factors of the numbers of chains in the exponential for twice the time."""
         chained = np.eye(len(matrix))[self.dense :]
         terms, lower = [np.eye(len(matrix))[: self.dense]], [chained]
-        next_one = np.append(0.0, np.diag(self.step, 1))
-        next_one[: self.dense + 1] = 0.0
+        superdiagonal = np.append(0.0, np.diag(self.step, 1))
+        superdiagonal[: self.dense + 1] = 0.0
         for number in range(1, _TERMS + 1):
             term = terms[-1][:, : self.dense] @ self.step[: self.dense]
-            term += np.roll(terms[-1], 1, axis=1) * next_one
+            term += np.roll(terms[-1], 1, axis=1) * superdiagonal
             terms.append(term / number)
-            chained = np.roll(chained, 1, axis=1) * next_one / number
+            chained = np.roll(chained, 1, axis=1) * superdiagonal / number
             lower.append(chained)
         self.series = np.array(terms)
-        # small ones first: they would be rounded off
+        # Small terms come first, because rounding would lose them after large terms.
         self.halved = [np.vstack([self.series[::-1].sum(axis=0), sum(reversed(lower))])]
-        """For 1, 1/2, 1/4, ... down to that of the series."""
+        """Exponentials for times 1, 1/2, 1/4, ... down to the time of the series."""
         for _ in range(self.halvings):
             self.halved.insert(0, self._squared(self.halved[0]))
         self.doubled = [self.halved[0]]
-        """For 1, 2, 4, ..."""
+        """Exponentials for times 1, 2, 4, ..."""
         self.nodes = self.at(nodes)
-        """For the parts of the time that are asked for again and again, so many rows."""
+        """First rows of the exponential at the nodes, shape (nodes, rows, size)."""
 
     def _squared(self, exponential: Floats) -> Floats:
-        """Return the exponential for twice the time."""
         first = self._product(exponential[: self.dense], exponential)
         return np.vstack([first, exponential[self.dense :] * self.doubling])
 
     def _product(self, rows: Floats, exponential: Floats) -> Floats:
         """Return first rows of a matrix, or of several, times an exponential."""
         dense = self.dense
-        made: Floats = rows[..., :dense] @ exponential[:dense]
+        product: Floats = rows[..., :dense] @ exponential[:dense]
         given, chains = rows[..., dense:], exponential[dense:, dense:]
         for order in range(min(_ORDERS, len(chains))):
-            made[..., dense + order :] += given[..., : len(chains) - order] * chains.diagonal(order)
-        return made
+            product[..., dense + order :] += given[..., : len(chains) - order] * chains.diagonal(
+                order
+            )
+        return product
 
     def at(self, parts: Floats) -> Floats:
-        """For parts of the time, each 0 to 1: the first rows; shape (parts, rows, size)."""
-        steps, rest = self._split(parts)
+        """Return the first rows at parts of the time from 0 to 1, shape (parts, rows, size)."""
+        steps, remainders = self._split(parts)
         series = self.series
-        factors = rest[:, None] ** np.arange(len(series))
-        made = (factors @ series.reshape(len(series), -1)).reshape(len(parts), *series.shape[1:])
+        factors = remainders[:, None] ** np.arange(len(series))
+        exponentials = (factors @ series.reshape(len(series), -1)).reshape(
+            len(parts), *series.shape[1:]
+        )
         for halved, far in steps:
-            made[far] = self._product(made[far], halved)
-        return np.asarray(made)
+            exponentials[far] = self._product(exponentials[far], halved)
+        return np.asarray(exponentials)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """States, as columns, each after its part of the time, 0 to 1."""
-        steps, rest = self._split(parts)
-        made = states.copy()
+        """Return states, as columns, each after a part of the time from 0 to 1."""
+        steps, remainders = self._split(parts)
+        result = states.copy()
         for halved, far in steps:
-            made[:, far] = halved @ made[:, far]
-        term, enough = made, ENOUGH_TERMS * largest(made)
+            result[:, far] = halved @ result[:, far]
+        term, enough = result, ENOUGH_TERMS * largest(result)
         for number in range(1, _TERMS + 1):
-            term = (self.step @ term) * (rest / number)
-            made = made + term
+            term = (self.step @ term) * (remainders / number)
+            result = result + term
             if largest(term) <= enough:
                 break
-        return made
+        return result
 
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
-        """Parts of the time as sums of halves: each with whose it is; and what is left of them."""
+        """Split parts of the time into sums of halvings, with columns, and remainders."""
         steps: list[tuple[Floats, Integers]] = []
-        rest = parts.copy()
+        remainders = parts.copy()
         for number, halved in enumerate(self.halved):
-            far = np.flatnonzero(rest >= 0.5**number)
-            rest[far] -= 0.5**number
+            far = np.flatnonzero(remainders >= 0.5**number)
+            remainders[far] -= 0.5**number
             if len(far):
                 steps.append((halved, far))
-        return steps, rest * 2.0**self.halvings
+        return steps, remainders * 2.0**self.halvings
 
     def repeated(self, first: Floats, count: int) -> Floats:
-        """States at the start of each of so many equal parts, shape (size, parts)."""
-        made, level = first[:, None], 0
-        while made.shape[1] < count:
+        """Return the states at the start of each of `count` equal parts, shape (size, parts)."""
+        states, level = first[:, None], 0
+        while states.shape[1] < count:
             if level == len(self.doubled):
                 self.doubled.append(self._squared(self.doubled[-1]))
-            made = np.hstack([made, self.doubled[level] @ made])
+            states = np.hstack([states, self.doubled[level] @ states])
             level += 1
-        return made[:, :count]
+        return states[:, :count]
 
 
 DEGREE = 10
-"""Of the polynomials."""
+"""Degree of the polynomials of torques over a stretch."""
 _GAUSS = 8
+"""Number of Gauss points of a part of a stretch."""
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
 NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
-"""Gauss points of a part of a stretch and its end, by its length."""
+"""Gauss points of a part of a stretch and the end, as fractions of the length."""
 _BY_ORDER: Floats = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
-"""Powers at the Gauss points of a part -> works up to a time in it, by the powers of that time."""
+"""Matrix from powers at the Gauss points of a part to coefficients of the work over time."""
 
 
 @lru_cache(maxsize=16)
 def fitting(count: int) -> tuple[Floats, Floats, Floats]:
-    """For so many parts: values at all instants -> series -> powers; and series -> values.
+    """Return the matrices that fit polynomials to values at the instants of `count` parts.
 
     Returns
     -------
     to_series : ndarray, shape (instants, DEGREE + 1)
+        Values to Chebyshev coefficients.
     to_powers : ndarray, shape (DEGREE + 1, DEGREE + 1)
-        Of the time by the length of a part; each divided by its factorial.
+        Chebyshev coefficients to derivatives by the time in lengths of a part, divided by their
+        factorials.
     to_values : ndarray, shape (DEGREE + 1, instants)
+        Chebyshev coefficients to values.
     """
     places = ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
     degree = min(DEGREE, len(places) - 3)
@@ -179,7 +186,7 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
 @lru_cache(maxsize=1)
 def _powers() -> Floats:
-    """Series over 0 to 1 -> powers."""
+    """Return the matrix from Chebyshev coefficients over 0 to 1 to coefficients of powers."""
     powers = np.zeros((DEGREE + 1, DEGREE + 1))
     for number in range(DEGREE + 1):
         series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
@@ -188,40 +195,40 @@ def _powers() -> Floats:
 
 
 def _scales(count: int) -> Floats:
-    """By which powers are divided: those of derivatives at the start are wanted."""
     orders = np.arange(1, DEGREE + 1)
     return np.append(1.0, np.cumprod(count / orders))
 
 
 _RADIANS = 3.0
-"""Of the fastest motion, in a part of a stretch."""
+"""Angle through which the fastest motion turns in a part of a stretch. [rad]"""
 _MOST_HALVINGS = 256
-"""Most parts of a stretch, a power of 2."""
+"""Largest number of parts of a stretch, a power of 2."""
 _GONE = 40.0
-"""A motion has died away after so many of its time constants."""
+"""Number of time constants after which a motion has decayed."""
 _MOST_NUMBERS = 4_000_000
-"""Of the matrices that are made at once."""
+"""Largest number of matrix entries that are calculated at once."""
 _FIRST_PARTS = 4
-"""Parts of a stretch to begin with, where torques bend."""
+"""Initial number of parts of a stretch with nonlinear torques."""
 _SMOOTH = 4
-"""So many stretches go well before a longer one is tried."""
+"""Number of successful stretches before a longer stretch is tried."""
 _MOST_AT_START = 64.0
-"""What polynomials may be off at the start of a stretch, by what they may between instants."""
+"""Largest error of polynomials at the start of a stretch, relative to the limit between instants.
+"""
 _RELAXATION_ROUNDS = 12
-"""Of relaxation."""
+"""Largest number of rounds of waveform relaxation."""
 _ORDERS = DEGREE + 1
 
 
 _BALANCINGS = 3
-"""Times that states are balanced, one after the other."""
+"""Number of sweeps that balance the control states."""
 _FEW = 64
-"""So many states have their eigenvalues calculated at once."""
+"""Number of states up to which eigenvalues are calculated at once."""
 _SQUARINGS = 6
-"""Of a matrix, by which its largest eigenvalue is bounded."""
+"""Number of squarings of a matrix in the bound of the largest eigenvalue."""
 
 
 def _largest_rate(matrix: Floats) -> float:
-    """A bound of the eigenvalues, hardly above the largest: ``|A^n|^(1/n)`` (Gelfand).
+    """Return an upper bound of all eigenvalues: ``|A^n|^(1/n)`` (Gelfand).
 
     Examples
     --------
@@ -240,26 +247,26 @@ def _largest_rate(matrix: Floats) -> float:
 
 
 class NoFit(Exception):  # noqa: N818 - it never leaves the room
-    """Torques that no polynomial comes near."""
+    """Signal that no polynomial fits the torques."""
 
 
 class Parts(NamedTuple):
-    """The parts of a stretch."""
+    """Equal parts of a stretch of time."""
 
     begin: float
     """[s]"""
     length: float
-    """Of each. [s]"""
+    """Length of each part. [s]"""
     number: int
 
     @property
     def times(self) -> Floats:
-        """Gauss points and ends, shape (parts, points) [s]."""
+        """Return the Gauss points and ends, shape (parts, points) [s]."""
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
 
 class TimeStretch(NamedTuple):
-    """A stretch that is calculated."""
+    """Calculated stretch of time."""
 
     parts: Parts
     exponential: Exponential
@@ -268,13 +275,13 @@ class TimeStretch(NamedTuple):
 
 
 class Closed:
-    """The closed form of equations of motion.
+    """Closed-form solution of a set of equations of motion.
 
     Parameters
     ----------
     equations : Equations
     state : ndarray
-        At the start.
+        State at the start.
     large : float
         A large torque. [N*m]
     """
@@ -285,30 +292,30 @@ class Closed:
         timed = {port for port, _, _ in ports.timed}
         rates = range(equations.layout.ports, equations.layout.ports + len(equations.layout.values))
         self.bending = np.array([*sorted(timed.union(ports.bending)), *rates], dtype=int)
-        """Ports whose torques bend, then the rates of values."""
+        """Ports with nonlinear torques, followed by the rates of control values."""
         self.torques = len(self.bending) - len(rates)
-        """So many of them are torques."""
+        """Number of torques in `bending`."""
         self.is_given = ports.is_affine and not rates
         looks = {*rates, *equations.seeing}
-        orders = np.array([2 if one in looks else _ORDERS for one in self.bending], dtype=int)
+        orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.kept: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Orders of their polynomials: what is straight in all that it sees leaves a line."""
+        """Orders kept in each polynomial; a law that is linear in all its inputs leaves a line."""
         self.latest: Floats = np.zeros(len(self.bending))
-        """What the torques that bend were at the end of the last stretch."""
+        """Nonlinear torques at the end of the last stretch."""
         self.size = equations.works.start
         self._straighten(equations.time, state)
 
     def _straighten(self, time: float, state: Floats) -> None:
-        """Make the matrix with the slopes that torques have in a state."""
+        """Linearize the torques in a state and build the matrix."""
         equations = self.equations
         by_rate, by_state = self.known = self._slopes(time, state)
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
         self.noise = ROUNDED_SUM * largest(np.abs(self.by_state) @ np.abs(state[: self.size]))
-        """What rounding of the state leaves of the torques that see it."""
+        """Rounding error of the torques that depend on the state."""
         try:
             self.affine = Affine(equations, by_rate, by_state)
-        except np.linalg.LinAlgError:  # a speed follows from what sees it from elsewhere
+        except np.linalg.LinAlgError:  # a speed depends on a law that sees another speed
             raise NoFit from None
         self.latest = np.zeros(len(self.bending))
         matrix = self.affine.change.by_state
@@ -319,20 +326,20 @@ class Closed:
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
     def _slopes(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        """Return the slopes of torques and of rates of values: by rates, by the state."""
         equations = self.equations
         return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Return whether the slopes in a state differ from the slopes in the matrix."""
         now, before = (
-            np.hstack([*map(np.ravel, one)]) for one in (self._slopes(time, state), self.known)
+            np.hstack([*map(np.ravel, slopes)])
+            for slopes in (self._slopes(time, state), self.known)
         )
         sizes = np.maximum(np.abs(now), np.abs(before))
         return bool((np.abs(now - before) > 0.05 * sizes).any())
 
     def _balanced(self) -> Floats:
-        """Factors by which speeds and twists count alike: square roots of their energies."""
+        """Return factors that scale speeds and twists alike: square roots of energies."""
         equations = self.equations
         factors = np.ones(self.size)
         stiffness = equations.ports.stiffness
@@ -341,24 +348,24 @@ class Closed:
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))
         drivers = len(equations.structure.drivers)
-        if drivers:  # they may move nothing heavy
+        if drivers:  # a driver can move links without inertia only
             driven = slice(equations.motions - drivers, equations.motions)
             factors[driven] = max(1.0, largest(factors[: equations.angles.start]))
         return factors
 
     def _balance_values(self, matrix: Floats) -> None:
-        """Factors of states: what goes to each grows no larger than all the rest (Osborne)."""
+        """Balance control values: the effect on each is limited by all other terms (Osborne)."""
         for _ in range(_BALANCINGS):
             for index in range(*self.equations.values.indices(self.size)):
-                made = np.abs(self.balance[:, None] * matrix / self.balance)
-                given, taken = made[:, index].sum(), made[index].sum()
-                made[index] = made[:, index] = 0.0
-                others = largest(made)
+                balanced = np.abs(self.balance[:, None] * matrix / self.balance)
+                given, taken = balanced[:, index].sum(), balanced[index].sum()
+                balanced[index] = balanced[:, index] = 0.0
+                others = largest(balanced)
                 if others:
                     self.balance[index] *= np.sqrt((given + others) / (taken + others))
 
     def stretches(self, state: Floats, end: float) -> Iterator[TimeStep]:
-        """Stretches up to a time.
+        """Yield calculated stretches up to a time.
 
         Raises
         ------
@@ -389,22 +396,21 @@ class Closed:
                 most = min(most, _MOST_HALVINGS)
 
     def _parts(self, gone: float, left: float, most: int, shorter: float) -> tuple[float, int]:
-        """Length and number of the parts of the next stretch."""
         fastest = self._fastest(gone)
         length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
         if self.equations.ports.timed:
             length = min(length, self.equations.longest)
         if most * length < left:
             return length, most
-        count = 1  # to the end, in a power of 2 of equal parts
+        count = 1  # up to the end, in a power of 2 of equal parts
         while count * length < left * (1 - SAME_TIME):
             count *= 2
         return left / count, count
 
     def _fastest(self, gone: float) -> float:
-        """The fastest motion that has not died away after so much time [rad/s]."""
+        """Return the speed of the fastest motion that has not decayed after a time [rad/s]."""
         if self.rates is None:
-            if self.size > _FEW and not gone:  # eigenvalues take longer than all the rest
+            if self.size > _FEW and not gone:  # eigenvalues would dominate the calculation time
                 return _largest_rate(self.matrix)
             matrix = self.affine.change.by_state
             self.rates = np.asarray(np.linalg.eigvals(matrix), complex)
@@ -412,43 +418,46 @@ class Closed:
         return float(alive.max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Of x, of the time and 1, of the torques that bend; and the unit of all but x."""
+        """Return the exponential of x, time, 1 and nonlinear torques, with the unit of all but x.
+
+        All variables except x are measured in this unit.
+        """
         known = self.exponentials.get(length)
         if known is not None:
             return known
         size, change, ports = self.size, self.affine.change, self.equations.ports
-        made = np.zeros((size + 2 + int(self.kept.sum()),) * 2)
+        matrix = np.zeros((size + 2 + int(self.kept.sum()),) * 2)
         factors = self.balance * length
-        made[:size, :size] = self.matrix * length
+        matrix[:size, :size] = self.matrix * length
         count = len(ports.c0)
         by_torques, by_slopes = change.by_given[:, :count], change.by_slope[:, :count]
         constant = by_torques @ ports.c0 + by_slopes @ ports.c1
-        made[:size, size] = factors * (by_torques @ ports.c1)
-        made[:size, size + 1] = factors * constant
-        made[size, size + 1] = length
+        matrix[:size, size] = factors * (by_torques @ ports.c1)
+        matrix[:size, size + 1] = factors * constant
+        matrix[size, size + 1] = length
         first = size + 2
         for port, orders in zip(self.bending, self.kept.sum(axis=1).tolist(), strict=True):
-            made[:size, first] = factors * change.by_given[:, port]
-            made[:size, first + 1] = self.balance * change.by_slope[:, port]
+            matrix[:size, first] = factors * change.by_given[:, port]
+            matrix[:size, first + 1] = self.balance * change.by_slope[:, port]
             rows = np.arange(first, first + orders - 1)
-            made[rows, rows + 1] = 1.0
+            matrix[rows, rows + 1] = 1.0
             first += orders
-        # torques in units in which they push no more than x itself does
-        unit = max(largest(np.abs(made[:size, size:]).sum(axis=0)), NOT_ZERO)
-        made[:size, size:] /= unit
-        exponential = Exponential(made, NODES, size), unit
+        # The unit keeps the effect of torques as small as the effect of x.
+        unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
+        matrix[:size, size:] /= unit
+        exponential = Exponential(matrix, NODES, size), unit
         self.exponentials[length] = exponential
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """A stretch from a state on; None where torques bend too much for it."""
+        """Calculate a stretch from a state on, or return None if torques bend too much."""
         times = parts.times.reshape(-1)
         to_series, to_powers, to_values = fitting(parts.number)
         given = np.zeros((len(self.bending), _ORDERS))
         given[:, 0] = self.latest
         before: Floats | None = None
         for _ in range(_RELAXATION_ROUNDS):
-            if self.is_given:  # what is not straight is so by the time alone
+            if self.is_given:  # torques are nonlinear in the time alone
                 now = before = self.affine.given_at(times)[0][self.bending]
             else:
                 at = self._states(self._followed(parts, state, given, to_powers))
@@ -469,13 +478,13 @@ class Closed:
         return None
 
     def _fits_at_start(self, time: float, state: Floats, given: Floats, limit: float) -> bool:
-        """Whether torques begin where polynomials do: they may bend before the first instant."""
+        """Return whether torques begin on the fitted polynomials."""
         first: Floats = np.power(-1.0, np.arange(_ORDERS))[:, None]
         now = self._bent(np.array([time]), state[: self.size, None], given, first)
         return bool(largest(given @ first - now) <= _MOST_AT_START * limit)
 
     def _keep(self, given: Floats, limit: float) -> bool:
-        """Keep all orders of what bends after all; whether anything does that did not before."""
+        """Keep all orders of newly bending torques; return whether there are any."""
         bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
         if bends.any():
             self.kept[bends] = True
@@ -496,13 +505,12 @@ class Closed:
         return TimeStretch(parts, exponential, exponential.repeated(first, parts.number))
 
     def _states(self, stretch: TimeStretch) -> Floats:
-        """X at instants of all parts, shape (size, parts, instants)."""
         nodes = stretch.exponential.nodes.transpose(1, 0, 2)
         inner: Floats = (nodes @ stretch.starts).transpose(0, 2, 1)
         return inner / self.balance[:, None, None]
 
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
-        """The torques that bend, less what of them stands in the matrix."""
+        """Return the nonlinear torques, less the linear part in the matrix."""
         equations, affine = self.equations, self.affine
         all_given, slopes = affine.given_at(times)
         all_given[self.bending] = given @ to_values
@@ -512,14 +520,15 @@ class Closed:
         whole[: self.size] = states
         ports = self.bending[: self.torques]
         torques = equations.torques_at(times, whole, rates)
-        made: Floats = torques[ports] - self.slopes[:, None] * rates[ports]
+        nonlinear: Floats = torques[ports] - self.slopes[:, None] * rates[ports]
         if len(self.bending) > self.torques:
-            made = np.vstack([made, equations.value_rates_at(times, whole, rates, torques)])
-        made -= self.by_state @ states
-        return made
+            nonlinear = np.vstack(
+                [nonlinear, equations.value_rates_at(times, whole, rates, torques)]
+            )
+        nonlinear -= self.by_state @ states
+        return nonlinear
 
     def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
-        """A stretch as a step, with works and losses."""
         parts = stretch.parts
         times = parts.times
         if abs(end - times[-1, -1]) <= SAME_END * abs(end):
@@ -539,35 +548,35 @@ class Closed:
     def _among(
         self, stretch: TimeStretch, befores: Floats, powers: Floats, times: Floats
     ) -> Floats:
-        """The states at any times of a stretch."""
+        """Return the states at any times of a stretch."""
         parts, first = stretch.parts, self.equations.works.start
         passed = (times - parts.begin) / parts.length
         at = np.clip(passed.astype(int), 0, parts.number - 1)
         within = np.clip(passed - at, 0.0, 1.0)
         moved = stretch.exponential.moved(within, stretch.starts[:, at])
-        made = befores[:, at].copy()
-        made[: self.size] = moved[: self.size] / self.balance[:, None]
+        result = befores[:, at].copy()
+        result[: self.size] = moved[: self.size] / self.balance[:, None]
         worked = parts.length * within[:, None] ** np.arange(1, _GAUSS + 1) @ _BY_ORDER
-        made[first:] += np.einsum("wnj,nj->wn", powers[:, at], worked)
-        return made
+        result[first:] += np.einsum("wnj,nj->wn", powers[:, at], worked)
+        return result
 
     def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
-        """The state at any time of a stretch; works by Gauss points up to there."""
+        """Return the state at a time of a stretch, with works by Gauss points."""
         parts = stretch.parts
         passed = (time - parts.begin) / parts.length
         part = min(parts.number - 1, max(0, int(passed)))
         within = min(1.0, max(0.0, passed - part))
         starts = np.repeat(stretch.starts[:, part, None], len(NODES), axis=1)
         moved = stretch.exponential.moved(within * NODES, starts)
-        made = np.zeros((self.equations.size, 1, len(NODES)))
-        made[: self.size, 0] = moved[: self.size] / self.balance[:, None]
+        result = np.zeros((self.equations.size, 1, len(NODES)))
+        result[: self.size, 0] = moved[: self.size] / self.balance[:, None]
         begin = parts.begin + part * parts.length
         times = begin + parts.length * within * NODES[None, :]
-        self._account(made, times, befores[:, part], parts.length * within)
-        return np.asarray(made[:, 0, -1])
+        self._account(result, times, befores[:, part], parts.length * within)
+        return np.asarray(result[:, 0, -1])
 
     def _account(self, states: Floats, times: Floats, before: Floats, length: float) -> Floats:
-        """Fill in works and losses; their changes with time at the Gauss points of each part."""
+        """Fill in works and losses; return the rates at the Gauss points of each part."""
         equations = self.equations
         first = equations.works.start
         count, nodes = times.shape

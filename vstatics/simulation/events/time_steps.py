@@ -1,4 +1,4 @@
-"""Integration between two events: steps of an explicit method, each with what lies between."""
+"""Time integration between two events: steps of an explicit method with dense output."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ if TYPE_CHECKING:
     from scipy.integrate import DOP853
 
 _NODES: Floats = np.arange(1, 9) / 8
-"""Instants of a step that are looked at, by its length."""
+"""Instants of a step at which margins are evaluated, as parts of the length."""
 Between = Callable[[Floats], Floats]
-"""Times within a step, shape (n,) -> states, shape (size, n)."""
+"""Dense output: times within a step, shape (n,), to states, shape (size, n)."""
 
 
 class StepTolerances(NamedTuple):
-    """Of integration."""
+    """Tolerances of the integration."""
 
     relative: float
     absolute: Floats
-    """For each part of the state."""
+    """Absolute tolerance of each state variable."""
 
 
 class TimeStep(NamedTuple):
-    """A step."""
+    """Time step with dense output."""
 
     start: float
     end: float
@@ -40,21 +40,21 @@ class TimeStep(NamedTuple):
     """State at the end."""
     between: Between
     exact: Callable[[float], Floats]
-    """The state at a time, as accurate as at the end."""
+    """State at a time, with the accuracy of the end of a step."""
     times: Floats
-    """Instants of it that are looked at, the last is its end. [s]"""
+    """Instants of the step at which margins are evaluated, including the end. [s]"""
     states: Floats
-    """There, shape (size, instants)."""
+    """States at the instants, shape (size, instants)."""
     nodes: Floats
-    """Where they are in each of its equal parts, by the length of a part; the last is 1."""
+    """Positions of the instants in each equal part, from 0 to 1; the last is 1."""
 
 
 _PATIENCE = 1000
-"""Steps after which it is asked whether they lead anywhere."""
+"""Number of steps between checks of progress."""
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
-    """Steps have become as small as rounding, or so small that they lead nowhere."""
+    """Signal that steps are as small as rounding, or too small to progress."""
 
 
 def steps(
@@ -64,14 +64,14 @@ def steps(
     tolerances: StepTolerances,
     first: float | None,
 ) -> Iterator[TimeStep]:
-    """Steps up to a time.
+    """Yield time steps up to a time, by the Runge-Kutta method DOP853.
 
     Raises
     ------
     TooSmall
     """
     if not np.isfinite(equations.derivative(*begin)).all():
-        raise TooSmall  # the solver would look for a first step without end
+        raise TooSmall  # the solver would search for a first step forever
     longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
         first = min(first, end - begin[0], longest)
@@ -101,7 +101,6 @@ def steps(
 def _exactly(
     equations: Equations, start: tuple[float, Floats], tolerances: StepTolerances, time: float
 ) -> Floats:
-    """The state at a time within a step, as accurate as a step's end."""
     if time <= start[0]:
         return start[1]
     solver = _solver(equations, start, time, tolerances, time - start[0])
@@ -125,7 +124,7 @@ def _solver(  # noqa: PLR0913, PLR0917
         *begin,
         end,
         rtol=tolerances.relative,
-        atol=tolerances.absolute,  # type: ignore[arg-type] # it takes arrays
+        atol=tolerances.absolute,  # type: ignore[arg-type] # scipy accepts arrays
         first_step=first,
         max_step=longest,
     )

@@ -1,4 +1,4 @@
-"""Which formula gives no number, where a run comes no further."""
+"""Search for a formula without a finite value, after a run has stopped."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER
 
 
 def unbounded(equations: Equations, begin: float, time: float, state: Floats) -> Problem | None:
-    """The first formula of a control, a limit, a rate or a speed that gives no number.
+    """Return a problem for the first control, limit, rate or speed without a finite value.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def unbounded(equations: Equations, begin: float, time: float, state: Floats) ->
     begin : float
         Time of the state. [s]
     time : float
-        A little later; the state goes on straight until then. [s]
+        Slightly later time, up to which the state is extrapolated linearly. [s]
     state : ndarray
     """
     moved = state + (time - begin) * equations.derivative(begin, state)

@@ -1,7 +1,7 @@
-"""A case in motion as matrices, and its equations while the same things stick.
+"""A case in motion as matrices, and its equations of motion between two events.
 
-`devices` makes rows of a scenario: what is heavy, rigid, sticks, drags or acts from outside;
-`matrices` has them as matrices. `curves` and `ports` give capacities and torques at an instant.
-`structure` has the constant matrices of what sticks, `equations` what a solver integrates, as maps
-too where all torques are straight.
+`devices` translates a scenario into bodies, constraints, contacts, springs and outside torques, and
+`matrices` contains them as matrices. `curves` and `ports` calculate capacities and torques at an
+instant. `structure` has the constant matrices of a set of sticking contacts. `equations` is what a
+solver integrates, in linear form as well if all torques are linear.
 """

@@ -1,4 +1,4 @@
-"""The values of capacities and of other curves over time: at an instant, at many, their slopes."""
+"""Values and slopes of capacities and other curves over time."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from vstatics.simulation.system.matrices import Contact
 
 Slopes = TypeVar("Slopes", float, Floats)
 Torque = Callable[[float, float, float], float]
-"""By time [s], rate [rad/s] and angle [rad]."""
+"""Torque as a function of time [s], rate [rad/s] and angle [rad]."""
 TorqueAlong = Callable[[Floats, Floats, Floats], Floats]
-"""By times, and the rate and the angle at each."""
+"""Torques as a function of arrays of times, rates and angles."""
 
 
 def one_by_one(torque: Torque) -> TorqueAlong:
-    """A torque at many times, each by itself."""
+    """Return a torque as a function of arrays, by a call for each instant."""
 
     def along(times: Floats, rates: Floats, angles: Floats) -> Floats:
-        known = (one.tolist() for one in (times, rates, angles))
-        return np.array([torque(*one) for one in zip(*known, strict=True)])
+        known = (values.tolist() for values in (times, rates, angles))
+        return np.array([torque(*at) for at in zip(*known, strict=True)])
 
     return along
 
@@ -33,13 +33,13 @@ def one_by_one(torque: Torque) -> TorqueAlong:
 def capacity_at(
     contact: Contact, time: float, slip: float = 0.0, seen: Sequence[float] = ()
 ) -> float:
-    """The kinetic capacity of a contact [N*m] at a time, from there on."""
+    """Return the kinetic capacity of a contact right after a time [N*m]."""
     value = programme_at(contact.programme, time, seen)
     return value if contact.friction is None else value * friction_at(contact.friction, slip)
 
 
 def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) -> float:
-    """The value of a programme at a time, from there on, with all that is seen there."""
+    """Return the value of a programme right after a time, given all seen quantities."""
     if programme.look is not None:
         return programme.seen_at(time, seen)
     at = programme.curve.at(time)
@@ -49,7 +49,7 @@ def programme_at(programme: Programme, time: float, seen: Sequence[float] = ()) 
 
 
 def programme_along(programme: Programme, times: Floats, seen: Floats | None = None) -> Floats:
-    """The values of a programme at several times, with all that is seen at each."""
+    """Return the values of a programme at several times, given all seen quantities."""
     if programme.look is not None and seen is not None:
         return programme.seen_along(times, seen)
     return programme.factor * curve_along(programme.curve, times)
@@ -59,30 +59,30 @@ _LAST: deque[tuple[Curve, Floats, Floats]] = deque(maxlen=16)
 
 
 def curve_along(curve: Curve, times: Floats) -> Floats:
-    """The values of a curve at several times; those last asked for are remembered."""
+    """Return the values of a curve at several times, with a cache of recent results."""
     if isinstance(curve, Points) and len(set(curve.y)) == 1:
         return np.full(len(times), curve.y[0])
     for known, at, values in _LAST:
         if at is times and known == curve:
             return values
     if isinstance(curve, Points):
-        made = np.array([curve.at(time) for time in times.tolist()])
+        values = np.array([curve.at(time) for time in times.tolist()])
     else:
-        made = curve.along(times, 0.0, 0.0)
-    _LAST.append((curve, times, made))
-    return made
+        values = curve.along(times, 0.0, 0.0)
+    _LAST.append((curve, times, values))
+    return values
 
 
 def slope_of(
     function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
 ) -> float:
-    """Change of a torque with time, looking forward only."""
+    """Return the forward slope of a torque with time."""
     now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
     return slope_ahead(now, middle, later, within)
 
 
 def slope_ahead(now: Slopes, middle: Slopes, later: Slopes, step: float) -> Slopes:
-    """The slope at once of what is so now, after half a step and after a whole one.
+    """Return the forward slope from values now, after half a step and after a full step.
 
     >>> slope_ahead(0.0, 0.25, 1.0, 1.0), slope_ahead(1.0, 2.0, 3.0, 2.0)  # t^2, 1 + t
     (0.0, 1.0)

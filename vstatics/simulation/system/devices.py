@@ -1,4 +1,4 @@
-"""A scenario as devices along rows: what is heavy, rigid, sticks, bends, drags, or acts."""
+"""Devices of a scenario along speed rows: bodies, constraints, contacts, springs and loads."""
 
 from __future__ import annotations
 
@@ -48,15 +48,15 @@ from vstatics.simulation.system.sight import with_settings
 def motion_system(
     scenario: Scenario, capacities: list[Programme], gear: Gear | None
 ) -> MotionSystem:
-    """The system of a scenario.
+    """Build the system of a scenario.
 
     Parameters
     ----------
     scenario : Scenario
     capacities : sequence of Programme
-        Of the shift elements.
+        Capacities of the shift elements.
     gear : Gear, optional
-        That of the start, for the drag of its links.
+        Gear of the start, for the drag of its links.
 
     Raises
     ------
@@ -77,11 +77,11 @@ def motion_system(
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
-    beside = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))
-    contacts_of = (*elements, *contacts, *beside)
+    frictions = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))
+    contacts_of = (*elements, *contacts, *frictions)
     given = tuple(_given_speeds(scenario))
     moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
-    made = MotionSystem(
+    system = MotionSystem(
         scenario=scenario,
         names=tuple(case.link_names),
         heavy=np.array([row for row, _ in bodies]),
@@ -92,89 +92,92 @@ def motion_system(
         outside=tuple(outside),
         converters=scenario.converters,
         settings=scenario.settings,
-        variators=tuple(one for _, one in moving),
+        variators=tuple(variator for _, variator in moving),
     )
-    return with_settings(made, scenario.settings)
+    return with_settings(system, scenario.settings)
 
 
 def with_programmes(system: MotionSystem, capacities: list[Programme]) -> MotionSystem:
-    """The system with other programmes of its shift elements."""
+    """Return the system with new programmes of shift elements."""
     elements = system.case.shift_elements
     contacts = tuple(
-        one if one.element is None else one._replace(programme=capacities[one.element])
-        for one in system.contacts
+        contact
+        if contact.element is None
+        else contact._replace(programme=capacities[contact.element])
+        for contact in system.contacts
     )
     springs = tuple(
-        one
-        if one.element is None
-        else one._replace(
-            programme=_slipping_torque(elements[one.element], capacities[one.element])
+        spring
+        if spring.element is None
+        else spring._replace(
+            programme=_slipping_torque(elements[spring.element], capacities[spring.element])
         )
-        for one in system.springs
+        for spring in system.springs
     )
     return replace(system, contacts=contacts, springs=springs)
 
 
 def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[RigidMechanism]:
-    """Rigid mechanisms, but variators that move, by their numbers."""
-    found = []
+    """Return the rigid mechanisms, except moving variators."""
+    meshes = []
     planets = _taken_by_planets(case)
-    for index, one in enumerate(case.mechanisms, len(case.shift_elements)):
+    for index, mechanism in enumerate(case.mechanisms, len(case.shift_elements)):
         number = index - len(case.shift_elements) + 1
-        if one.stiffness is not None or number in moving:
+        if mechanism.stiffness is not None or number in moving:
             continue
-        back = one.efficiency if one.back_efficiency is None else one.back_efficiency
+        back = (
+            mechanism.efficiency if mechanism.back_efficiency is None else mechanism.back_efficiency
+        )
         if back == 0:
-            message = f"{one.name} is self-locking, which a scenario can't have yet"
+            message = f"{mechanism.name} is self-locking, which a scenario can't have yet"
             raise CaseError("E666", message, ("case",))
-        u = one.ratio
-        found.append(
+        u = mechanism.ratio
+        meshes.append(
             RigidMechanism(
-                one.name,
+                mechanism.name,
                 index,
                 rows[index],
-                between(one.first, one.third, case.links),
-                combination([(one.second, -u), (one.third, u)], case.links),
-                one.efficiency,
+                between(mechanism.first, mechanism.third, case.links),
+                combination([(mechanism.second, -u), (mechanism.third, u)], case.links),
+                mechanism.efficiency,
                 back,
                 planets[index - len(case.shift_elements)],
             )
         )
-    return found
+    return meshes
 
 
 def _taken_by_planets(case: Transmission) -> Floats:
-    """Of what the first link of each mechanism gives, by accelerations of links [kg*m^2].
+    """Return torques that planets take from first links [kg*m^2], by link accelerations.
 
-    ``d(J w_p^2/2)/dw_1`` turns with time to ``J (dw_p/dw_1) dw_p/dt``: the teeth give it to planets
-    that are no links of their own.
+    ``d(J w_p^2/2)/dw_1`` changes with time as ``J (dw_p/dw_1) dw_p/dt``: the teeth pass this torque
+    to planets that are not links of the case. Shape (mechanisms, links) [kg*m^2].
     """
-    made = np.zeros((len(case.mechanisms), case.links))
+    inertias = np.zeros((len(case.mechanisms), case.links))
     drawing = drawing_of(case)
     for motion in planet_inertias(drawing) if drawing else ():
         if not motion.wheel or motion.name in case.link_names:
             continue
         name = motion.name.rpartition(".")[0]
-        [device] = (one for one in case.own_devices if one.name == name)
-        [wheel] = (one for one in device.members if one.name == motion.wheel)
+        [device] = (candidate for candidate in case.own_devices if candidate.name == name)
+        [wheel] = (member for member in device.members if member.name == motion.wheel)
         row = combination(motion.speed.items(), case.links)
         for mechanism, place in wheel.places:
             if place == 0:
-                made[mechanism] += motion.inertia * motion.by_wheel * row
-    return made
+                inertias[mechanism] += motion.inertia * motion.by_wheel * row
+    return inertias
 
 
 def _elements(
     case: Transmission, capacities: list[Programme], dragging: list[DragTorque], rows: Floats
 ) -> list[Contact]:
-    """The shift elements that do not bend."""
-    overrun = {one.number: one.torque for one in dragging if one.is_element}
-    found = []
+    overrun = {drag.number: drag.torque for drag in dragging if drag.is_element}
+    contacts = []
     for index, (element, programme) in enumerate(zip(case.shift_elements, capacities, strict=True)):
         if element.stiffness is not None and not element.is_freewheel:
             continue
         drag = overrun.get(index + 1, 0.0) if element.is_freewheel else 0.0
-        found.append(
+        contacts.append(
             Contact(
                 element.name,
                 rows[index],
@@ -186,12 +189,12 @@ def _elements(
                 element=index,
             )
         )
-    return found
+    return contacts
 
 
 def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats) -> list[Contact]:
-    """What drags, but freewheels, whose drag acts while they overrun."""
-    found = []
+    """Return drag contacts, except overrunning freewheels."""
+    contacts = []
     for is_element, number, torque in dragging:
         name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
         if is_element:
@@ -201,56 +204,54 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats)
             name, row, while_open = element.name, rows[number - 1], number - 1
         law = torque if isinstance(torque, Law) else None
         programme = Programme(constant(torque if law is None else 1.0))
-        found.append(Contact(name, row, programme, law, is_drag=True, while_open=while_open))
-    return found
+        contacts.append(Contact(name, row, programme, law, is_drag=True, while_open=while_open))
+    return contacts
 
 
 def _spring_friction(case: Transmission, rows: Floats) -> list[Contact]:
-    """The dry friction beside springs."""
+    """Return contacts of the dry friction in parallel with springs."""
     first = len(case.devices) - len(case.springs)
     return [
-        Contact(one.name, rows[n], Programme(constant(one.friction)), is_drag=True, beside=n)
-        for n, one in enumerate(case.springs, first)
-        if one.friction
+        Contact(spring.name, rows[n], Programme(constant(spring.friction)), is_drag=True, beside=n)
+        for n, spring in enumerate(case.springs, first)
+        if spring.friction
     ]
 
 
 def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> list[Elastic]:
-    case, found = scenario.case, []
+    case, springs = scenario.case, []
     first = len(case.devices) - len(case.springs) - 1
     bending: list[ShiftElement | Mechanism | Spring] = [
         *case.shift_elements,
         *case.mechanisms,
         *case.springs,
     ]
-    for index, one in enumerate(bending):
+    for index, device in enumerate(bending):
         limit, element = Programme(constant(math.inf)), None
-        if isinstance(one, Spring):
-            curve: TwistCurve | StrutCurve = one.curve
-        elif one.stiffness is None or (isinstance(one, ShiftElement) and one.is_freewheel):
+        if isinstance(device, Spring):
+            curve: TwistCurve | StrutCurve = device.curve
+        elif device.stiffness is None or (isinstance(device, ShiftElement) and device.is_freewheel):
             continue
         else:
-            curve = straight_curve(one.stiffness)
-        if isinstance(one, ShiftElement):
-            limit, element = _slipping_torque(one, capacities[index]), index
+            curve = straight_curve(device.stiffness)
+        if isinstance(device, ShiftElement):
+            limit, element = _slipping_torque(device, capacities[index]), index
         elif index - first in scenario.limits:
             limit = bounded(scenario.limits[index - first])
-        elif isinstance(one, Spring):
-            limit = _own_limit(one)
-        damped = damping(one.damping)
-        found.append(Elastic(one.name, index, rows[index], curve, *damped, limit, element))
-    return found
+        elif isinstance(device, Spring):
+            limit = _own_limit(device)
+        damped = damping(device.damping)
+        springs.append(Elastic(device.name, index, rows[index], curve, *damped, limit, element))
+    return springs
 
 
 def _own_limit(spring: Spring) -> Programme:
-    """The limit that a spring has in the case."""
     if isinstance(spring.limit, SpringLimit):
         return Programme(constant(spring.limit.base), follows=spring.limit)
     return Programme(constant(math.inf if spring.limit is None else spring.limit))
 
 
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
-    """At which an elastic shift element slips."""
     pack = element.pack
     if element.static != 1 or (pack and len(pack.points) > 1):
         message = (
@@ -264,7 +265,10 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
 
 
 def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
-    """Outside torques: what of them is dry friction or jumps, from a contact on, and their laws."""
+    """Return outside torques: contacts for dry friction and jumps, and loads for all other laws.
+
+    Contacts are numbered from `first`.
+    """
     contacts: list[Contact] = []
     outside = []
     for link, law in scenario.torques:
@@ -281,41 +285,40 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         else:
             jumps, pieces = split_at_jumps(law)
             number = first + len(contacts)
-            for one in jumps:
-                switch = Switch(link - 1, one)
+            for jump in jumps:
+                switch = Switch(link - 1, jump)
                 contacts.append(Contact(name, row, OPEN, is_drag=True, switch=switch))
             for piece in pieces:
-                beside = tuple((number + jump, side) for jump, side in piece.when)
-                outside.append(OutsideTorque(link - 1, piece.law, beside))
+                when = tuple((number + jump, side) for jump, side in piece.when)
+                outside.append(OutsideTorque(link - 1, piece.law, when))
         if friction:
             contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
 
 
 def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
-    """Variators whose ratios move, with their contacts, from an index on."""
+    """Yield contacts and records of moving variators, with contact indices from `first`."""
     case = scenario.case
     for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
-        one = case.mechanisms[number - 1]
+        mechanism = case.mechanisms[number - 1]
         reference = ratio.at(0.0)
-        row = combination([(one.first, reference), (one.second, -1.0)], case.links)
+        row = combination([(mechanism.first, reference), (mechanism.second, -1.0)], case.links)
         yield (
-            Contact(one.name, row, OPEN, is_variator=True),
+            Contact(mechanism.name, row, OPEN, is_variator=True),
             MovingVariator(
-                one.name,
+                mechanism.name,
                 len(case.shift_elements) + number - 1,
-                one.first - 1,
+                mechanism.first - 1,
                 ratio,
                 curve_slope(ratio),
                 reference,
                 first + place,
-                one.efficiency,
+                mechanism.efficiency,
             ),
         )
 
 
 def _given_speeds(scenario: Scenario) -> Iterator[Contact]:
-    """Links whose speeds are given over time."""
     case = scenario.case
     for link, speed in scenario.speeds.items():
         switch = Switch(link - 1, LawJump("speed", speed))
@@ -324,23 +327,23 @@ def _given_speeds(scenario: Scenario) -> Iterator[Contact]:
 
 
 class DragTorque(NamedTuple):
-    """What drags."""
+    """Drag torque on a shift element or link."""
 
     is_element: bool
-    """Whether it is a shift element, not a link."""
+    """True if the drag acts in a shift element, not on a link."""
     number: int
-    """Of the element or the link."""
+    """Number of the shift element or link."""
     torque: float
-    """[N*m]; by a law over its speed."""
+    """Torque [N*m], or a law over speed."""
 
 
 def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
-    r"""What drags, in a gear or without one.
+    r"""Yield the drag torques in a gear, or without a gear.
 
     Raises
     ------
     CaseError
-        Of a drag that has no unit.
+        If a drag has no unit.
 
     Examples
     --------
@@ -360,14 +363,14 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     ]
     of_links = _of_all_gears([case.gear_drag(gear) for gear in gears])
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
-    found = []
+    torques = []
     for is_element, number, drag, name in items:
         if isinstance(drag, Law):
             if is_element and case.shift_elements[number - 1].is_freewheel:
                 message = f"the drag of {name} depends on speed, expected a number in a scenario"
                 place = _place_of_drag(case, gear, number, is_element)
                 problems.append(Problem("E695", message, place))
-            found.append(DragTorque(is_element, number, drag))
+            torques.append(DragTorque(is_element, number, drag))
             continue
         torque = newton_metres(drag, case)
         if drag and not (isinstance(drag, OfLoad) or load_torque(case)):
@@ -379,24 +382,25 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
                 Problem("E668", message, _place_of_drag(case, gear, number, is_element))
             )
         elif torque:
-            found.append(DragTorque(is_element, number, torque))
+            torques.append(DragTorque(is_element, number, torque))
     problems += _efficiency_laws(case)
     if problems:
         raise CaseError(problems)
-    yield from found
+    yield from torques
 
 
 def _efficiency_laws(case: Transmission) -> Iterator[Problem]:
-    """Efficiencies that depend."""
-    for number, one in enumerate(case.mechanisms, 1):
-        if isinstance(one.efficiency, Law) or isinstance(one.back_efficiency, Law):
-            message = f"the efficiency of {one.name} depends on speed or torque, expected a number"
+    """Yield a problem for each efficiency that depends on speed or torque."""
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law):
+            message = (
+                f"the efficiency of {mechanism.name} depends on speed or torque, expected a number"
+            )
             path = ("case", "mechanisms", number, "efficiency")
             yield Problem("E695", f"{message} in a scenario", path)
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001
-    """Place of the drag of an element or a link: a gear that gives it, or else the case."""
     key, owner = "open_drag" if is_element else "drag", gear or case.gears[0]
     if number in getattr(owner, key):
         return ("case", "gears", case.gear_number(owner.name), key, number)
@@ -404,15 +408,18 @@ def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_elemen
 
 
 def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
-    """The drag that is the same in all gears, as that of the case is."""
+    """Return the drags that are equal in all gears, such as drags of the case."""
     first, *others = by_gear
     return {
         part: drag
         for part, drag in first.items()
-        if all(part in one and _given(one[part]) == _given(drag) for one in others)
+        if all(
+            part in drags_of_gear and _given(drags_of_gear[part]) == _given(drag)
+            for drags_of_gear in others
+        )
     }
 
 
 def _given(torque: float) -> float:
-    """A torque as it was given, whatever load it is related to."""
+    """Return a torque as given, before scaling by the load."""
     return torque.given if isinstance(torque, OfLoad) else torque

@@ -1,9 +1,9 @@
-"""The equations of motion between two events, as a solver of differential equations takes them.
+"""Equations of motion between two events, as a system of first-order differential equations.
 
-The state is ``[q, e, phi, x, W]``: motions with inertia, twists of springs, angles that are
-followed, values (states and temperatures), works of ports, losses of dampers, slip work of springs,
-losses of meshes. Motions without inertia are no state: their speeds are those at which the torques
-along them balance.
+The state is ``[q, e, phi, x, W]``: motions with inertia, twists of springs, recorded angles, values
+(control states and temperatures), works of ports, losses of dampers, slip work of springs, and
+losses of meshes. Motions without inertia are not part of the state: their speeds follow from the
+balance of torques along them.
 """
 
 from __future__ import annotations
@@ -36,14 +36,15 @@ from vstatics.simulation.tolerances import (
 
 _NONE = np.zeros(0)
 _MOST_CONVERTER_STEPS = 100
+"""Smallest number of steps over the duration of a run with formulas of time."""
 _NEWTON = 30
-"""So many steps at most."""
+"""Largest number of Newton steps."""
 _LIMIT_ROUNDS = 8
-"""Of limits of springs that depend on their own slopes."""
+"""Largest number of iterations for spring limits that depend on the slopes of limits."""
 
 
 class Equations:
-    """What holds between two events, on one piece of time.
+    """Equations of motion between two events, on a piece of time with smooth inputs.
 
     Parameters
     ----------
@@ -51,14 +52,14 @@ class Equations:
     structure : MotionStructure
     states : States
     time : float
-        From when on they hold. [s]
+        Beginning of the piece. [s]
     rounding : float
-        A slip that is 0 but for rounding. [rad/s]
+        Slip that is 0 except for rounding. [rad/s]
 
     Raises
     ------
     CaseError
-        Of a link without inertia whose speed nothing determines.
+        If the speed of a link without inertia is not determined.
     """
 
     def __init__(
@@ -72,7 +73,7 @@ class Equations:
         layout = self.layout = system.layout
         self.system, self.structure, self.states = system, structure, states
         self.time = time
-        """From when on they hold. [s]"""
+        """Beginning of the piece. [s]"""
         self.ports = Ports(system, states, time, rounding)
         self.motions = structure.free.shape[1]
         self.springs = len(system.springs)
@@ -84,40 +85,40 @@ class Equations:
         self.slipped = slice(self.damped.stop, self.damped.stop + self.springs)
         self.meshed = slice(self.slipped.stop, self.slipped.stop + len(system.meshes))
         self.size = self.meshed.stop
-        self.viscous = np.array([one.viscous for one in system.springs])
+        self.viscous = np.array([spring.viscous for spring in system.springs])
         slips = ~self.ports.bends
         acting = self.ports.by_rate[layout.spring_ports]
         self.acting_dampers = np.where(slips, self.viscous, acting)
-        """Of springs, with those of springs at their limits. [N*m*s/rad]"""
+        """Damping of springs, including slipping springs. [N*m*s/rad]"""
         self.creeps: Booleans = slips & (self.viscous > 0)
         self.limited: Booleans = slips & (self.viscous == 0)
-        self.seen_limits = [one for one in self.ports.limits if self.limited[one[0]]]
-        """Springs that slip at limits which see something: index, sign, limit."""
+        self.seen_limits = [limit for limit in self.ports.limits if self.limited[limit[0]]]
+        """Springs that slip at a feedback limit: index, sign, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
-        """Ports whose torques see something and count as they are, not by their slopes."""
+        """Ports with feedback torques that enter by value, not by slope."""
         self.driving = [
-            (layout.contacts + one.of, row)
-            for row, one in enumerate(structure.multipliers)
-            if one.kind == "contact" and system.contacts[one.of].drives
+            (layout.contacts + multiplier.of, row)
+            for row, multiplier in enumerate(structure.multipliers)
+            if multiplier.kind == "contact" and system.contacts[multiplier.of].drives
         ]
         """Contacts that stick at a speed other than 0: port, multiplier."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
         self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
-        """Of a step where a torque is a formula of time, which may have a pulse. [s]"""
+        """Longest step where a torque is a formula of time, which can contain a pulse. [s]"""
         self.within = AHEAD * system.scenario.span
         if self.light:
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
         self.changes = ValueChanges(self)
-        """Of states and temperatures with time."""
+        """Rates of change of states and temperatures."""
 
     def _split_light(self) -> None:
-        """Which motions without inertia are found by torques, which by slopes of torques."""
+        """Split motions without inertia: speeds found by torques, or by slopes of torques."""
         structure, ports = self.structure, self.ports
         self.unsensed: list[tuple[int, Look]] = []
-        """Ports, with their torques, of those that see something, but no such motion."""
+        """Ports with feedback torques that do not depend on a motion without inertia."""
         for port, look in ports.looks:
             rates = [place for place in look.places if place < self.layout.ports]
             ports.senses_rate[port] = structure.light_rates[rates].any()
@@ -128,7 +129,7 @@ class Equations:
         sensed = np.where(ports.senses_rate, np.maximum(sensed / scale, LEAST_SENSE), 0.0)
         by_speed = structure.balances @ (sensed[:, None] * structure.light_rates)
         self.by_slope = null(by_speed.T)
-        """Combinations of balances that no speed changes, as columns."""
+        """Combinations of balances that do not depend on any speed, as columns."""
         self.by_torque = null(self.by_slope.T) if self.by_slope.size else np.eye(self.light)
         if self.by_slope.shape[1]:
             self.along = null(by_speed)
@@ -148,7 +149,7 @@ class Equations:
             raise CaseError("E669", message, ("case", "inertias", name))
 
     def check_seen(self, time: float, state: Floats) -> None:
-        """Refuse speeds that no torque tells.
+        """Reject speeds that the torques do not determine.
 
         Raises
         ------
@@ -163,16 +164,15 @@ class Equations:
             raise CaseError("E672", message, ("case", "inertias", name))
 
     def _name_of(self, motions: Floats) -> str:
-        """Of the link that turns most by motions without inertia."""
         speeds = np.abs(self.structure.light @ motions).max(axis=1)
         return self.system.names[int(speeds.argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Speeds of the motions without inertia, by the rates that those with inertia give."""
+        """Solve for the speeds of motions without inertia, given the rates of other motions."""
         structure, ports = self.structure, self.ports
         angles = state[self.angles]
 
-        def rest(speeds: Floats) -> Floats:
+        def unbalanced(speeds: Floats) -> Floats:
             at = rates + structure.light_rates @ speeds
             torques = self.torques(time, state, at)
             left: Floats = self.by_torque.T @ (structure.balances @ torques)
@@ -184,7 +184,7 @@ class Equations:
             return np.concatenate([left, self.by_slope.T @ (structure.balances @ slopes)])
 
         speeds = np.zeros(self.light)
-        left = rest(speeds)
+        left = unbalanced(speeds)
         for _ in range(_NEWTON):
             finest = ports.finest(rates + structure.light_rates @ speeds)
             step = min(DIFFERENCE_STEP * max(1.0, largest(speeds)), finest)
@@ -192,19 +192,19 @@ class Equations:
             for index in range(self.light):
                 moved = speeds.copy()
                 moved[index] += step
-                changes[:, index] = (rest(moved) - left) / step
+                changes[:, index] = (unbalanced(moved) - left) / step
             try:
                 change = np.linalg.solve(changes, left)
             except np.linalg.LinAlgError:
                 return np.full(self.light, np.nan)
-            after, share = rest(speeds - change), 1.0
+            after, share = unbalanced(speeds - change), 1.0
             least = NEWTON_STEP * max(1.0, largest(speeds))
             bends = largest(change) > finest
             while bends and not largest(after) <= (1 - share / 2) * largest(left):
-                share /= 2  # a law that is steep at rest leads as far to the other side
+                share /= 2  # a law that is steep at rest overshoots to the other side
                 if share * largest(change) <= least:
                     break
-                after = rest(speeds - share * change)
+                after = unbalanced(speeds - share * change)
             speeds, left = speeds - share * change, after
             if share * largest(change) <= least:
                 break
@@ -213,7 +213,7 @@ class Equations:
     def _see_ahead(
         self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
     ) -> None:
-        """Fill in the slopes of torques that see something, by rates and motions that are known."""
+        """Fill in the slopes of feedback torques for known rates and motions."""
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
@@ -228,11 +228,11 @@ class Equations:
             for ahead in aheads
         ]
         for port, look in self.unsensed:
-            now, middle, later = map(look.at, [time + one for one in aheads], seen)
+            now, middle, later = map(look.at, [time + step for step in aheads], seen)
             slopes[port] = slope_ahead(now, middle, later, ahead)
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        """Rates of ports, and speeds of the motions without inertia."""
+        """Return the rates of ports, and the speeds of motions without inertia."""
         rates = self.structure.rates @ state[: self.motions]
         if not self.light:
             return rates, _NONE
@@ -243,47 +243,47 @@ class Equations:
         return rates + self.structure.light_rates @ light, light
 
     def speeds(self, time: float, state: Floats) -> Floats:
-        """Of links [rad/s]."""
+        """Return the speeds of links [rad/s]."""
         speeds: Floats = self.structure.free @ state[: self.motions]
         if self.light:
             speeds = speeds + self.structure.light @ self.rates(time, state)[1]
         return speeds
 
     def acting(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        """Rates and torques of ports in a state [rad/s, N*m]."""
+        """Return the rates and torques of ports in a state [rad/s, N*m]."""
         rates, _ = self.rates(time, state)
         return rates, self.torques(time, state, rates)
 
     def _light_at(self, times: Floats, states: Floats) -> Floats:
-        """Speeds of the motions without inertia at several times, shape (motions, times)."""
+        """Return the speeds of motions without inertia at several times, shape (motions, times)."""
         if self.light_is_straight:
             return self.affine.light_at(times, states)
         columns = [self.rates(time, states[:, n])[1] for n, time in enumerate(times.tolist())]
         return np.array(columns).T
 
     def acting_at(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """Rates and torques of ports at several times, shape (ports, times)."""
+        """Return the rates and torques of ports at several times, shape (ports, times)."""
         rates: Floats = self.structure.rates @ states[: self.motions]
         if self.light:
             rates += self.structure.light_rates @ self._light_at(times, states)
         return rates, self.torques_at(times, states, rates)
 
     def seen_at(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
-        """All that is seen, at several times, as rows."""
+        """Return all quantities seen by formulas at several times, as rows."""
         seen = np.vstack([rates, states[self.motions : self.values.stop]])
         if not self.layout.derived:
             return seen
         at = zip(times.tolist(), states.T, rates.T, torques.T, strict=True)
         return np.vstack(
-            [seen, np.array([[f(*one) for f in self.changes.derived] for one in at]).T]
+            [seen, np.array([[f(*values) for f in self.changes.derived] for values in at]).T]
         )
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
-        """Changes of the works and losses of a state at several times, of straight equations."""
+        """Return the rates of works and losses at several times, for linear equations."""
         structure = self.structure
         rates, torques = self.acting_at(times, states)
-        made = np.zeros((self.size - self.works.start, len(times)))
-        made[: self.layout.ports] = self._with_driving(torques) * rates
+        powers = np.zeros((self.size - self.works.start, len(times)))
+        powers[: self.layout.ports] = self._with_driving(torques) * rates
         if self.springs:
             at = self.layout.spring_ports
             sprung, twisting = torques[at], rates[at]
@@ -293,32 +293,32 @@ class Equations:
                 slopes = self.ports.given_at(times, within)[1][at]
                 if self.seen_limits:
                     columns = zip(times.tolist(), states.T, slopes.T, strict=True)
-                    slopes = np.array([self._seen_slopes(*one) for one in columns]).T
+                    slopes = np.array([self._seen_slopes(*columns_at) for columns_at in columns]).T
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
             twists = states[self.twists]
-            made[first : first + self.springs] = self._damped(growing.T, twists.T).T
-            made[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
+            powers[first : first + self.springs] = self._damped(growing.T, twists.T).T
+            powers[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
         if structure.loses:
             lost = structure.mesh_rates @ states[: self.motions]
             if self.light:
                 lost += structure.mesh_light_rates @ self._light_at(times, states)
             by_mesh = (structure.torques @ torques)[: len(lost)]
-            made[self.meshed.start - self.works.start :] = by_mesh * lost
-        return made
+            powers[self.meshed.start - self.works.start :] = by_mesh * lost
+        return powers
 
     def _with_driving(self, torques: Floats) -> Floats:
-        """Torques of ports, those of contacts that stick at a speed too; times may follow."""
+        """Return the torques of ports, including drivers; a time axis can follow."""
         if not self.driving:
             return torques
-        made = torques.copy()
+        with_drivers = torques.copy()
         for port, row in self.driving:
-            made[port] = self.structure.torques[row] @ torques
-        return made
+            with_drivers[port] = self.structure.torques[row] @ torques
+        return with_drivers
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
-        """Torques of ports at several times, shape (ports, times) [N*m]."""
-        parts = (states[one] for one in (self.twists, self.angles, self.values))
+        """Return the torques of ports at several times, shape (ports, times) [N*m]."""
+        parts = (states[part] for part in (self.twists, self.angles, self.values))
         torques = self.ports.torques_at(times, rates, *parts)
         if self.variators:
             for number, time in enumerate(times.tolist()):
@@ -326,7 +326,7 @@ class Equations:
         return torques
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
-        """Of links at several times, shape (links, times) [rad/s]."""
+        """Return the speeds of links at several times, shape (links, times) [rad/s]."""
         speeds: Floats = self.structure.free @ states[: self.motions]
         if self.light:
             speeds += self.structure.light @ self._light_at(times, states)
@@ -334,13 +334,13 @@ class Equations:
 
     @cached_property
     def light_is_straight(self) -> bool:
-        """Whether no torque that bends acts along the motions without inertia."""
+        """True if no nonlinear torque acts along motions without inertia."""
         along = np.abs(self.structure.balances[:, self.ports.bending])
         return bool((along <= STRAIGHT_BALANCE).all())
 
     @property
     def has_closed_form(self) -> bool:
-        """Whether matrices can tell the motion, as far as torques are straight on the way."""
+        """True if matrix exponentials can describe the motion, at least between corners."""
         if self.system.variators:
             return False
         if self.light and not self.light_is_straight and (self.ports.looks or self.ports.struts):
@@ -348,9 +348,9 @@ class Equations:
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Change of each torque with its rate, in a state [N*m*s/rad].
+        """Return the derivatives of torques by rates, in a state [N*m*s/rad].
 
-        Torques that see the box are left out: `slopes_by_state` has all of their changes.
+        Feedback torques are left out; `slopes_by_state` contains their derivatives.
         """
         rates, _ = self.rates(time, state)
         step = DIFFERENCE_STEP * max(1.0, largest(rates))
@@ -360,37 +360,37 @@ class Equations:
             near = [rates.copy(), rates.copy()]
             near[0][port] -= step
             near[1][port] += step
-            low, high = (self.torques(time, state, one)[port] for one in near)
+            low, high = (self.torques(time, state, at)[port] for at in near)
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
     def strut_slopes(self, state: Floats) -> Floats:
-        """Of the torques of struts by their twists [N/m]."""
+        """Return the slopes of strut forces by travel [N/m]."""
         twists = state[self.twists]
         return np.array(
             [curve.strut.slope(float(twists[index])) for index, curve in self.ports.struts]
         )
 
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
-        """Changes, with the state, of torques that see the box and of the rates of values.
+        """Return the derivatives by the state of feedback torques and of rates of values.
 
         Returns
         -------
         ndarray, shape (ports + values, size of what moves)
         """
         looks, first = self.seeing, self.layout.ports
-        made = np.zeros((first + len(self.layout.values), self.works.start))
+        slopes = np.zeros((first + len(self.layout.values), self.works.start))
         for (index, _), slope in zip(self.ports.struts, self.strut_slopes(state), strict=True):
-            made[self.layout.springs + index, self.twists.start + index] = slope
+            slopes[self.layout.springs + index, self.twists.start + index] = slope
         if not looks and not self.layout.values:
-            return made
+            return slopes
 
         def seen(at: Floats) -> Floats:
             rates, torques = self.acting(time, at)
             change = self.derivative(time, at) if self.layout.hot else at
             return np.append(torques[looks], self.changes.at(time, at, rates, torques, change))
 
-        rows = [*looks, *range(first, len(made))]
+        rows = [*looks, *range(first, len(slopes))]
         now, finest = seen(state), self.ports.finest(self.rates(time, state)[0])
         for index in range(self.works.start):
             step = DIFFERENCE_STEP * max(1.0, abs(float(state[index])))
@@ -402,33 +402,33 @@ class Equations:
                 near[index] += length
                 return seen(near)
 
-            made[rows, index] = _slope_beside_jumps(moved, now, step)
-        return np.where(np.isfinite(made), made, 0.0)
+            slopes[rows, index] = _slope_beside_jumps(moved, now, step)
+        return np.where(np.isfinite(slopes), slopes, 0.0)
 
     def value_rates_at(
         self, times: Floats, states: Floats, rates: Floats, torques: Floats
     ) -> Floats:
-        """Changes of states and temperatures at several times, shape (values, times)."""
+        """Return the rates of states and temperatures at several times, shape (values, times)."""
         if self.layout.hot:
             at = zip(times.tolist(), states.T, strict=True)
-            return np.array([self.derivative(*one)[self.values] for one in at]).T
+            return np.array([self.derivative(*columns_at)[self.values] for columns_at in at]).T
         return self.changes.along(times, self.seen_at(times, states, rates, torques))
 
     @cached_property
     def affine(self) -> Affine:
-        """The equations as maps, where all torques are straight."""
+        """Linear form of the equations, if all torques are linear."""
         return Affine(self)
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
-        """Of ports [N*m]."""
-        parts = (state[one] for one in (self.twists, self.angles, self.values))
+        """Return the torques of ports [N*m]."""
+        parts = (state[part] for part in (self.twists, self.angles, self.values))
         torques = self.ports.torques(time, rates, *parts)
         if self.variators:
             self.variators.fill(time, rates, torques)
         return torques
 
     def moved(self, time: float, state: Floats, length: float) -> Floats:
-        """State after a step of the classical method of Runge and Kutta, which is of order 4."""
+        """Return the state after a step of the classical Runge-Kutta method of order 4."""
         half, end = time + length / 2, time + length
         first = self.derivative(time, state)
         second = self.derivative(half, state + length / 2 * first)
@@ -438,7 +438,7 @@ class Equations:
         return moved
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
-        """Change of the state with time; the slopes of limits of springs may be known."""
+        """Return the derivative of the state by time; slopes of spring limits can be given."""
         return self._change(time, state, self.rates(time, state), slopes)
 
     def _change(
@@ -448,7 +448,7 @@ class Equations:
         known: tuple[Floats, Floats],
         slopes: Floats | None = None,
     ) -> Floats:
-        """The same by rates of ports and speeds of motions without inertia."""
+        """Return the derivative for known rates of ports and speeds of motions without inertia."""
         structure, (rates, light) = self.structure, known
         torques = self.torques(time, state, rates)
         change = np.empty(self.size)
@@ -482,7 +482,7 @@ class Equations:
         return change
 
     def limit_slopes(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Changes of the limits of springs with time [N*m/s]."""
+        """Return the slopes of spring limits with time [N*m/s]."""
         slopes = self.ports.c1
         if self.ports.timed:
             parts = (state[self.twists], state[self.angles])
@@ -491,7 +491,7 @@ class Equations:
         return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
-        """Of limits too that see something: straight ahead, by the motion that follows of them."""
+        """Return the slopes including feedback limits, extrapolated along the resulting motion."""
         slopes, moving = slopes.copy(), slice(self.works.start)
         step, at = self._sight(time), self.changes.seen_at(time, state[moving])
         for _ in range(_LIMIT_ROUNDS):
@@ -500,38 +500,38 @@ class Equations:
             def limits(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
-                return np.array([one.uncut_at(then, seen) for *_, one in self.seen_limits])
+                return np.array([limit.uncut_at(then, seen) for *_, limit in self.seen_limits])
 
             now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
             risen = slope_ahead(now, middle, later, step)
-            for (index, sign, one), slope in zip(self.seen_limits, risen, strict=True):
-                is_cut = one.seen_at(time, at) != one.uncut_at(time, at)
+            for (index, sign, limit), slope in zip(self.seen_limits, risen, strict=True):
+                is_cut = limit.seen_at(time, at) != limit.uncut_at(time, at)
                 slopes[index] = 0.0 if is_cut else sign * slope
             if np.allclose(slopes, before):
                 break
         return slopes
 
     def _sight(self, time: float) -> float:
-        """Over which time it is told how what is seen changes [s]: the last one, if it can be.
+        """Return the interval for differences of seen quantities [s]: backward if possible.
 
-        Ahead there may be a corner.
+        A corner can be ahead.
         """
         step = SIGHT * self.system.scenario.span
         return -step if time - step > self.time else step
 
     def _damped(self, growing: Floats, twists: Floats) -> Floats:
-        """Powers of the dampers of springs, by how fast their twists grow.
+        """Return the powers of spring dampers for given rates of twists.
 
-        The last axis of all is that of the springs.
+        The last axis of all arrays is the axis of springs.
         """
         fixed, by_twist = self.ports.taken
         powers: Floats = self.acting_dampers * growing**2 - (fixed + by_twist * twists) * growing
         return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
-        """How twists grow where springs slip: by their dampers, or with their limits.
+        """Return the rates of twists, where slipping springs follow dampers or limits.
 
-        The last axis of all is that of the springs.
+        The last axis of all arrays is the axis of springs.
         """
         growing = twisting.copy()
         creeps, limited, stiffness = self.creeps, self.limited, self.ports.stiffness
@@ -542,34 +542,33 @@ class Equations:
 
 
 class Map(NamedTuple):
-    """What follows from x, from c and from dc/dt."""
+    """Linear map from x, c and dc/dt."""
 
     by_state: Floats
     by_given: Floats
     by_slope: Floats
 
     def plus(self, other: Map) -> Map:
-        """The sum of two."""
-        return Map(*(one + two for one, two in zip(self, other, strict=True)))
+        """Return the sum of two maps."""
+        return Map(*(mine + theirs for mine, theirs in zip(self, other, strict=True)))
 
     def times(self, matrix: Floats) -> Map:
-        """A matrix applied to it."""
-        return Map(*(matrix @ one for one in self))
+        """Return a matrix applied to the map."""
+        return Map(*(matrix @ part for part in self))
 
 
 class Affine:
-    """Equations whose torques are straight in rates, twists and angles, as maps.
+    """Linear form of equations whose torques are linear in rates, twists and angles.
 
-    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values] and c, what is given by the time
-    alone of torques of ports and of the rates of values; rates of ports and speeds of motions
-    without inertia are such maps too.
+    ``dx/dt = A x + B c + D dc/dt`` for x = [q, e, phi, values]. The vector c contains the parts of
+    port torques and of rates of values that depend on time alone. Rates of ports and speeds of
+    motions without inertia are maps of this kind, too.
 
     Parameters
     ----------
     equations : Equations
     by_rate : ndarray, shape (ports,), optional
-        Slopes of torques by their rates, where other than those that are straight.
-        [N*m*s/rad]
+        Slopes of torques by their rates, if not the linear slopes. [N*m*s/rad]
     by_state : ndarray, shape (ports + values, size), optional
         Slopes by the state, of torques and of rates of values.
     """
@@ -613,29 +612,28 @@ class Affine:
             parts.append(turning)
         given_rates = np.eye(len(layout.values), count, k=layout.ports)
         parts.append(Map(by_state[layout.ports :], given_rates, np.zeros_like(given_rates)))
-        self.change = Map(*(np.vstack(one) for one in zip(*parts, strict=True)))
+        self.change = Map(*(np.vstack(rows) for rows in zip(*parts, strict=True)))
 
     def _light(self, rates: Map, given: Map) -> Map:
-        """Speeds of the motions without inertia, from what balances along them."""
+        """Return the speeds of motions without inertia, from the balance of torques."""
         equations = self.equations
         structure, ports = equations.structure, equations.ports
         balance = equations.by_torque.T @ structure.balances
         damped = np.diag(self.by_rate)
         by_speeds = [balance @ damped @ structure.light_rates]
-        rest = [given.plus(rates.times(damped)).times(balance)]
+        balances = [given.plus(rates.times(damped)).times(balance)]
         if equations.by_slope.shape[1]:
             steep = equations.by_slope.T @ structure.balances
             elastic = ports.all_elastic
             by_speeds.append(steep @ (elastic[:, None] * structure.light_rates))
             slopes = rates.times(np.diag(elastic))
             identity = np.eye(*slopes.by_slope.shape)
-            rest.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
+            balances.append(slopes._replace(by_slope=slopes.by_slope + identity).times(steep))
         matrix = np.vstack(by_speeds)
-        stacked = Map(*(np.vstack(one) for one in zip(*rest, strict=True)))
-        return Map(*(-np.linalg.solve(matrix, one) for one in stacked))
+        stacked = Map(*(np.vstack(part) for part in zip(*balances, strict=True)))
+        return Map(*(-np.linalg.solve(matrix, part) for part in stacked))
 
     def _twisting(self, torques: Map, rates: Map) -> Map:
-        """How twists grow."""
         equations = self.equations
         ports, at = equations.ports, equations.layout.spring_ports
         grown = [part[at].copy() for part in rates]
@@ -652,13 +650,13 @@ class Affine:
         return Map(*grown)
 
     def light_at(self, times: Floats, states: Floats) -> Floats:
-        """Speeds of the motions without inertia at several times, shape (motions, times)."""
+        """Return the speeds of motions without inertia at several times, shape (motions, times)."""
         given, slopes = self.given_at(times)
-        made: Floats = self.light.by_state @ states[: self.equations.works.start]
-        return made + self.light.by_given @ given + self.light.by_slope @ slopes
+        speeds: Floats = self.light.by_state @ states[: self.equations.works.start]
+        return speeds + self.light.by_given @ given + self.light.by_slope @ slopes
 
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:
-        """Torques that are given by the time alone, and their slopes where they count."""
+        """Return the torques given by time alone, and the slopes where needed."""
         equations = self.equations
         count = bool(equations.light) or self.change.by_slope.any()
         more = np.zeros((len(equations.layout.values), len(times)))
@@ -667,9 +665,9 @@ class Affine:
 
 
 def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the slopes of functions at 0, on one side where they jump on the other one.
+    """Return the slopes of functions at 0, from a single side next to a jump.
 
-    A difference over a jump grows as its step shrinks; the slope it gives belongs to no motion.
+    A difference across a jump grows as its step shrinks, and does not belong to any motion.
 
     >>> def function(x):
     ...     return np.array([3 * x + (x > 0), abs(x)])

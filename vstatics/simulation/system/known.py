@@ -1,4 +1,4 @@
-"""What the parts of the equations of motion ask of them: places in the state, and what acts."""
+"""Interface of the equations of motion for the modules that calculate parts of them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vstatics.simulation.system.ports import Ports
 from vstatics.simulation.system.structure import MotionStructure
 
 DISTANCES = (1.0, 16.0, 256.0)
-"""Times after which a motion is looked at to see what leaves 0, by the look-ahead of equations."""
+"""Distances of the look-ahead at which numbers leaving 0 are compared, in units of `within`."""
 
 
 class KnownMotion(Protocol):
-    """What holds between two events, as far as its parts ask."""
+    """Motion between two events, as needed to calculate parts of the equations."""
 
     system: MotionSystem
     layout: PortLayout
@@ -29,13 +29,13 @@ class KnownMotion(Protocol):
     within: float
 
     def speeds(self, time: float, state: Floats) -> Floats:
-        """Of links [rad/s]."""
+        """Return the speeds of links [rad/s]."""
 
     def acting(self, time: float, state: Floats) -> tuple[Floats, Floats]:
-        """Rates and torques of ports in a state [rad/s, N*m]."""
+        """Return the rates and torques of ports in a state [rad/s, N*m]."""
 
     def derivative(self, time: float, state: Floats) -> Floats:
-        """Change of a state with time."""
+        """Return the derivative of a state with respect to time."""
 
     def moved(self, time: float, state: Floats, length: float) -> Floats:
-        """State after a short time [s]."""
+        """Return the state after a short time [s]."""

@@ -1,9 +1,9 @@
-"""A case in motion as matrices: what is heavy, what is rigid, what gives torques, rows of speeds.
+"""A case in motion as matrices: inertias, constraints, and speed rows of torques.
 
-``M dw/dt = T - A M_devices``: the columns of mechanisms are constraints, those of shift elements
-carry friction, those of springs elastic torques (the structural-distribution matrix of statics,
-with inertias on the links). Everything that gives a torque by what it sees is a port: a row that
-gives its rate, and a torque along the same row.
+``M dw/dt = T - A M_devices``; A is the structural-distribution matrix of statics and M has the
+inertias of the links. The columns of mechanisms are constraints, the columns of shift elements
+carry friction, and the columns of springs carry elastic torques. A port is a torque that depends on
+the motion: a row that gives a rate, and a torque along this row.
 """
 
 from __future__ import annotations
@@ -31,114 +31,117 @@ from vstatics.simulation.scenario.programme import Programme, slip_points
 
 
 class Switch(NamedTuple):
-    """A jump of an outside torque over the speed or the angle of its link."""
+    """Jump of an outside torque over the speed or angle of a link."""
 
     link: int
-    """Index."""
+    """Index of the link."""
     jump: LawJump
 
 
 class Contact(NamedTuple):
-    """Dry friction along a row: it slips with its capacity, or sticks within it."""
+    """Dry friction along a speed row: slips with kinetic capacity, or sticks within the limit."""
 
     name: str
     row: Floats
     programme: Programme
     friction: Friction | Law | None = None
-    """By which its programme is multiplied; of what drags by its speed its law."""
+    """Friction coefficient that multiplies the programme, or the law of a speed-dependent drag."""
     static: float = 1.0
     one_way: bool = False
-    """A freewheel: it carries nothing while its slip is above 0."""
+    """True for a freewheel, which carries no torque while the slip is above 0."""
     overrun_drag: float = 0.0
-    """Of a freewheel. [N*m]"""
+    """Overrunning drag of a freewheel. [N*m]"""
     element: int | None = None
-    """Index of its shift element."""
+    """Index of the shift element."""
     is_drag: bool = False
-    """It has no events, and its heat is a loss unless it acts beside a spring."""
+    """True for a drag: no events, and heat as a loss unless in parallel with a spring."""
     while_open: int | None = None
-    """Index of the element while whose capacity is 0 it acts."""
+    """Index of the shift element at whose zero capacity the contact acts."""
     beside: int | None = None
-    """Index of the device, a spring, beside which it acts."""
+    """Index of the spring, among devices, in parallel with the contact."""
     switch: Switch | None = None
-    """Where a torque jumps: its side is that of the jump, and it sticks where the motion slides
-    along the jump, with a torque between both (Filippov); none of it is friction. Where a speed is
-    given it is as if it always slid."""
+    """Jump of a torque.
+
+    The contact is on a side of the jump, or sticks where the motion slides along the jump with a
+    torque between both sides (Filippov). No part of it is friction. A link with a given speed is
+    treated as always sliding.
+    """
     is_given: bool = False
-    """Whether its speed is given."""
+    """True if the speed of the link is given."""
     is_variator: bool = False
-    """Whether it is the row of a variator that moves."""
+    """True for the row of a moving variator."""
 
     @property
     def drives(self) -> bool:
-        """Whether it sticks at another speed than 0."""
+        """True if the contact sticks at a speed other than 0."""
         return self.is_variator or (self.switch is not None and not self.switch.jump.rests)
 
     @property
     def device(self) -> int | None:
-        """Index of the device of whose torque it is a part."""
+        """Index of the device to whose torque the contact contributes."""
         of = (self.element, self.while_open, self.beside)
-        return next((one for one in of if one is not None), None)
+        return next((index for index in of if index is not None), None)
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Slips at which its coefficient of friction bends [rad/s]; none where it is a number."""
+        """Slips at the corners of the friction coefficient [rad/s]; empty for a constant."""
         points = slip_points(self.friction)
         return tuple(slip for slip, _ in points) if len(points) > 1 else ()
 
 
 class RigidMechanism(NamedTuple):
-    """A rigid mechanism."""
+    """Rigid mechanism with basic ratio u and efficiencies."""
 
     name: str
     device: int
-    """Index among the devices."""
+    """Index of the mechanism among the devices."""
     row: Floats
-    """(1, -u, u - 1)."""
+    """Speed row (1, -u, u - 1)."""
     slip: Floats
-    """First link against the third."""
+    """Speed row of the first link relative to the third."""
     friction: Floats
-    """Column of what its losses take: second link against the third, (0, -u, u)."""
+    """Column of the friction torque: second link relative to the third, (0, -u, u)."""
     efficiency: float
     back: float
     planets: Floats
-    """What planets take of the torque on its first link, by accelerations of links. [kg*m^2]"""
+    """Torque taken by planets from the first link, per acceleration of links. [kg*m^2]"""
 
     @property
     def lossless(self) -> bool:
-        """Whether it takes nothing."""
+        """True if the mechanism has no losses."""
         return self.efficiency == 1.0 and self.back == 1.0
 
 
 class Elastic(NamedTuple):
-    """A spring, or a shift element or mechanism that bends."""
+    """Spring, or elastic shift element or mechanism."""
 
     name: str
     device: int
     row: Floats
     curve: TwistCurve | StrutCurve
     viscous: float
-    """[N*m*s/rad]"""
+    """Viscous damping. [N*m*s/rad]"""
     loss_factor: float
     programme: Programme
-    """Of the limit within which its torque stays. [N*m]"""
+    """Limit of the torque over time. [N*m]"""
     element: int | None = None
 
     @property
     def stiffness(self) -> float:
-        """Where it is steepest [N*m/rad]."""
+        """Largest stiffness of the curve [N*m/rad]."""
         return self.curve.steepest
 
     @property
     def can_part(self) -> bool:
-        """Whether it has a play, and so a damper that acts in contact alone and never pulls."""
+        """True if the spring has play; the damper then acts in contact only, and never pulls."""
         return self.viscous > 0 and isinstance(self.curve, TwistCurve) and self.curve.has_gap
 
     def side(self, piece: int) -> float:
-        """The sign of the torque on a piece of a spring that can part; 0 in its play."""
+        """Return the sign of the torque on a piece of a spring with play; 0 in the play."""
         return self.curve.side(piece) if isinstance(self.curve, TwistCurve) else 0.0
 
     def carried(self, twist: float, rate: float) -> float:
-        """Its torque within its limit, with its damper [N*m].
+        """Return the torque without a limit, including the damper [N*m].
 
         Examples
         --------
@@ -155,68 +158,68 @@ class Elastic(NamedTuple):
 
     @property
     def may_slip(self) -> bool:
-        """Whether there is a torque that it does not carry, or may be one."""
+        """True if the torque of the spring has a limit, now or later."""
         curve = self.programme.curve
         limited = not isinstance(curve, Points) or {*curve.y} != {math.inf}
         return limited or self.element is not None
 
     @property
     def is_damper(self) -> bool:
-        """Whether it has no stiffness: a damper alone."""
+        """True for a damper without stiffness."""
         return self.stiffness == 0
 
 
 class MovingVariator(NamedTuple):
-    """A variator whose speed ratio moves; see `variators`."""
+    """Variator with a moving speed ratio; see `variators`."""
 
     name: str
     device: int
-    """Index among the devices."""
+    """Index of the variator among the devices."""
     first: int
-    """Index of its first link."""
+    """Index of the first link."""
     ratio: Curve
-    """``w_second/w_first`` over time."""
+    """Speed ratio ``w_second/w_first`` over time."""
     change: Curve
-    """Of the ratio with time. [1/s]"""
+    """Derivative of the ratio with respect to time. [1/s]"""
     reference: float
-    """The ratio of its row."""
+    """Ratio of the constraint row."""
     contact: int
-    """Index of its contact."""
+    """Index of the contact."""
     efficiency: float
 
 
 class OutsideTorque(NamedTuple):
-    """A torque on a link that is no dry friction."""
+    """Outside torque on a link, except dry friction."""
 
     link: int
-    """Index."""
+    """Index of the link."""
     law: Points | Formula | Road
     when: tuple[tuple[int, str], ...] = ()
-    """Indices of the contacts at its jumps, and on which side of each it acts."""
+    """Indices of the contacts at jumps of the law, and the side of each on which the law acts."""
 
     def acts(self, contacts: Sequence[str]) -> bool:
-        """Whether it does by the states of the contacts; with one that sticks both sides do."""
+        """Return whether the torque acts; at a sticking contact the torques of both sides act."""
         return all(contacts[index] in (side, "stick") for index, side in self.when)
 
     @property
     def needs_angle(self) -> bool:
-        """Whether it changes with the angle of its link."""
+        """True if the torque depends on the angle of the link."""
         if isinstance(self.law, Points):
             return self.law.over == "angle"
         return isinstance(self.law, Formula) and "angle" in self.law.variables
 
 
 SIGNS = {"+": 1.0, "-": -1.0}
-"""Of what slips, or of a torque at its limit."""
+"""Signs of slips, and of torques at a limit."""
 
 
 def sign(value: float) -> str:
-    """The sign of a number; that of 0 is -."""
+    """Return the sign of a number; the sign of 0 is `-`."""
     return "+" if value > 0 else "-"
 
 
 class PortLayout:
-    """Which port is where, and what is integrated beside speeds."""
+    """Layout of the ports, and of the integrated quantities other than speeds."""
 
     def __init__(self, system: MotionSystem) -> None:
         self.outside = self.contacts = len(system.outside)
@@ -226,116 +229,120 @@ class PortLayout:
         self.converters = len(system.converters)
         self.turbines = self.pumps + self.converters
         self.sensors = self.turbines + self.converters
-        seen = {one for formula in formulas(system.scenario) for one in formula.seen}
-        of_links = {one for one in seen if one.word == "speed"}
-        self.sensed = tuple(sorted(system.names.index(one.of) for one in of_links))
+        seen = {
+            seen_quantity for formula in formulas(system.scenario) for seen_quantity in formula.seen
+        }
+        of_links = {quantity for quantity in seen if quantity.word == "speed"}
+        self.sensed = tuple(sorted(system.names.index(quantity.of) for quantity in of_links))
         """Indices of the links whose speeds formulas see: ports without a torque."""
         self.variators = self.sensors + len(self.sensed)
         self.ports = self.variators + len(system.variators)
         self.frictions = self.outside + self.converters
-        """Of the pieces on which curves are, the first of a contact; before them converters."""
+        """Index of the first contact among the pieces of curves, after loads and converters."""
         self.curves = self.frictions + len(system.contacts)
-        """Of these the first of a spring."""
-        angles = {one.link for one in system.outside if one.needs_angle}
-        angles |= {one.switch.link for one in system.contacts if one.switch}
-        angles |= {system.names.index(one.of) for one in seen if one.word == "angle"}
+        """Index of the first spring among the pieces of curves."""
+        angles = {load.link for load in system.outside if load.needs_angle}
+        angles |= {contact.switch.link for contact in system.contacts if contact.switch}
+        angles |= {system.names.index(quantity.of) for quantity in seen if quantity.word == "angle"}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
-        """Indices of the links whose angles are followed."""
+        """Indices of the links with recorded angles."""
         self.hot = tuple(
-            index for index, one in enumerate(system.case.shift_elements) if one.heat_store
+            index for index, element in enumerate(system.case.shift_elements) if element.heat_store
         )
-        """Indices of the shift elements whose temperatures are known."""
+        """Indices of the shift elements with known temperatures."""
         elements = system.case.shift_elements
         self.values = (
             *(Seen("value", state.name) for state in system.scenario.states),
             *(Seen("temperature", elements[index].name) for index in self.hot),
         )
-        self.derived = tuple(sorted(one for one in seen if one.word in OF_TORQUES))
-        """What formulas see that follows from torques."""
+        self.derived = tuple(sorted(quantity for quantity in seen if quantity.word in OF_TORQUES))
+        """Quantities seen by formulas that follow from torques."""
 
 
 @dataclass(frozen=True)
 class MotionSystem:
-    """All of a scenario that does not change while it runs."""
+    """Part of a scenario that is constant between steps of sequences."""
 
     scenario: Scenario
     names: tuple[str, ...]
-    """Of links."""
+    """Names of the links."""
     heavy: Floats
-    """Speeds of bodies with an inertia by those of links, shape (bodies, links)."""
+    """Speeds of bodies with inertia by speeds of links, shape (bodies, links)."""
     inertias: Floats
-    """Of these. [kg*m^2]"""
+    """Inertias of the bodies. [kg*m^2]"""
     meshes: tuple[RigidMechanism, ...]
     contacts: tuple[Contact, ...]
     springs: tuple[Elastic, ...]
     outside: tuple[OutsideTorque, ...]
     converters: tuple[Converter, ...]
     settings: Mapping[str, float]
-    """Numbers of sequences, as they are."""
+    """Current values of the numbers that sequences set."""
     variators: tuple[MovingVariator, ...] = ()
 
     @property
     def case(self) -> Transmission:
-        """The case."""
+        """Case of the scenario."""
         return self.scenario.case
 
     @property
     def may_slip(self) -> tuple[Contact | Elastic, ...]:
-        """What has a programme of its capacity."""
+        """Contacts and springs, which have a programme of capacity."""
         return (*self.contacts, *self.springs)
 
     @cached_property
     def by_element(self) -> Mapping[int, Contact | Elastic]:
-        """What stands for each shift element, by its index."""
-        return {one.element: one for one in self.may_slip if one.element is not None}
+        """Contact or spring of each shift element, by index."""
+        return {device.element: device for device in self.may_slip if device.element is not None}
 
     @cached_property
     def layout(self) -> PortLayout:
-        """Which of its ports is where."""
+        """Layout of the ports."""
         return PortLayout(self)
 
     @cached_property
     def mass(self) -> Floats:
-        """Inertia matrix of the links [kg*m^2]."""
+        """Inertia matrix of the links, shape (links, links) [kg*m^2]."""
         mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
         return mass
 
     @cached_property
     def straight(self) -> Floats:
-        """Stiffnesses of the springs without points, 0 of others [N*m/rad]."""
-        return np.array([0.0 if one.curve.bends else one.stiffness for one in self.springs])
+        """Stiffnesses of the linear springs, 0 for nonlinear springs [N*m/rad]."""
+        return np.array(
+            [0.0 if spring.curve.bends else spring.stiffness for spring in self.springs]
+        )
 
     def elastic_energy(self, twists: Floats) -> float:
-        """Of all springs [J]."""
+        """Return the elastic energy of all springs [J]."""
         bent = zip(self.springs, twists.tolist(), strict=True)
-        stored = sum(one.curve.energy(twist) for one, twist in bent if one.curve.bends)
+        stored = sum(spring.curve.energy(twist) for spring, twist in bent if spring.curve.bends)
         return float(self.straight @ twists**2) / 2 + stored
 
     def rows(self, rows: Iterable[Floats]) -> Floats:
-        """Rows as a matrix, of shape (rows, links)."""
+        """Return rows as a matrix, shape (rows, links)."""
         return np.array([*rows]).reshape(-1, len(self.names))
 
     @cached_property
     def port_rows(self) -> Floats:
-        """Rows of outside torques, contacts, springs, pumps, turbines, links that are seen."""
+        """Speed rows of loads, contacts, springs, pumps, turbines, seen links and variators."""
         links = len(self.names)
-        rows = [unit(one.link, links) for one in self.outside]
+        rows = [unit(load.link, links) for load in self.outside]
         rows += [contact.row for contact in self.contacts]
         rows += [spring.row for spring in self.springs]
-        rows += [unit(one.pump - 1, links) for one in self.converters]
-        rows += [unit(one.turbine - 1, links) for one in self.converters]
+        rows += [unit(converter.pump - 1, links) for converter in self.converters]
+        rows += [unit(converter.turbine - 1, links) for converter in self.converters]
         rows += [unit(link, links) for link in self.layout.sensed]
-        rows += [unit(one.first, links) for one in self.variators]
+        rows += [unit(variator.first, links) for variator in self.variators]
         return self.rows(rows)
 
 
 def unit(index: int, links: int) -> Floats:
-    """The speed of a link, by its index."""
+    """Return the speed row of a link, given by index."""
     return combination([(index + 1, 1.0)], links)
 
 
 def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
-    """Links by their numbers, each with its coefficient; the housing stands still.
+    """Return a row of links, given by number with coefficients; the housing is left out.
 
     Examples
     --------
@@ -350,7 +357,7 @@ def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
 
 
 def between(first: int, second: int, links: int) -> Floats:
-    """First link against second, by their numbers.
+    """Return the row of the first link relative to the second, given by number.
 
     Examples
     --------

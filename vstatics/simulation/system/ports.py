@@ -1,8 +1,7 @@
-"""The torques of ports and converters at an instant: by time, by their rates, by twists and angles.
+"""Torques of ports and converters at an instant, from time, rates, twists and angles.
 
-What is straight in time and rate stands in arrays, ``u = c0 + c1 t + s rate``; springs add
-``k e`` with the k, and the c0, of the piece of their points; all else is a function that is asked
-one by one.
+Torques linear in time and rate are arrays, ``u = c0 + c1 t + s rate``. Springs add ``k e`` with k
+and c0 of the active piece of the curve. All other torques are functions, evaluated separately.
 """
 
 from __future__ import annotations
@@ -34,46 +33,50 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Part of a slip over which its torque does not bend."""
+"""Fraction of a slip over which the torque is nearly linear."""
 _FAR = 1e6
-"""A slip is far from its end that is larger than rounding by this factor."""
+"""Ratio to rounding above which a slip is far from 0."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
-"""States of mechanisms that move and lose power."""
+"""States of moving mechanisms with losses."""
 
 
 class States(NamedTuple):
-    """What everything does between two events."""
+    """States of contacts, mechanisms, springs and laws between two events."""
 
     contacts: tuple[str, ...]
-    """`open`, `stick`, `rigid`, or the sign of the slip."""
+    """States of contacts: `open`, `stick`, `rigid`, or the sign of the slip."""
     meshes: tuple[str, ...]
-    """As `MeshStates`."""
+    """States of mechanisms, as `MeshStates`."""
     springs: tuple[str, ...]
-    """`stick`: it bends; `parted`: its damper would pull, so it has no torque; else the sign of the
-    torque at whose limit it slips; `open`."""
+    """States of springs.
+
+    `stick`: elastic; `parted`: without torque, because the damper would pull; `open`; else the sign
+    of the torque limit at which the spring slips.
+    """
     pieces: tuple[int, ...]
-    """Of points over a speed or an angle, the piece that each outside torque is on, else 0; then
-    of each converter; of the coefficient of friction of each contact, over its slip; of the points
-    of each spring, over its twist.
+    """Active pieces of laws.
+
+    For each outside torque the piece over speed or angle, else 0; then for each converter; for the
+    friction coefficient of each contact, over slip; for the curve of each spring, over twist.
     """
 
     @property
     def held(self) -> tuple[bool, ...]:
-        """Of each contact, whether it sticks."""
+        """State of each contact: True if sticking."""
         return tuple(state in ("stick", "rigid") for state in self.contacts)
 
 
 class Ports:
-    """The torques of all ports while nothing changes its state, on one piece of time.
+    """Torques of all ports between two events, on a piece of time with smooth inputs.
 
     Parameters
     ----------
     system : MotionSystem
     states : States
     time : float
-        At which the piece of time begins. [s]
+        Beginning of the piece of time. [s]
     rounding : float
-        A slip that is 0 but for rounding. [rad/s]
+        Slip that is 0 except for rounding. [rad/s]
     """
 
     def __init__(
@@ -84,31 +87,31 @@ class Ports:
         self.c0 = np.zeros(layout.ports)
         self.c1 = np.zeros(layout.ports)
         self.by_rate = np.zeros(layout.ports)
-        """Slope by the port's own rate. [N*m*s/rad]"""
+        """Slope by the rate of the port. [N*m*s/rad]"""
         self.by_angle: list[tuple[int, int, float]] = []
         """Port, place of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
-        """Port, place of the angle or -1, its torque, and the same at many times."""
+        """Port, place of the angle or -1, torque function, and torque function of arrays."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
-        """Port, and its torque by its rate, a number or an array."""
+        """Port, and torque as a function of the rate, a number or an array."""
         self.timed: list[tuple[int, Formula, float]] = []
-        """Port, its torque by the time alone, and by what that is multiplied."""
+        """Port, torque as a function of time alone, and factor."""
         self.looks: list[tuple[int, Look]] = []
-        """Port, its torque by the time and all that is seen."""
+        """Port, torque as a function of time and all seen quantities."""
         self.ending: list[int] = []
-        """Ports whose torque sees their own slip, with an end at 0."""
+        """Ports with a torque that depends on a slip ending at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
-        """Springs at limits that see something, with the sign of the torque."""
+        """Springs at feedback limits: index, sign of the torque, programme."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
-        """Between these formulas are asked: what jumps at an end does it outside."""
+        """Interval in which formulas are evaluated, so that jumps at the ends stay outside."""
         self.converters = tuple(
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
         self.switching: list[int] = []
-        """Outside torques that may switch where no jump is known."""
+        """Loads whose formulas can switch at unknown places."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
-        """Ports whose torque changes with their rate."""
+        """Ports with a torque that depends on the rate."""
         self._springs(system, states)
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
@@ -119,15 +122,14 @@ class Ports:
             | {layout.springs + index for index, _ in self.struts}
             | set(range(layout.pumps, layout.sensors))
         )
-        """Ports whose torques are not straight in rates, twists and angles."""
+        """Ports with torques that are nonlinear in rates, twists and angles."""
         self.is_affine = not self.bending
-        """Whether all torques are straight in rates, twists and angles."""
+        """Whether all torques are linear in rates, twists and angles."""
 
     def _springs(self, system: MotionSystem, states: States) -> None:
-        """Take the pieces of the points of springs."""
         layout = self.layout
-        self.stiffness = np.array([one.stiffness for one in system.springs])
-        """Of springs where they are steepest. [N*m/rad]"""
+        self.stiffness = np.array([spring.stiffness for spring in system.springs])
+        """Largest stiffnesses of the springs. [N*m/rad]"""
         bends = [state in ("stick", "parted") for state in states.springs]
         parted = np.array([state == "parted" for state in states.springs], dtype=bool)
         self.bends = np.array(bends, dtype=bool)
@@ -135,27 +137,27 @@ class Ports:
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
         self.taken: Floats = np.where(parted, lines, 0.0)
-        """What dampers take of the torques of springs that part: at a twist of 0, and by it."""
+        """Damper share of the torques of parted springs: value at twist 0, and slope."""
         self.all_elastic = np.zeros(layout.ports)
-        """The same of all ports. [N*m/rad]"""
+        """Stiffnesses of all ports. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
         self.struts = [
-            (index, one.curve)
-            for index, one in enumerate(system.springs)
-            if isinstance(one.curve, StrutCurve)
+            (index, spring.curve)
+            for index, spring in enumerate(system.springs)
+            if isinstance(spring.curve, StrutCurve)
         ]
-        """Springs whose torques bend with their twists."""
+        """Springs with torques that are nonlinear in the twist."""
         for index, curve in self.struts:
             self.all_elastic[layout.springs + index] = curve.steepest
 
     def _laws(self, system: MotionSystem, states: States, time: float) -> None:
-        """Take the torques of all ports but those of converters."""
+        """Set up the torques of all ports except converters."""
         layout = self.layout
-        for index, one in enumerate(system.outside):
-            if not one.acts(states.contacts):
+        for index, load in enumerate(system.outside):
+            if not load.acts(states.contacts):
                 continue
-            place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            law = one.law.knowing(system.settings) if isinstance(one.law, Formula) else one.law
+            place = layout.angles.index(load.link) if load.link in layout.angles else -1
+            law = load.law.knowing(system.settings) if isinstance(load.law, Formula) else load.law
             if isinstance(law, Formula) and law.seen:
                 self._seeing(index, law, place)
             else:
@@ -174,14 +176,14 @@ class Ports:
                 self._limited(index, SIGNS[state], states, time)
 
     def finest(self, rates: Floats) -> float:
-        """Return a change of rates over which no torque near the end of its slip bends [rad/s]."""
+        """Return a change of rates within which torques near an end are almost linear [rad/s]."""
         nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
         return _FINE * math.hypot(nearest, self.rounding)
 
     def torques(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, values: Floats
     ) -> Floats:
-        """Of all ports [N*m]."""
+        """Return the torques of all ports [N*m]."""
         time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
@@ -209,7 +211,7 @@ class Ports:
     def torques_at(
         self, times: Floats, rates: Floats, twists: Floats, angles: Floats, values: Floats
     ) -> Floats:
-        """The same at several times; all shapes end with these."""
+        """Return the torques at several times; all shapes end with the time axis."""
         times = self.inside(times)
         torques: Floats = self.by_rate[:, None] * rates
         torques += self.c0[:, None]
@@ -232,27 +234,26 @@ class Ports:
                 torques[port] = look.along(times, seen_along)
         for index, (converter, piece) in enumerate(self.converters):
             pump, turbine = layout.pumps + index, layout.turbines + index
-            made = converter_torques_at(converter, piece, rates[pump], rates[turbine])
-            torques[pump], torques[turbine] = made
+            pair = converter_torques_at(converter, piece, rates[pump], rates[turbine])
+            torques[pump], torques[turbine] = pair
         return torques
 
     def _add_elastic(self, torques: Floats, twists: Floats) -> None:
-        """Add the torques of springs; of both, times may follow behind ports and springs."""
         torques[self.layout.spring_ports] += (self.elastic * twists.T).T
         for index, curve in self.struts:
             torques[self.layout.springs + index] += curve.at(twists[index])
 
     def inside(self, times: Floats) -> Floats:
-        """Times as formulas are asked for them; the same array where it lies inside."""
+        """Return times clipped to the interval of the formulas."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
             clipped: Floats = np.clip(times, self.after, self.until)
             return clipped
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
-        """Torques that are given by the time alone, and their slopes, shape (ports, times).
+        """Return the torques given by time alone, and the slopes, shape (ports, times).
 
-        Those of formulas are told where slopes count, from differences within a time [s].
+        Slopes of formulas are differences over `within` [s], and are left out if it is None.
         """
         times = self.inside(times)
         given: Floats = self.c0[:, None] + self.c1[:, None] * times
@@ -260,14 +261,14 @@ class Ports:
         for port, formula, factor in self.timed:
             given[port] = factor * curve_along(formula, times)
             if within is not None:
-                made = [slope_of(formula.function, time, within) for time in times.tolist()]
-                slopes[port] = factor * np.array(made)
+                changes = [slope_of(formula.function, time, within) for time in times.tolist()]
+                slopes[port] = factor * np.array(changes)
         return given, slopes
 
     def slopes(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
     ) -> Floats:
-        """Change of the torques with time alone, and of springs with their rates [N*m/s]."""
+        """Return the derivatives of torques by time, including springs via rates [N*m/s]."""
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
@@ -309,14 +310,14 @@ class Ports:
                 self.by_angle.append((port, place, slope))
 
     def _seeing(self, port: int, law: Formula, place: int) -> None:
-        """An outside torque that sees more than its own link."""
+        """Set up an outside torque that depends on more than the motion of the link."""
         self.looks.append((port, looking(self.system, law, port, place)))
         if law.switches:
             self.switching.append(port)
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
-            # how the speed at which it sticks changes, see `structure`
+            # derivative of the speed at which the contact sticks, see `structure`
             if state in ("stick", "rigid"):
                 jump = contact.switch.jump
                 self._programme(port, Programme(jump.change), 1.0, time)
@@ -335,8 +336,8 @@ class Ports:
             self._slipping(port, contact, state, piece, time)
 
     def _slipping(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
-        """What slips with a coefficient of friction over the slip."""
-        assert contact.friction is not None  # noqa: S101 - it has corners
+        """Set up a slipping contact with a slip-dependent friction coefficient."""
+        assert contact.friction is not None  # noqa: S101 - corners exist
         value, slope = friction_points(contact.friction).piece(piece)
         if contact.programme.look is not None:
             self._controlled(port, contact.programme, SIGNS[state], (SIGNS[state] * value, slope))
@@ -355,7 +356,7 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
 
     def _limited(self, index: int, sign: float, states: States, time: float) -> None:
-        """A spring at its limit; one that follows another does so on the piece of its points."""
+        """Set up a spring at a limit, constant or following another spring."""
         programme = self.system.springs[index].programme
         if programme.follows:
             pieces = states.pieces[self.layout.curves :]
@@ -366,11 +367,11 @@ class Ports:
 
     def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
         def torque(_time: float, slip: float, _angle: float) -> float:
-            found: float = drag.at(abs(slip))
-            if not 0 <= found < math.inf:
-                message = f"read {found:g}, expected a torque of 0 or more at every speed"
+            torque_at_slip: float = drag.at(abs(slip))
+            if not 0 <= torque_at_slip < math.inf:
+                message = f"read {torque_at_slip:g}, expected a torque of 0 or more at every speed"
                 raise CaseError("E268", f"the drag of {name}: {message}", ("case",))
-            return sign * found
+            return sign * torque_at_slip
 
         self.special.append((port, -1, torque, one_by_one(torque)))
         self.senses_rate[port] = True
@@ -378,15 +379,15 @@ class Ports:
     def _controlled(
         self, port: int, programme: Programme, side: float, friction: tuple[float, float]
     ) -> None:
-        """What slips with a capacity that sees something, and a coefficient over the slip.
+        """Set up a slipping contact with feedback capacity and slip-dependent friction.
 
-        Where its own slip is hardly above rounding, the torque goes to its value at 0 as that of a
-        damper, and on behind the end of the slip, where only trials come. So no law is steeper
-        than numbers can follow (a root is, at 0), and none holds back what comes from behind.
+        At slips near rounding, the torque approaches its value at 0 linearly, as a damper torque.
+        The line continues behind the end of the slip, which only trial points reach. So no law is
+        too steep for floating-point numbers (a square root is, at 0), and trial points can return.
         """
         value, slope = friction
-        looks = [one for one in (programme.look, programme.rub) if one]
-        places = (*[port] * bool(slope), *(place for one in looks for place in one.places))
+        looks = [look for look in (programme.look, programme.rub) if look]
+        places = (*[port] * bool(slope), *(place for look in looks for place in look.places))
         rounding, far = self.rounding, self.rounding * _FAR
 
         def torque(time: float, seen: Sequence[float]) -> float:
@@ -396,16 +397,16 @@ class Ports:
             slip = side * seen[port]
             if slip >= far:
                 return torque(time, seen)
-            at_end, beside, size = [*seen], [*seen], math.hypot(slip, rounding)
-            at_end[port], beside[port] = 0.0, side * size
+            at_end, near, size = [*seen], [*seen], math.hypot(slip, rounding)
+            at_end[port], near[port] = 0.0, side * size
             end = torque(time, at_end)
-            return end + (torque(time, beside) - end) * slip / size
+            return end + (torque(time, near) - end) * slip / size
 
         def torques(times: Floats, seen: Floats) -> Floats:
-            made: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
+            values: Floats = programme.seen_along(times, seen) * (value + slope * seen[port])
             for at in np.flatnonzero(side * seen[port] < far) if ends else ():
-                made[at] = near_end(float(times[at]), seen[:, at].tolist())
-            return made
+                values[at] = near_end(float(times[at]), seen[:, at].tolist())
+            return values
 
         ends = bool(side) and port in places
         if ends:
@@ -415,7 +416,7 @@ class Ports:
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
         if programme.look is not None:
-            is_contact = port < self.layout.springs  # the slip of a spring ends elsewhere
+            is_contact = port < self.layout.springs  # the slip of a spring ends at its limit
             self._controlled(port, programme, sign * is_contact, (sign, 0.0))
             return
         if isinstance(curve, Points):
@@ -429,10 +430,10 @@ class Ports:
 def converter_torques(
     converter: Converter, piece: int, pump: float, turbine: float
 ) -> tuple[float, float]:
-    """Torques that a converter takes from its pump and from its turbine, by their speeds.
+    """Return the torques of a converter on pump and turbine, by the speeds.
 
-    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda by the
-    straight line of a piece; none with the pump at rest.
+    ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda on the
+    line of a piece; both torques are 0 with the pump at rest.
     """
     if pump == 0:
         return 0.0, 0.0
@@ -444,7 +445,7 @@ def converter_torques(
 def converter_torques_at(
     converter: Converter, piece: int, pumps: Floats, turbines: Floats
 ) -> tuple[Floats, Floats]:
-    """The same at several instants."""
+    """Return the torques of a converter at several instants."""
     turns = pumps != 0
     ratios = np.divide(turbines, pumps, out=np.zeros_like(pumps), where=turns)
     factor, coefficient = _on_piece(converter, piece, ratios)
@@ -453,7 +454,7 @@ def converter_torques_at(
 
 
 def _on_piece(converter: Converter, piece: int, ratio: Any) -> tuple[Any, Any]:
-    """K and lambda."""
+    """Return torque ratio K and coefficient lambda on a piece."""
     points = converter.points
     if piece in (0, len(points)):
         _, *outside = points[min(piece, len(points) - 1)]

@@ -1,7 +1,7 @@
-"""What formulas see of a box in motion: where each of their words stands among what is seen.
+"""Quantities visible to formulas, and their places in the row of all seen quantities.
 
-All that is seen stands in one row: the rates of ports, twists, angles, values (states and
-temperatures), then what follows from torques (`derived`).
+The row contains the rates of ports, twists, angles, values (control states and temperatures), and
+quantities derived from torques (`derived`).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
-    """Where something stands among all that is seen."""
+    """Return the place of a quantity in the row of all seen quantities."""
     layout, names = system.layout, system.names
     twists = layout.ports
     angles = twists + len(system.springs)
@@ -40,7 +40,7 @@ def place_of(system: MotionSystem, seen: Seen) -> int:
         case "slip":
             return _slip(system, seen.of)
         case "twist":
-            return twists + [one.name for one in system.springs].index(seen.of)
+            return twists + [spring.name for spring in system.springs].index(seen.of)
         case "angle":
             return angles + layout.angles.index(names.index(seen.of))
         case "value" | "temperature":
@@ -50,87 +50,86 @@ def place_of(system: MotionSystem, seen: Seen) -> int:
 
 
 def _slip(system: MotionSystem, name: str) -> int:
-    """The port of a shift element."""
-    [number] = (n for n, one in enumerate(system.case.shift_elements) if one.name == name)
+    [number] = (n for n, element in enumerate(system.case.shift_elements) if element.name == name)
     for index, contact in enumerate(system.contacts):
         if contact.element == number:
             return system.layout.contacts + index
-    [index] = (n for n, one in enumerate(system.springs) if one.element == number)
+    [index] = (n for n, spring in enumerate(system.springs) if spring.element == number)
     return system.layout.springs + index
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
-    """A formula as a function of the time and all that is seen, with the numbers that are set.
+    """Return a formula as a function of time and all seen quantities, with current settings.
 
     Parameters
     ----------
     rate : int
-        The port of its own link.
+        Port of the link on which the formula acts.
     angle : int
-        The place of its own angle among those that are followed; -1: it has none.
+        Place of the angle of this link among the recorded angles, or -1.
     """
     function, along = formula.function, formula.along
     inputs: list[Look] = [
-        fixed(system.settings[one.of])
-        if one.word == "value" and one.of in system.settings
-        else _place_seen(place_of(system, one))
-        for one in formula.seen
+        fixed(system.settings[quantity.of])
+        if quantity.word == "value" and quantity.of in system.settings
+        else _place_seen(place_of(system, quantity))
+        for quantity in formula.seen
     ]
     turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
 
     def value(time: float, seen: Sequence[float]) -> float:
-        own = seen[turned] if turned >= 0 else 0.0
-        return function(time, seen[rate], own, *[one.at(time, seen) for one in inputs])
+        link_angle = seen[turned] if turned >= 0 else 0.0
+        return function(time, seen[rate], link_angle, *[look.at(time, seen) for look in inputs])
 
     def values(times: Floats, seen: Floats) -> Floats:
-        own = seen[turned] if turned >= 0 else 0.0
-        return along(times, seen[rate], own, *[one.along(times, seen) for one in inputs])
+        link_angle = seen[turned] if turned >= 0 else 0.0
+        return along(times, seen[rate], link_angle, *[look.along(times, seen) for look in inputs])
 
     places = [turned] * (turned >= 0) + [rate] * ("speed" in formula.variables)
-    return Look(value, values, (*places, *chain.from_iterable(one.places for one in inputs)))
+    return Look(value, values, (*places, *chain.from_iterable(look.places for look in inputs)))
 
 
 class Compared(NamedTuple):
-    """Two numbers that are compared."""
+    """Pair of compared numbers."""
 
     first: Look
     second: Look
 
     def at(self, time: float, seen: Sequence[float]) -> tuple[float, float]:
-        """Return both at an instant, by everything that is seen there."""
+        """Return both numbers at an instant."""
         return self.first.at(time, seen), self.second.at(time, seen)
 
 
 class Corner(NamedTuple):
-    """A place at which a formula, or a limit, bends or jumps."""
+    """Place at which a formula, or a limit, bends or jumps."""
 
     path: Path
-    """Of its key in the scenario."""
+    """Path of the key in the scenario."""
     text: str
-    """The formula."""
+    """Text of the formula."""
     compared: Sequence[Compared]
-    """One number, compared with ascending ones: of these the nearest count."""
+    """Comparisons of a number with ascending numbers, of which the nearest count."""
     jumps: Sequence[bool]
-    """For each of them, whether the formula may jump where it is reached."""
+    """Flags of the compared numbers at which the formula can jump."""
 
 
 def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
-    """The two sides of a difference, with the numbers that are set."""
+    """Return the two sides of a difference, with current settings."""
     tree = difference.whole
-    assert isinstance(tree, Applied)  # noqa: S101 - a difference is one
+    assert isinstance(tree, Applied)  # noqa: S101 - a difference is an operation
     first, second = (
-        looking(system, difference._replace(tree=one), rate, angle) for one in tree.operands
+        looking(system, difference._replace(tree=operand), rate, angle) for operand in tree.operands
     )
     return Compared(first, second)
 
 
 def corners(system: MotionSystem) -> list[Corner]:
-    """Where formulas that see something bend or jump: what they compare.
+    """Return the comparisons at which feedback formulas bend or jump.
 
-    What a table is asked with is compared with all its steps: of these the nearest count.
+    The argument of a table is compared with all corners of the table.
     """
     layout = system.layout
-    found: list[tuple[Path, Formula, Pairs, int, int]] = []
+    candidates: list[tuple[Path, Formula, Pairs, int, int]] = []
     for device in system.may_slip:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
@@ -138,21 +137,29 @@ def corners(system: MotionSystem) -> list[Corner]:
             path: Path = control_path(device)
             whole = programme.curve.whole
             bounds: list[Pairs] = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
-            found += [(path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))]
-    for port, one in enumerate(system.outside):
-        if isinstance(one.law, Formula):  # jumps by its own motion are switches
-            path = ("torques", system.names[one.link])
-            place = layout.angles.index(one.link) if one.link in layout.angles else -1
-            compares = met if one.law.seen else asked
-            found += [(path, one.law, pairs, port, place) for pairs in compares(one.law.whole)]
+            candidates += [
+                (path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))
+            ]
+    for port, load in enumerate(system.outside):
+        if isinstance(load.law, Formula):  # jumps by its own motion are switches
+            path = ("torques", system.names[load.link])
+            place = layout.angles.index(load.link) if load.link in layout.angles else -1
+            compares = met if load.law.seen else asked
+            candidates += [
+                (path, load.law, pairs, port, place) for pairs in compares(load.law.whole)
+            ]
     for state in system.scenario.states:
         if isinstance(state.rate, Formula):
             path = ("states", state.name, "rate")
-            found += [(path, state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
+            candidates += [(path, state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
     for path, when in _conditions(system):
-        found += [(path, one, pairs, 0, -1) for one in when.comparisons for pairs in met(one.whole)]
-    made = [*_rubbing_corners(system), *_vanishing_limits(system)]
-    for path, formula, pairs, rate, angle in found:
+        candidates += [
+            (path, comparison, pairs, 0, -1)
+            for comparison in when.comparisons
+            for pairs in met(comparison.whole)
+        ]
+    corner_list = [*_rubbing_corners(system), *_vanishing_limits(system)]
+    for path, formula, pairs, rate, angle in candidates:
         first = pairs[0].first
         if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
             continue
@@ -161,17 +168,17 @@ def corners(system: MotionSystem) -> list[Corner]:
             looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
         )
         both = [Compared(look, other) for other in others]
-        made.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
-    return made
+        corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
+    return corner_list
 
 
 def control_path(device: Contact | Elastic) -> tuple[str, str]:
-    """The key of a scenario that says what a device can carry."""
+    """Return the path of the key with the capacity of a device."""
     return "limits" if device.element is None else "controls", device.name
 
 
 def _conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
-    """What steps of sequences wait for, with its key in the scenario."""
+    """Yield the conditions of sequence steps, with paths in the scenario."""
     for sequence in system.scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
             if step.when is not None:
@@ -179,12 +186,12 @@ def _conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
 
 
 def conditions(system: MotionSystem) -> Iterator[StepCondition]:
-    """What steps of sequences wait for."""
+    """Yield the conditions of sequence steps."""
     return (when for _, when in _conditions(system))
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
-    """Temperatures and slips at which coefficients of friction bend."""
+    """Yield temperatures and slips at which friction coefficients bend."""
     for device in system.may_slip:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
@@ -197,15 +204,15 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
 
 
 def _vanishing_limits(system: MotionSystem) -> Iterator[Corner]:
-    """Where limits that follow other springs are cut at 0."""
+    """Yield corners of following limits, which are cut at 0."""
     names = [spring.name for spring in system.springs]
-    for one in system.springs:
-        follows, look = one.programme.follows, one.programme.look
+    for spring in system.springs:
+        follows, look = spring.programme.follows, spring.programme.look
         if follows and look:
             index = names.index(follows.of)
             places = system.layout.springs + index, system.layout.ports + index
             pair = Compared(look._replace(places=places), fixed(0.0))
-            yield Corner(control_path(one), "limit", [pair], [False])
+            yield Corner(control_path(spring), "limit", [pair], [False])
 
 
 def _place_seen(place: int) -> Look:
@@ -213,15 +220,17 @@ def _place_seen(place: int) -> Look:
 
 
 def fixed(value: float) -> Look:
-    """A number that changes with nothing."""
+    """Return a constant as a look."""
     return Look(lambda _time, _seen: value, lambda times, _seen: np.full(len(times), value))
 
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
-    """The system with numbers for what its formulas call so; its controls look by them."""
+    """Return the system with settings, and with controls that use the settings."""
     system = replace(system, settings=settings)
-    contacts = tuple(one._replace(programme=_seeing(system, one)) for one in system.contacts)
-    springs = tuple(one._replace(programme=_seeing(system, one)) for one in system.springs)
+    contacts = tuple(
+        contact._replace(programme=_seeing(system, contact)) for contact in system.contacts
+    )
+    springs = tuple(spring._replace(programme=_seeing(system, spring)) for spring in system.springs)
     return replace(system, contacts=contacts, springs=springs)
 
 
@@ -246,14 +255,14 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
 
 
 def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:
-    """A limit by the torque of another spring, and of its damper.
+    """Return a limit that follows the torques of a spring and damper.
 
     Parameters
     ----------
     pieces : sequence of int
-        On which springs are, where it holds there alone.
+        Active pieces of the springs, if the limit holds on these pieces only.
     """
-    [index] = (n for n, one in enumerate(system.springs) if one.name == limit.of)
+    [index] = (n for n, spring in enumerate(system.springs) if spring.name == limit.of)
     spring = system.springs[index]
     rate, twist = system.layout.springs + index, system.layout.ports + index
     if pieces and isinstance(spring.curve, TwistCurve) and not spring.can_part:
@@ -271,6 +280,6 @@ def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = 
 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
-    """Where the slip and the temperature of a shift element stand among all that is seen."""
+    """Return the places of slip and temperature of a shift element among all seen quantities."""
     temperature = place_of(system, Seen("temperature", device.name))
     return _slip(system, device.name), temperature

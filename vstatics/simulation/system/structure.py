@@ -1,9 +1,9 @@
-"""The equations of motion while the same things stick: constant matrices.
+"""Constant matrices of the equations of motion while a set of contacts sticks.
 
-``M dw/dt = F - B x`` and ``C' w = 0``: the columns C are those of rigid mechanisms and of contacts
-that stick, B is C with ``u eta^x`` in place of u. With N and L, bases of what C and B leave
-free, ``(L' M N) dq/dt = L' F`` and ``w = N q``. Motions in which nothing heavy moves are apart:
-along these the torques balance, ``L0' F = 0``.
+``M dw/dt = F - B x`` and ``C' w = 0``. The columns of C belong to rigid mechanisms and sticking
+contacts; B is C with ``u eta^x`` instead of u. With bases N and L of the motions that C and B leave
+free, ``(L' M N) dq/dt = L' F`` and ``w = N q``. Motions without inertia are separate: the torques
+along them balance, ``L0' F = 0``.
 """
 
 from __future__ import annotations
@@ -25,53 +25,56 @@ from vstatics.simulation.tolerances import (
 )
 
 Held = tuple[bool, ...]
-"""Of each contact, whether it sticks."""
+"""Flags of contacts: True if sticking."""
 MeshStates = tuple[str, ...]
-"""Of each rigid mechanism: `""` lossless; `stick`; else the signs of the speed of its first link
-against the third and of the torque on its first link, as `+-`."""
+"""States of the rigid mechanisms.
+
+`""`: lossless; `stick`; else two signs as `+-`, of the speed of the first link relative to the
+third and of the torque on the first link.
+"""
 
 _LAST_PREFERENCE = 1e2
 _FIRST = 1e-2
-"""Weights in the norm of redundant torques: drags and meshes take a part last."""
+"""Weights in the norm of redundant torques; drags and meshes share the torque last."""
 
 
 class Multiplier(NamedTuple):
-    """A torque that follows from what holds."""
+    """Constraint torque."""
 
     kind: str
-    """`mesh`: on the first link of a mechanism; `friction` of a mesh that sticks; `contact`."""
+    """`mesh`: on the first link of a mechanism; `friction` of a sticking mesh; or `contact`."""
     of: int
 
 
 class MotionStructure:
-    """Matrices while the same things stick.
+    """Matrices of the equations of motion while a set of contacts sticks.
 
     Attributes
     ----------
     free : ndarray, shape (links, motions)
-        Speeds of links by those of the motions with inertia, ``N``. The last of them are those
-        of contacts that stick at speeds other than 0, ``p``: these speeds are their sizes.
+        Speeds of links by the motions with inertia, ``N``. The last motions belong to contacts that
+        stick at speeds other than 0, ``p``; these speeds are their coordinates.
     light : ndarray, shape (links, massless motions)
-        Speeds of links by those of the motions without.
+        Speeds of links by the motions without inertia.
     drivers : sequence of int
-        Contacts that stick at speeds other than 0, one for each such speed.
+        Contacts that stick at speeds other than 0, one per speed.
     projection : ndarray, shape (motions, links)
-        Motions of the same momentum by speeds of links that do not fit, as those of links without
-        inertia.
+        Map from inconsistent speeds of links, as of links without inertia, to the motions with
+        equal momentum.
     rates, light_rates : ndarray
-        Rates of ports by these.
+        Rates of ports by the motions with and without inertia.
     accelerations : ndarray, shape (motions, ports)
-        dq/dt by the torques of ports; in place of the torque of a driver stands the change of its
+        dq/dt by the torques of ports; the torque of a driver is replaced by the derivative of its
         speed, dw0/dt.
     balances : ndarray, shape (massless motions, ports)
-        What must be 0, by the torques of ports.
+        Sums of torques that must be 0, by the torques of ports.
     multipliers : sequence of Multiplier
     torques : ndarray, shape (multipliers, ports)
-        By the torques of ports; of redundant ones those of least norm.
+        Constraint torques by the torques of ports; redundant torques have least norm.
     redundant : ndarray, shape (multipliers, directions)
-        Changes of these that change nothing else, orthonormal in the weighted norm.
+        Directions of redundant torques, orthonormal in the weighted norm.
     mesh_rates, mesh_light_rates : ndarray
-        What a mesh loses by the torque on its first link, by the motions.
+        Power loss of a mesh per torque on its first link, by the motions.
     """
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
@@ -86,7 +89,7 @@ class MotionStructure:
         taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
         conditions = np.zeros((len(self.multipliers), 0))
         if columns is not rows:
-            friction = np.array([one.kind == "friction" for one in self.multipliers])
+            friction = np.array([multiplier.kind == "friction" for multiplier in self.multipliers])
             circulating, conditions = _circulating(rows, columns, friction)
             columns = columns - columns @ circulating @ conditions.T
             left, left_light = _motions(system.heavy, columns)
@@ -105,7 +108,7 @@ class MotionStructure:
             self.accelerations = np.vstack([self.accelerations, np.eye(len(ports))[at]])
         self.rates = ports @ self.free
         residual = forces - mass @ self.free @ self.accelerations
-        weights = np.array([_weight(system, one) for one in self.multipliers])
+        weights = np.array([_weight(system, multiplier) for multiplier in self.multipliers])
         fixed = np.vstack([columns, conditions.T])
         residual = np.vstack([residual, np.zeros((conditions.shape[1], residual.shape[1]))])
         self.torques, self.redundant = _multipliers(fixed, weights, residual)
@@ -114,40 +117,40 @@ class MotionStructure:
         self.loses = any(state not in ("", "stick") for state in meshes)
 
     def motions(self, speeds: Floats, driven: Floats) -> Floats:
-        """The motions with inertia that fit speeds of links, by their momentum where none do.
+        """Return the motions with inertia for link speeds, by momentum if inconsistent.
 
-        The last ones have the speeds of their drivers.
+        The last motions have the speeds of the drivers.
         """
         count = self.free.shape[1] - len(driven)
         free = self.free[:, :count]
         moved = speeds - self.free[:, count:] @ driven
-        made: Floats = free.T @ moved
-        made += self.projection @ (moved - free @ made)
-        return np.append(made, driven)
+        motions: Floats = free.T @ moved
+        motions += self.projection @ (moved - free @ motions)
+        return np.append(motions, driven)
 
 
 def _driven(
     system: MotionSystem, multipliers: Sequence[Multiplier], rows: Floats
 ) -> tuple[tuple[int, ...], Floats]:
-    """Contacts that stick at speeds other than 0, and speeds of links by these.
+    """Return contacts that stick at speeds other than 0, and the resulting speeds of links.
 
-    Several that do so at one place are one.
+    Contacts at one place count once.
     """
     places: dict[Switch | int, list[int]] = {}
-    for row, one in enumerate(multipliers):
-        if one.kind != "contact" or not system.contacts[one.of].drives:
+    for row, multiplier in enumerate(multipliers):
+        if multiplier.kind != "contact" or not system.contacts[multiplier.of].drives:
             continue
-        switch = system.contacts[one.of].switch
-        place = switch._replace(jump=switch.jump._replace(side="")) if switch else one.of
+        switch = system.contacts[multiplier.of].switch
+        place = switch._replace(jump=switch.jump._replace(side="")) if switch else multiplier.of
         places.setdefault(place, []).append(row)
     wanted = np.zeros((len(multipliers), len(places)))
     for column, sticking in enumerate(places.values()):
         wanted[sticking, column] = 1.0
-    made = solved(rows.T, wanted)
-    if largest(rows.T @ made - wanted) > STANDING:
+    speeds = solved(rows.T, wanted)
+    if largest(rows.T @ speeds - wanted) > STANDING:
         message = "speeds at which contacts stick contradict each other"
         raise np.linalg.LinAlgError(message)
-    return tuple(multipliers[sticking[0]].of for sticking in places.values()), made
+    return tuple(multipliers[sticking[0]].of for sticking in places.values()), speeds
 
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
@@ -159,7 +162,7 @@ def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
 
 
 def mesh_factor(efficiency: float, back: float, state: str) -> float:
-    """``eta^x`` of a mesh: x is +1 where power enters by the first link, seen from the third.
+    """Return ``eta^x`` of a mesh; x is +1 if power enters at the first link, relative to the third.
 
     >>> mesh_factor(0.98, 0.98, "+-"), mesh_factor(0.98, 0.98, "--"), mesh_factor(1, 1, "")
     (1.0204081632653061, 0.98, 1.0)
@@ -172,30 +175,30 @@ def mesh_factor(efficiency: float, back: float, state: str) -> float:
 def _constraints(
     system: MotionSystem, held: Held, meshes: MeshStates
 ) -> tuple[Floats, Floats, list[Multiplier]]:
-    """Rows and columns of what holds, both as columns; the same array where nothing is lost."""
-    own = list(zip(system.meshes, meshes, strict=True))
+    """Return constraint rows and columns, both as columns; equal arrays without losses."""
+    mesh_states = list(zip(system.meshes, meshes, strict=True))
     held_rows = {
         Multiplier("friction", index): mesh.friction
-        for index, (mesh, state) in enumerate(own)
+        for index, (mesh, state) in enumerate(mesh_states)
         if state == "stick"
     } | {
         Multiplier("contact", index): contact.row
         for index, (contact, sticks) in enumerate(zip(system.contacts, held, strict=True))
         if sticks
     }
-    made = system.rows([*(mesh.row for mesh in system.meshes), *held_rows.values()]).T
-    multipliers = [*(Multiplier("mesh", index) for index in range(len(own))), *held_rows]
+    rows = system.rows([*(mesh.row for mesh in system.meshes), *held_rows.values()]).T
+    multipliers = [*(Multiplier("mesh", index) for index in range(len(mesh_states))), *held_rows]
     if all(state in ("", "stick") for state in meshes):
-        return made, made, multipliers
+        return rows, rows, multipliers
     columns = [
         mesh.row + (mesh_factor(mesh.efficiency, mesh.back, state) - 1) * mesh.friction
-        for mesh, state in own
+        for mesh, state in mesh_states
     ]
-    return made, np.array([*columns, *held_rows.values()]).T, multipliers
+    return rows, np.array([*columns, *held_rows.values()]).T, multipliers
 
 
 def null(matrix: Floats) -> Floats:
-    """An orthonormal basis of what a matrix takes to 0, as columns."""
+    """Return an orthonormal basis of the null space of a matrix, as columns."""
     if not matrix.shape[0]:
         return np.eye(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=1, keepdims=True)
@@ -206,22 +209,20 @@ def null(matrix: Floats) -> Floats:
 
 
 def solved(matrix: Floats, values: Floats) -> Floats:
-    """The least of the solutions of equations, or of what comes nearest to one."""
+    """Return the least-squares solution of least norm."""
     return np.asarray(np.linalg.lstsq(matrix, values, rcond=DEPENDENT)[0], float)
 
 
 def _counting(sizes: Floats, large: float) -> int:
-    """How many singular values are more than rounding of what is large."""
     return int((sizes > INDEPENDENT_MOTION * large).sum())
 
 
 def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
-    """What columns leave free: motions of something heavy, and those of nothing heavy."""
     return split_motions(heavy, null(columns.T))
 
 
 def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
-    """Split motions into those of something heavy and those in which nothing heavy moves.
+    """Split motions into motions with inertia and motions without inertia.
 
     Examples
     --------
@@ -237,22 +238,22 @@ def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
         return free, free[:, :0]
     right = np.linalg.svd(moved)[2]
     light = free @ right[rank:].T
-    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # or a law of a heavy link would seem to sense it
+    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # otherwise heavy links would depend on it
     return free @ right[:rank].T, light
 
 
 def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Floats, Floats]:
-    """Multipliers that change no speed but lose power, as gears on two ways that turn alike.
+    """Return multipliers that lose power without changing speeds, as in parallel gear paths.
 
-    Nothing tells how large they are: those are taken that leave least friction in meshes that
-    stand, none as a rule, as in statics; of these the least.
+    The equations do not determine their size. As in statics, the friction of sticking meshes is
+    minimised (usually to zero), and then the norm of the multipliers.
 
     Returns
     -------
     directions : ndarray, shape (multipliers, directions)
         Multipliers, as columns.
     conditions : ndarray, shape (multipliers, directions)
-        What is 0 of multipliers, as columns; their products with `directions` are the unit matrix.
+        Linear conditions for multipliers, as columns; biorthogonal to `directions`.
     """
     spare = null(rows) if rows.shape[1] else np.zeros((0, 0))
     if not spare.shape[1]:
@@ -262,22 +263,22 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     circulating, redundant = spare @ right[:count].T, spare @ right[count:].T
     if not friction.any():
         return circulating, circulating
-    own = null(redundant[friction].T)  # friction that nothing redundant could take
-    _, sizes, right = np.linalg.svd(own.T @ circulating[friction])
+    irreducible = null(redundant[friction].T)  # friction that redundant torques cannot carry
+    _, sizes, right = np.linalg.svd(irreducible.T @ circulating[friction])
     count = _counting(sizes, 1.0)
     directions: Floats = circulating @ right.T
     conditions = directions.copy()
     conditions[:, :count] = 0.0
-    shares = own @ (own.T @ directions[friction, :count])
+    shares = irreducible @ (irreducible.T @ directions[friction, :count])
     conditions[friction, :count] = shares / sizes[:count] ** 2
     return directions, conditions
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
-    """Multipliers by ports, and what of them is redundant.
+    """Return the multipliers by ports, and the redundant directions.
 
-    Of redundant ones those of least weighted norm; drags and meshes take a part only where
-    nothing else does.
+    Redundant multipliers have least weighted norm. Drags and meshes share the torque only if no
+    other constraint can carry it.
     """
     count = columns.shape[1]
     if not count:
@@ -286,21 +287,24 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
     bearing: Booleans = weights < _LAST_PREFERENCE
     places = np.arange(count)
     if not bearing.all():
-        found = _rank(columns[:, bearing])
+        bearing_rank = _rank(columns[:, bearing])
         for index in np.flatnonzero(~bearing):
-            bearing[index] = found < rank and _rank(columns[:, bearing | (places == index)]) > found
-            found += int(bearing[index])
+            bearing[index] = (
+                bearing_rank < rank
+                and _rank(columns[:, bearing | (places == index)]) > bearing_rank
+            )
+            bearing_rank += int(bearing[index])
     scaled = columns[:, bearing] / weights[bearing]
     left, sizes, right = np.linalg.svd(scaled, full_matrices=False)
     used = sizes > BEARING_MOTION * sizes[0]
-    made = np.zeros((count, residual.shape[1]))
+    multipliers = np.zeros((count, residual.shape[1]))
     least = (right[used].T / sizes[used]) @ left[:, used].T @ residual
-    made[bearing] = least / weights[bearing, None]
+    multipliers[bearing] = least / weights[bearing, None]
     if rank == count:
-        return made, np.zeros((count, 0))
+        return multipliers, np.zeros((count, 0))
     spare = null(columns) * weights[:, None]
     basis, _ = np.linalg.qr(spare)  # orthonormal in the weighted norm
-    return made, basis / weights[:, None]
+    return multipliers, basis / weights[:, None]
 
 
 def _rank(columns: Floats) -> int:

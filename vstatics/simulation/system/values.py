@@ -1,4 +1,4 @@
-"""How states of a control and temperatures change, and what formulas see that torques tell."""
+"""Rates of control states and temperatures, and quantities derived from torques."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
 
 
 class ValueChanges:
-    """Changes of states and temperatures with time, while equations hold.
+    """Rates of control states and temperatures between two events.
 
     Parameters
     ----------
@@ -29,57 +29,59 @@ class ValueChanges:
         system = equations.system
         states = system.scenario.states
         self.rates = [
-            looking(system, one.rate) if isinstance(one.rate, Formula) else fixed(one.rate.y[0])
-            for one in states
+            looking(system, state.rate)
+            if isinstance(state.rate, Formula)
+            else fixed(state.rate.y[0])
+            for state in states
         ]
         self.held = np.zeros(len(states), dtype=int)
-        """1 of a state that stays at its largest value, -1 at its least, else 0."""
-        self.derived = [_derived(equations, one) for one in system.layout.derived]
+        """1 for a state held at its upper limit, -1 at the lower limit, else 0."""
+        self.derived = [_derived(equations, quantity) for quantity in system.layout.derived]
 
     def at(
         self, time: float, state: Floats, rates: Floats, torques: Floats, change: Floats
     ) -> Floats:
-        """The changes in a state; what they follow from is known of `change`."""
-        made = self.unheld(time, state, rates, torques)
-        made[: len(self.held)][self.held != 0] = 0.0
+        """Return the rates in a state; `change` contains the rates of works."""
+        value_rates = self.unheld(time, state, rates, torques)
+        value_rates[: len(self.held)][self.held != 0] = 0.0
         equations = self.equations
         for place, index in enumerate(equations.layout.hot, len(self.held)):
             store = equations.system.case.shift_elements[index].heat_store
-            assert store is not None  # noqa: S101 - it is hot
+            assert store is not None  # noqa: S101 - hot elements have a heat store
             assert store.heat_capacity is not None  # noqa: S101
             over = state[equations.values][place] - store.ambient
             power = _heat(equations, index, change)
-            made[place] = (power - store.cooling * over) / store.heat_capacity
-        return made
+            value_rates[place] = (power - store.cooling * over) / store.heat_capacity
+        return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
-        """The changes of states as if they had no limits, then 0 for each temperature."""
-        made = np.zeros(len(self.equations.layout.values))
+        """Return the rates of states without limits, then 0 for each temperature."""
+        value_rates = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen, ports = self.seen(time, state, rates, torques), self.equations.ports
             time = min(max(time, ports.after), ports.until)
-            made[: len(self.rates)] = [look.at(time, seen) for look in self.rates]
-        return made
+            value_rates[: len(self.rates)] = [look.at(time, seen) for look in self.rates]
+        return value_rates
 
     def along(self, times: Floats, seen: Floats) -> Floats:
-        """The changes of states at several times, with what is seen as rows."""
+        """Return the rates of states at several times, with seen quantities as rows."""
         times = self.equations.ports.inside(times)
-        made = np.array([look.along(times, seen) for look in self.rates])
-        made[self.held != 0] = 0.0
-        return made
+        value_rates = np.array([look.along(times, seen) for look in self.rates])
+        value_rates[self.held != 0] = 0.0
+        return value_rates
 
     def seen(self, time: float, state: Floats, rates: Floats, torques: Floats) -> list[float]:
-        """All that is seen in a state."""
+        """Return all seen quantities in a state."""
         equations = self.equations
         seen = [*rates.tolist(), *state[equations.motions : equations.values.stop].tolist()]
-        return seen + [one(time, state, rates, torques) for one in self.derived]
+        return seen + [derived(time, state, rates, torques) for derived in self.derived]
 
     def seen_at(self, time: float, state: Floats) -> list[float]:
-        """The same where rates and torques are not known yet."""
+        """Return all seen quantities if rates and torques are not known yet."""
         return self.seen(time, state, *self.equations.acting(time, state))
 
     def hold_limits(self, time: float, state: Floats) -> None:
-        """Hold states at a limit while their rates point outward, or are 0 and turn outward."""
+        """Hold states at a limit while the rates point outward, or are 0 and turn outward."""
         states = self.equations.system.scenario.states
         if not states:
             return
@@ -88,8 +90,12 @@ class ValueChanges:
         self.held[:] = 0
         changes = self.unheld(time, state, *equations.acting(time, state))
         sides = [
-            _side(one, float(values[index]), NEAR_LIMIT * within * abs(float(changes[index])))
-            for index, one in enumerate(states)
+            _side(
+                control_state,
+                float(values[index]),
+                NEAR_LIMIT * within * abs(float(changes[index])),
+            )
+            for index, control_state in enumerate(states)
         ]
         if not any(sides):
             return
@@ -101,10 +107,10 @@ class ValueChanges:
             inward = self.held * self._next_changes(time, state)[: len(sides)] < 0
             if not inward.any():
                 return
-            self.held[inward] = 0  # which may move others
+            self.held[inward] = 0  # a released state can change other rates
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
-        """Changes of states as if they had no limits; where they are 0 or turn, a little later."""
+        """Return rates of states without limits; if 0 or turning, rates a little later."""
         equations = self.equations
         changes = self.unheld(time, state, *equations.acting(time, state))
         reached, within = 0.0, equations.within
@@ -121,7 +127,7 @@ class ValueChanges:
 
 
 def _side(state: ControlState, value: float, near: float) -> int:
-    """1 at the largest value of a state, -1 at its least, else 0."""
+    """Return 1 at the upper limit of a state, -1 at the lower limit, else 0."""
     for side, limit in ((1, state.most), (-1, state.least)):
         if math.isfinite(limit) and side * (value - limit) >= -max(near, EQUAL_SIDES * abs(limit)):
             return side
@@ -129,7 +135,7 @@ def _side(state: ControlState, value: float, near: float) -> int:
 
 
 def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
-    """The power of the friction of a shift element [W]."""
+    """Return the friction power of a shift element [W]."""
     power = 0.0
     works = change[equations.works]
     for index, contact in enumerate(equations.system.contacts):
@@ -142,11 +148,10 @@ def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
 
 
 Derived = Callable[[float, Floats, Floats, Floats], float]
-"""By time, state, rates and torques of ports."""
+"""Quantity as a function of time, state, rates and torques of ports."""
 
 
 def _derived(equations: KnownMotion, seen: Seen) -> Derived:
-    """What follows from torques."""
     names = equations.system.names
     if seen.word == "acceleration":
         return _acceleration(equations, names.index(seen.of))
@@ -166,22 +171,29 @@ def _derived(equations: KnownMotion, seen: Seen) -> Derived:
 
 
 def outside_torques(equations: KnownMotion) -> Floats:
-    """Outside torques on links by the torques of ports, shape (links, ports).
+    """Return the outside torques on links by the torques of ports, shape (links, ports).
 
-    Loads, torques that jump and those that speeds which are given take are among them.
+    Loads, torques at jumps and torques of links with given speeds are included.
     """
     system, structure = equations.system, equations.structure
-    made, by_ports = np.zeros((len(system.names), system.layout.ports)), np.eye(system.layout.ports)
-    for port, one in enumerate(system.outside):
-        made[one.link, port] = 1.0
-    row_of = {one.of: n for n, one in enumerate(structure.multipliers) if one.kind == "contact"}
+    by_link, by_ports = (
+        np.zeros((len(system.names), system.layout.ports)),
+        np.eye(system.layout.ports),
+    )
+    for port, load in enumerate(system.outside):
+        by_link[load.link, port] = 1.0
+    row_of = {
+        multiplier.of: n
+        for n, multiplier in enumerate(structure.multipliers)
+        if multiplier.kind == "contact"
+    }
     for index, contact in enumerate(system.contacts):
         if contact.device is None and not contact.is_drag and not contact.is_variator:
             row = row_of.get(index)
             port = system.layout.contacts + index
             taken = by_ports[port] if row is None else structure.torques[row]
-            made -= np.outer(contact.row, taken)
-    return made
+            by_link -= np.outer(contact.row, taken)
+    return by_link
 
 
 def _acceleration(equations: KnownMotion, link: int) -> Derived:
@@ -191,7 +203,7 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
         return lambda _time, _state, _rates, torques: float(row @ torques)
 
     def with_light(time: float, state: Floats, rates: Floats, torques: Floats) -> float:
-        """Of a link without inertia, by what its speed is a moment later."""
+        """Return the acceleration of a link without inertia from a difference of speeds."""
         ahead = state.copy()
         ahead[: equations.motions] += equations.within * (structure.accelerations @ torques)
         ahead[equations.twists] += equations.within * rates[equations.layout.spring_ports]
@@ -202,29 +214,33 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
 
 
 def _ports_of(equations: KnownMotion, name: str) -> list[int]:
-    """The ports of a device: what slips, a spring, a pump."""
+    """Return the ports of a device: contacts, springs and pumps."""
     system, layout = equations.system, equations.layout
     devices = system.case.devices
     device = devices.index(name) if name in devices else None
-    found = [layout.springs + n for n, one in enumerate(system.springs) if one.device == device]
-    found += [layout.pumps + n for n, one in enumerate(system.converters) if one.name == name]
+    port_list = [
+        layout.springs + n for n, spring in enumerate(system.springs) if spring.device == device
+    ]
+    port_list += [
+        layout.pumps + n for n, converter in enumerate(system.converters) if converter.name == name
+    ]
     if device is not None:
         of = enumerate(system.contacts, layout.contacts)
-        found += [port for port, one in of if one.device == device]
-    return found
+        port_list += [port for port, contact in of if contact.device == device]
+    return port_list
 
 
 def _torque(equations: KnownMotion, name: str) -> Derived:
-    """On the first link of a device, given to it: what slips, bends and holds of it together."""
+    """Return the torque on the first link of a device, over all contacts and constraints."""
     system, structure, layout = equations.system, equations.structure, equations.layout
     ports = _ports_of(equations, name)
     by_ports = np.zeros(layout.ports)
     by_ports[ports] = 1.0
-    for row, one in enumerate(structure.multipliers):
-        if one.kind == "contact" and layout.contacts + one.of in ports:
+    for row, multiplier in enumerate(structure.multipliers):
+        if multiplier.kind == "contact" and layout.contacts + multiplier.of in ports:
             by_ports += structure.torques[row]
-        elif one.kind == "mesh" and system.meshes[one.of].name == name:
-            planets = system.meshes[one.of].planets
+        elif multiplier.kind == "mesh" and system.meshes[multiplier.of].name == name:
+            planets = system.meshes[multiplier.of].planets
             by_ports += structure.torques[row]
             by_ports += planets @ structure.free @ structure.accelerations
     return lambda _time, _state, _rates, torques: float(by_ports @ torques)
