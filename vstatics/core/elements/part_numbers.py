@@ -194,7 +194,7 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
 
 
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
-    """Return whether the named gear sets can be assembled; doubts that the case allows are left out."""
+    """Return whether the named gear sets can be assembled, except for doubts that a case allows."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
     found = [fault for one in elements if one.name in names for fault in misfits(one)]
     return all(one in case.untold for one in found)

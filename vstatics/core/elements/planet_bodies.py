@@ -1,8 +1,8 @@
 """Planets as heavy bodies, and the inertias of links that replace them.
 
 With the speed of a planet ``w_q = w_h + alpha (w_a - w_h)`` and ``w_a - w_h = K (w_b - w_h)``, the
-kinetic energy of the planet is exactly the energy of three inertias on the links a, b and h. Source:
-Tarasik, Puzanova, Kurstak, 2018; the formulas were derived again.
+kinetic energy of the planet is exactly the energy of three inertias on the links a, b and h.
+Source: Tarasik, Puzanova, Kurstak, 2018; the formulas were derived again.
 """
 
 from __future__ import annotations

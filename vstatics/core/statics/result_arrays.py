@@ -107,8 +107,8 @@ class ResultFields(_NamedFields):
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
 
     The torque of a device is the torque that its first link gives to it; a spring has its own
-    torque. The last is the output torque, given to the load. A drawn gear set has a row for each member: the torque that
-    its links give to the member.
+    torque. The last is the output torque, given to the load. A drawn gear set has a row for each
+    member: the torque that its links give to the member.
     """
     holding_torques: Floats
     """External torques that hold given speeds, ``(..., gears, links)``. [-]"""

@@ -3,8 +3,8 @@
 Classes are counted while they are listed. Schemes with numbered sets need only small lists. The
 number of connected schemes is the number of all schemes minus the number of schemes in parts. A
 connected scheme is sound, or it is one body, or it is a sound scheme of some of its sets in which
-bodies formed by the other sets replace links. The number of sound schemes therefore follows from the
-sound schemes with two sets less.
+bodies formed by the other sets replace links. The number of sound schemes therefore follows from
+the sound schemes with two sets less.
 """
 
 from __future__ import annotations

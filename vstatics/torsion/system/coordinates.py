@@ -56,7 +56,7 @@ class Coordinates(NamedTuple):
 def coordinates(system: TorsionalSystem) -> Coordinates:
     """Split the free motions of a system.
 
-    Motions that neither an inertia nor a device resists are held at 0: they take no part in any mode.
+    Motions that neither an inertia nor a device resists are held at 0 and take part in no mode.
 
     Examples
     --------
