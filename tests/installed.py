@@ -23,9 +23,9 @@ NAMES = {
     "ClutchDump": "torsion",
     **dict.fromkeys(("Motion", "Scenario", "VariedScenario", "load_scenario"), "simulation"),
     **dict.fromkeys(("load_varied", "simulate"), "simulation"),
-    **dict.fromkeys(("DeviceDamage", "DriveCycle", "Fatigue", "RayleighLife"), "vehicle"),
-    **dict.fromkeys(("ResizedShaft", "Trace", "Vehicle", "cycle", "damages"), "vehicle"),
-    **dict.fromkeys(("rayleigh_life", "resized", "resized_by_ratio"), "vehicle"),
+    **dict.fromkeys(("DeviceDamage", "DriveCycle", "Fatigue", "Performance"), "vehicle"),
+    **dict.fromkeys(("RayleighLife", "ResizedShaft", "Trace", "Vehicle", "cycle"), "vehicle"),
+    **dict.fromkeys(("damages", "rayleigh_life", "resized", "resized_by_ratio"), "vehicle"),
     "write_report": "page",
 }
 """The annex of each public name of the package that is not of the core."""
