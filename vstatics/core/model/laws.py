@@ -12,7 +12,7 @@ from vstatics.core.errors import Path, Problem
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law
 
-MOST_POINTS = 10_000
+MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
 
 
@@ -59,8 +59,8 @@ class PointLaw(Law):
 
 def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
     """Check that points ascend from 0 on, with values from `low` to `high`."""
-    if len(law.points) > MOST_POINTS:
-        message = f"read {len(law.points)} points, expected {MOST_POINTS} at most"
+    if len(law.points) > MOST_LAW_POINTS:
+        message = f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most"
         yield Problem("E266", message, path)
         return
     if not law.points:

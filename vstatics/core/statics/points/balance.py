@@ -35,7 +35,7 @@ GRID_REFINEMENT = 1000.0
 """Value of sinh at the end of the grid; a larger value concentrates the grid at 0. [-]"""
 EDGE_STEPS = 50
 """Bisections to find the torque at which friction begins to lock the gear."""
-MOST_STEPS = 100
+MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_SOLUTIONS = 3
 """Largest number of sign changes searched for roots."""
@@ -299,7 +299,7 @@ def _ends(
 
 
 def _iterate(searches: Mapping[OpenBalance, _RootSearch], columns: Columns, follow: Follow) -> None:
-    for step in range(MOST_STEPS):
+    for step in range(MOST_ROOT_STEPS):
         guess = {balance: search.guess(halve=step % 4 == 3) for balance, search in searches.items()}
         tried = {**columns, **{balance.number: torque for balance, torque in guess.items()}}
         results = follow(tried, len(next(iter(guess.values())))).results

@@ -24,15 +24,15 @@ from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.result_arrays import ARRAYS, Outside, first_rows, row_names
 from vstatics.core.statics.results import Results
 
-MOST_PASSES = 100
+MOST_FIXED_POINT_STEPS = 100
 """Largest number of fixed-point iterations."""
-MOST_STATES = 8
+MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
 """Number of efficiencies between smallest and largest at which a single unknown is evaluated."""
 MOST_ROOTS = 3
 """Largest number of sign changes searched for roots."""
-BISECTIONS = 60
+ROOT_BISECTIONS = 60
 """Bisections for a root, enough for the precision of a float."""
 NONE, SEVERAL = 1, 2
 """States of a gear: no solution, or several solutions for the efficiencies."""
@@ -143,7 +143,7 @@ def _with_speeds(
     Drag can release or lock a freewheel, which changes the speeds.
     """
     results = solve_points(plain, columns, variants)
-    for _ in range(MOST_STATES):
+    for _ in range(MOST_FREEWHEEL_PASSES):
         before = results.speeds
         sizes = {number: _speed(plain, results, columns, number) for number in laws}
         for number, law in laws.items():
@@ -247,7 +247,7 @@ class _Search:
             for number, law in self.laws.items()
         }
         still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
-        for _ in range(MOST_PASSES):
+        for _ in range(MOST_FIXED_POINT_STEPS):
             _, efficiencies = self._tried(guess)
             still[:], lacking[:] = True, False
             for number, values in efficiencies.items():
@@ -331,7 +331,7 @@ class _Search:
         """
         low, high = grid[place], grid[place + 1]
         at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
-        for _ in range(BISECTIONS):
+        for _ in range(ROOT_BISECTIONS):
             middle = (low + high) / 2
             _, efficiencies = self._tried({**best, number: middle})
             values = efficiencies[number] - middle
