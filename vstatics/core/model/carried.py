@@ -46,12 +46,6 @@ def as_type(data: object, kind: type[Data]) -> Data | None:
     raise TypeError(f"read {data!r}, expected a {kind.__name__}")
 
 
-def _key(name: str) -> CaseKey | None:
-    declaring = module_of_key(name)
-    key: CaseKey | None = module(declaring).KEY if declaring else None
-    return key
-
-
 def installed_keys(names: Iterable[str] = KEYS) -> list[CaseKey]:
     """Return the named keys of installed annexes."""
-    return [key for name in names if (key := _key(name))]
+    return [module(declaring).KEY for name in names if (declaring := module_of_key(name))]

@@ -46,7 +46,10 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
         yield from of_element(case, element, ("shift_elements", number))
-    yield from _freewheels(case)
+    if len(case.freewheels) > MOST_FREEWHEELS:
+        message = f"{len(case.freewheels)} freewheels, expected {MOST_FREEWHEELS} at most"
+        path = ("shift_elements", case.freewheels[MOST_FREEWHEELS])
+        yield Problem("E215", message, path)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
     yield from _in_motion(case)
@@ -59,7 +62,10 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         if gear.load:
             yield from of_load(gear.load, path)
     yield from of_missing_ratios(case, open_too=False)
-    yield from _laws(case)
+    if case.depends:
+        from vstatics.core.model.laws import of_balances  # costs start-up time
+
+        yield from of_balances(case)
     for number, identity in enumerate(case.allow, 1):
         if why := why_not_allowed(identity):
             yield Problem("E299", why, ("allow", number))
@@ -101,13 +107,6 @@ def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem("E740", message, ("cylinders",))
 
 
-def _laws(case: TransmissionFields) -> Iterator[Problem]:
-    if case.depends:
-        from vstatics.core.model.laws import of_balances  # costs start-up time
-
-        yield from of_balances(case)
-
-
 def _moves(case: TransmissionFields) -> bool:
     """Return whether springs or inertias alone make a case, without gears or mechanisms."""
     return bool(case.springs or case.inertias or case.masses)
@@ -130,7 +129,7 @@ def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
     yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
     yield from _bare(case, paths, elements, torque)
     for number, gear in enumerate(case.gears, 1):
-        torque = case.gear_load(gear).torque if case.load or gear.load else None
+        torque = case.gear_load(gear).torque
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
             of_gear = {part: ("gears", number, key, part) for part in drags}
             yield from _bare(case, of_gear, drags, torque)
@@ -286,8 +285,6 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
-    if len(set(names)) == len(names) and all(map(_is_name, names)):
-        return
     seen: dict[str, int] = {}
     for number, name in enumerate(names, 1):
         if not _is_name(name):
@@ -312,10 +309,3 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem(
             "E214", f"input and output are both link {called(case, case.input)}", ("output",)
         )
-
-
-def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
-    numbers = case.freewheels
-    if len(numbers) > MOST_FREEWHEELS:
-        message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
-        yield Problem("E215", message, ("shift_elements", numbers[MOST_FREEWHEELS]))

@@ -19,7 +19,6 @@ from vstatics.core.model.shape import (
     ByName,
     ByPoints,
     Either,
-    KeyShape,
     Leaf,
     ListOf,
     Measure,
@@ -111,18 +110,8 @@ _Below = tuple[Shape | None, Sequence[str]]
 """Declaration at a key, or of the mapping or list there, and the remaining keys."""
 
 
-def _of_keys(known: Iterable[KeyShape], first: str, others: Sequence[str]) -> _Below:
-    return next((key.shape for key in known if key.name == first), None), others
-
-
-def _by_key(shape: ByKey, first: str, others: Sequence[str]) -> _Below:
-    return _of_keys(shape.keys, first, others)
-
-
-def _by_kind(shape: ByKind, first: str, others: Sequence[str]) -> _Below:
-    return _of_keys(
-        (key for record in shape.records.values() for key in record.keys), first, others
-    )
+def _by_key(shape: ByKey | ByKind, first: str, others: Sequence[str]) -> _Below:
+    return next((key.shape for key in shape.keys if key.name == first), None), others
 
 
 def _named(shape: ByName | Numbers, _: str, others: Sequence[str]) -> _Below:
@@ -134,8 +123,8 @@ def _list_of(shape: ListOf, first: str, others: Sequence[str]) -> _Below:
 
 
 def _row(shape: RowOf, first: str, others: Sequence[str]) -> _Below:
-    items = (*shape.items, *shape.optional)
-    return next((items[n] for n in range(len(items)) if str(n + 1) == first), None), others
+    items = {str(number): item for number, item in enumerate((*shape.items, *shape.optional), 1)}
+    return items.get(first), others
 
 
 def _one_or_many(shape: OneOrMany, first: str, others: Sequence[str]) -> _Below:
@@ -156,21 +145,15 @@ def _by_form(shape: ByForm, first: str, others: Sequence[str]) -> _Below:
     return shape.listing if first.isdigit() else shape.mapping, (first, *others)
 
 
-def _by_law(shape: ByLaw, first: str, others: Sequence[str]) -> _Below:
+def _by_law(shape: ByLaw | ByPoints, first: str, others: Sequence[str]) -> _Below:
     if not first:
         return shape.scalar, ()
     return (shape.row, others) if first.isdigit() else (shape.mapping, (first, *others))
 
 
-def _by_points(shape: ByPoints, first: str, others: Sequence[str]) -> _Below:
-    if not first:
-        return shape.row.items[1], ()
-    return (shape.row, others) if first.isdigit() else (shape.mapping, (first, *others))
-
-
 _BELOW: Mapping[type, Callable[[Any, str, Sequence[str]], _Below]] = {
     ByKey: _by_key,
-    ByKind: _by_kind,
+    ByKind: _by_key,
     ByName: _named,
     Numbers: _named,
     ListOf: _list_of,
@@ -179,5 +162,5 @@ _BELOW: Mapping[type, Callable[[Any, str, Sequence[str]], _Below]] = {
     Either: _either,
     ByForm: _by_form,
     ByLaw: _by_law,
-    ByPoints: _by_points,
+    ByPoints: _by_law,
 }

@@ -17,7 +17,6 @@ from vstatics.core.model.parts import (
     Load,
     Mechanism,
     Member,
-    OfLoad,
     OwnDevice,
     Planet,
     ShiftElement,
@@ -220,7 +219,7 @@ class TransmissionFields:
 
     def coasts(self, gear: Gear) -> bool:
         """Return whether a gear coasts, by the sign of the input power or else by `coast`."""
-        load = self.gear_load(gear) if gear.load or self.load else Load()
+        load = self.gear_load(gear)
         if load.speed and load.torque:
             return load.speed * load.torque < 0
         return bool(self.gear_coast(gear))
@@ -238,21 +237,16 @@ class TransmissionFields:
 
     def input_torque(self, gear: Gear) -> float:
         """Return the relative input torque of a gear: 1, or 0 if the input is unloaded."""
-        if gear.load is None and self.load is None:
-            return 1.0
         return 0.0 if self.gear_load(gear).torque == 0 else 1.0
 
     @property
     def unloaded(self) -> list[int]:
         """Indices of gears with an input torque of 0, whose torques are relative to 1 N*m."""
-        loads = [self.load, *(gear.load for gear in self.gears)]
-        if not any(load is not None and load.torque == 0 for load in loads):
-            return []
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
         """Return the direction in which a gear's input turns; empty if the case does not say."""
-        if gear.input_turns or (gear.load is None and self.load is None):
+        if gear.input_turns:
             return gear.input_turns
         load = self.gear_load(gear)
         said = load.speed or load.torque
@@ -378,16 +372,16 @@ class TransmissionFields:
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
         """Relate torques that were given with a unit to the input torque of a gear."""
-        if not any(isinstance(torque, OfLoad) for torque in torques.values()):
-            return dict(torques)
-        unit = abs(self.torque_unit(gear)) if self.load or gear.load else None
+        unit = abs(self.torque_unit(gear))
         return {part: related(torque, unit) for part, torque in torques.items()}
 
     @property
     def has_drag(self) -> bool:
         """True if any gear has a drag torque."""
-        by_gear = [(self.gear_drag(gear), self.gear_open_drag(gear)) for gear in self.gears]
-        return any(torque for both in by_gear for given in both for torque in given.values())
+        return any(
+            any(self.gear_drag(gear).values()) or any(self.gear_open_drag(gear).values())
+            for gear in self.gears
+        )
 
     @property
     def laws(self) -> list[Law]:

@@ -37,9 +37,8 @@ def with_open_converters(case: Transmission) -> Transmission:
     after = [*(part.name for part in remaining), *others, *(part.name for part in moved)]
     gears = []
     for gear in case.gears:
-        ratios = {before[n - 1]: ratio for n, ratio in gear.speed_ratios.items()}
-        numbers = {after.index(name) + 1: ratio for name, ratio in ratios.items()}
-        gears.append(gear._replace(speed_ratios=numbers))
+        ratios = {after.index(before[n - 1]) + 1: r for n, r in gear.speed_ratios.items()}
+        gears.append(gear._replace(speed_ratios=ratios))
     return with_mechanisms(case, remaining, gears=gears, converters=[*case.converters, *moved])
 
 

@@ -63,9 +63,8 @@ def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterato
 def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> Iterator[Problem]:
     """Check the links, kind, drag torque, capacity and friction of a shift element."""
     first, second, links = element.first, element.second, case.own_links
-    if not (is_number(first, links) and is_number(second, links)):
-        yield from of_link(first, (*path, "first"), links)
-        yield from of_link(second, (*path, "second"), links)
+    yield from of_link(first, (*path, "first"), links)
+    yield from of_link(second, (*path, "second"), links)
     if first == second:
         message = f"joins link {called(case, first)} to itself, expected two different links"
         yield Problem("E218", message, (*path, "second"))
@@ -98,8 +97,9 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
     for name, noun in (("radius", "a radius"), ("area", "an area")):
         size = getattr(friction, name)
         yield from expect(size, f"{noun} above 0", (*path, name), right=0 < size < math.inf)
-    surfaces, what = friction.surfaces, "a whole number of surfaces from 1"
+    surfaces = friction.surfaces
     right = surfaces >= 1 and surfaces == int(surfaces)
+    what = "a whole number of surfaces from 1"
     yield from expect(surfaces, what, (*path, "surfaces"), right=right)
     here = (*path, "coefficient")
     table = friction.table
@@ -120,8 +120,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
             yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
         for column, coefficient in enumerate(coefficients, 2):
-            place = (*here, number, column)
-            right = 0 < coefficient < math.inf
+            place, right = (*here, number, column), 0 < coefficient < math.inf
             yield from expect(coefficient, "a coefficient above 0", place, right=right)
         least = max(least, slip)
 
@@ -154,13 +153,12 @@ def _of_temperatures(
 
 def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
     """Check the heat capacity, cooling and ambient temperature of a friction pack."""
-    capacity, cooling = friction.heat_capacity or 0.0, friction.cooling
-    right = 0 < capacity < math.inf
-    yield from expect(capacity, "a heat capacity above 0", (*path, "heat_capacity"), right=right)
-    right = 0 <= cooling < math.inf
-    yield from expect(cooling, "a cooling of 0 or more", (*path, "cooling"), right=right)
-    right = math.isfinite(friction.ambient)
-    yield from expect(friction.ambient, "a temperature", (*path, "ambient"), right=right)
+    for key, what, right in (
+        ("heat_capacity", "a heat capacity above 0", 0 < (friction.heat_capacity or 0) < math.inf),
+        ("cooling", "a cooling of 0 or more", 0 <= friction.cooling < math.inf),
+        ("ambient", "a temperature", math.isfinite(friction.ambient)),
+    ):
+        yield from expect(getattr(friction, key), what, (*path, key), right=right)
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
@@ -196,9 +194,8 @@ def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
 def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
     """Check the links, ratios and efficiencies of a mechanism."""
     members = [link for link in mechanism.links if link != HOUSING]
-    if not all(is_number(link, links) for link in members):
-        for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
-            yield from of_link(link, (*path, member), links)
+    for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
+        yield from of_link(link, (*path, member), links)
     if not members:
         yield Problem("E227", "all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):

@@ -235,6 +235,11 @@ class ByPoints(NamedTuple):
     row: RowOf
     mapping: ByKey
 
+    @property
+    def scalar(self) -> Shape:
+        """Shape of a constant number, the second number of a point."""
+        return self.row.items[1]
+
 
 class Parsed(NamedTuple):
     """Single value with a special parser."""
@@ -283,6 +288,11 @@ class ByKind(NamedTuple):
 
     records: Mapping[str, ByKey]
     key: str = "kind"
+
+    @property
+    def keys(self) -> list[KeyShape]:
+        """Keys of all records."""
+        return [key for record in self.records.values() for key in record.keys]
 
 
 Shape: TypeAlias = (

@@ -21,17 +21,16 @@ _TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
     """Check the inertias, springs, converters and elastic components of a case."""
-    for link, inertia in case.inertias.items():
-        path = ("inertias", link)
-        yield from of_link(link, path, case.own_links, lowest=1)
-        yield from not_negative(inertia, "an inertia", path)
-    for link, mass in case.masses.items():
-        path = ("masses", link)
-        yield from of_link(link, path, case.own_links, lowest=1)
-        yield from not_negative(mass, "a mass", path)
-        if link in case.inertias:
-            message = f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
-            yield Problem("E540", f"{message}, expected it in one of them", path)
+    bodies = ("inertias", "an inertia", case.inertias), ("masses", "a mass", case.masses)
+    for key, noun, inertias in bodies:
+        for link, inertia in inertias.items():
+            yield from of_link(link, (key, link), case.own_links, lowest=1)
+            yield from not_negative(inertia, noun, (key, link))
+            if key == "masses" and link in case.inertias:
+                what = (
+                    f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
+                )
+                yield Problem("E540", f"{what}, expected it in one of them", (key, link))
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
     for number, element in enumerate(case.shift_elements, 1):
@@ -246,16 +245,17 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E257", message, path)
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
-    names = spring_names(case.springs)
-    for number, name in enumerate(names, 1):
-        if other := taken.get(name) or rows.get(name):
-            message = f"`{name}` is the name of {other} too, expected another"
-            yield Problem("E257", message, ("springs", number))
-    taken |= dict.fromkeys(names, "a spring")
-    for number, converter in enumerate(case.converters, 1):
-        if other := taken.get(converter.name) or rows.get(converter.name):
-            message = f"`{converter.name}` is the name of {other} too, expected another"
-            yield Problem("E257", message, ("converters", number))
+    springs = spring_names(case.springs)
+    converters = [converter.name for converter in case.converters]
+    for key, what, names in (
+        ("springs", "a spring", springs),
+        ("converters", "a converter", converters),
+    ):
+        for number, name in enumerate(names, 1):
+            if other := taken.get(name) or rows.get(name):
+                message = f"`{name}` is the name of {other} too, expected another"
+                yield Problem("E257", message, (key, number))
+        taken |= dict.fromkeys(names, what)
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:

@@ -229,24 +229,19 @@ class Transmission(TransmissionFields):
     def __post_init__(self) -> None:
         """Check all parameters, then fill in the defaults."""
         try:
-            self._complete()
+            if self.drawing is not None and self.drawing != self._lowered:
+                self._follow(self.drawing)
+            if errors := list(problems(self)):
+                raise CaseError(errors)
+            self._set(**_completed(self))
         except (AttributeError, TypeError):
             types = {key.shape.name: key.type for key in carried_keys(self)}
             refuse_fields("Transmission", self, types, **_CLASSES)
             raise
 
-    def _complete(self) -> None:
-        if self.drawing is not None and self.drawing != self._lowered:
-            self._follow(self.drawing)
-        errors = list(problems(self))
-        if errors:
-            raise CaseError(errors)
-        self._set(**_completed(self))
-
     def _follow(self, drawing: AnyDrawing) -> None:
         """Adopt links and mechanisms of a drawing; drop planets' names of the previous drawing."""
-        errors = list(drawing.problems())
-        if errors:
+        if errors := list(drawing.problems()):
             raise CaseError(errors)
         before, names = self._lowered, list(self.link_names)
         if before is not None:
@@ -328,8 +323,7 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
     """Complete a gear, relating numbers with a unit to the operating point."""
-    load = case.gear_load(gear) if case.load or gear.load else Load()
-    torque = case.torque_unit(gear) if case.load or gear.load else 0.0
+    load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),
         speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},
