@@ -59,14 +59,32 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
 
 def _gears(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
-    called = letters(len(summaries))
-    fields = "ratio", "step", "efficiency"
-    headings = (f"{tr(field)} {letter}" for field in fields for letter in called)
+    fields = {tr(field): field for field in ("ratio", "step", "efficiency")}
+    return _by_gear("Gears", "gears", summaries, lines, fields)
+
+
+def _by_gear(
+    title: str,
+    key: str,
+    summaries: Sequence[Summary],
+    lines: Sequence[Mapping[str, object]],
+    fields: Mapping[str, str],
+) -> Grid:
+    """Return a table of fields, by their headings, with a line of each case for each gear."""
+    labels = letters(len(summaries))
+    headings = [f"{heading} {label}" for heading in fields for label in labels]
     rows = (
-        [name, *(getattr(by_name.get(name), field, None) for field in fields for by_name in lines)]
+        [
+            name,
+            *(
+                getattr(by_name.get(name), field, None)
+                for field in fields.values()
+                for by_name in lines
+            ),
+        ]
         for name in _names(summaries)
     )
-    return grid_of("Gears", ["gear", *headings], rows, key="gears")
+    return grid_of(title, ["gear", *headings], rows, key=key)
 
 
 def _names(summaries: Sequence[Summary]) -> Sequence[str]:
@@ -77,25 +95,11 @@ def _names(summaries: Sequence[Summary]) -> Sequence[str]:
 
 def _inertias(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.inertias} for summary in summaries]
-    shown = {INERTIA: "inertia", ACCELERATION: "acceleration"}
+    fields = {headed_in(INERTIA): "inertia", headed_in(ACCELERATION): "acceleration"}
     if all(math.isnan(line.acceleration) for by_name in lines for line in by_name.values()):
-        del shown[ACCELERATION]
-    headings = [
-        f"{headed_in(heading)} {letter}" for heading in shown for letter in letters(len(summaries))
-    ]
-    rows = (
-        [
-            name,
-            *(
-                getattr(by_name.get(name), field, None)
-                for field in shown.values()
-                for by_name in lines
-            ),
-        ]
-        for name in _names(summaries)
-    )
+        del fields[headed_in(ACCELERATION)]
     title = "Inertia at the input, acceleration of the input"
-    return grid_of(title, ["gear", *headings], rows, key="inertia")
+    return _by_gear(title, "inertia", summaries, lines, fields)
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.carried import carried_torques
 from vstatics.core.statics.results import Results
@@ -117,11 +117,19 @@ def margins(results: Results) -> list[Margin]:
     """
     case = results.case
     torques, carrying = carried_torques(results, case.load.torque_size if case.load else 0.0)
-    return [
-        _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
-        for number, element in enumerate(case.shift_elements)
-        if element.capacity  # a capacity in N*m is 0 in a case without operating point
-    ]
+    lines = []
+    for number, element in enumerate(case.shift_elements):
+        if not element.capacity:  # a capacity in N*m is 0 in a case without operating point
+            continue
+        with np.errstate(all="ignore"):
+            ratios = element.capacity / torques[:, number]
+        by_gear = np.where(carrying[:, number], ratios, np.nan).tolist()
+        least = min((margin for margin in by_gear if math.isfinite(margin)), default=math.nan)
+        first = [n for n, margin in enumerate(by_gear) if margin <= least * (1 + SAME_RATIO)]
+        gear = case.gears[first[0]].name if first else ""
+        margin = by_gear[first[0]] if first else math.nan
+        lines.append(Margin(element.name, element.capacity, by_gear, margin, gear))
+    return lines
 
 
 class Needed(NamedTuple):
@@ -160,16 +168,3 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
         gear = case.gears[first].name if top > 0 else ""
         capacities.append(Needed(element.name, top * reserve, gear, top * reserve * unit))
     return capacities
-
-
-def _margin(
-    results: Results, name: str, capacity: float, torques: Floats, carrying: Booleans
-) -> Margin:
-    with np.errstate(all="ignore"):
-        margins = np.where(carrying, capacity / torques, np.nan).tolist()
-    known = [number for number, margin in enumerate(margins) if math.isfinite(margin)]
-    if not known:
-        return Margin(name, capacity, margins, math.nan, "")
-    least = min(margins[number] for number in known)
-    first = next(number for number in known if margins[number] <= least * (1 + SAME_RATIO))
-    return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)

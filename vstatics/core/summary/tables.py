@@ -43,14 +43,17 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
         _transitions(summary),
         _slip_powers(summary),
         ports_grid(port_tables(summary.results) if ports is None else ports),
-        *_largest(summary),
+        *(
+            table(summary, loaded=loaded)
+            for loaded in (False, True)
+            for table in (_planets, _elements)
+        ),
         *_margins(summary),
         _needed(summary),
         *(summary.cycle.grids() if summary.cycle else ()),
         _inertias(summary),
         *(summary.vehicle.grids() if summary.vehicle else ()),
-        _sensitivities(summary),
-        _efficiency_sensitivities(summary),
+        *_sensitivities(summary),
     )
     yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
@@ -125,12 +128,6 @@ def _slip_powers(summary: Summary) -> Grid:
     return grid_of(title, headings, rows, key="slip power")
 
 
-def _largest(summary: Summary) -> Iterator[Grid]:
-    for loaded in (False, True):
-        yield _planets(summary, loaded=loaded)
-        yield _elements(summary, loaded=loaded)
-
-
 def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
     headings = "planet", headed("speed", shown.unit), "gear"
@@ -165,24 +162,20 @@ def _cells(shown: Quantity, line: Largest) -> Row:
     return [exact(line.value, shown.decimals), line.gear]
 
 
-def _sensitivities(summary: Summary) -> Grid:
+def _sensitivities(summary: Summary) -> Iterator[Grid]:
     mechanisms = summary.results.case.mechanisms
     names = [mechanism.name for mechanism in mechanisms]
-    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
     if any(mechanism.kind for mechanism in mechanisms):
         title = (
             "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u, of "
             "variators and converters to their speed ratio"
         )
-    return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
-
-
-def _efficiency_sensitivities(summary: Summary) -> Grid:
-    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
-    by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
+    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
+    yield _by_gear(summary, title, "sensitivity", "mechanism", by_name)
     title = "Sensitivity (n/ETA) dETA/dn of efficiencies ETA to each efficiency n"
-    return _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
+    by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
+    yield _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
 
 
 def _by_gear(
