@@ -174,10 +174,6 @@ class Annex(NamedTuple):
 @cache
 def annexes() -> tuple[Annex, ...]:
     """Return the records of the installed annexes."""
-    return tuple(_records())
-
-
-def _records() -> list[Annex]:
     records = []
     for name in _NAMES:
         try:
@@ -185,7 +181,7 @@ def _records() -> list[Annex]:
         except ModuleNotFoundError as error:
             if error.name not in (f"vstatics.{name}", f"vstatics.{name}.annex"):
                 raise
-    return records
+    return tuple(records)
 
 
 def module(name: str) -> ModuleType:

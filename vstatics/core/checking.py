@@ -68,20 +68,15 @@ def problems_of(data: bytes, file: str) -> list[Problem]:
         if document_problems := document_function("document_problems", data, file):
             return [*document_problems(data, file)]
         reading = readers.read(data, file)
-        results = _solved(reading)
     except ReadError as error:
         return error.problems
+    try:
+        results = solve(reading.case)
+    except CaseError as error:
+        return [*map(reading.locate, error.problems)]
     messages = located_messages(reading, results, each_gear=True)
     notes = map(reading.locate, hints(reading.case))
     return not_allowed([*reading.warnings, *notes, *messages], reading.case.untold)
-
-
-def _solved(reading: Reading) -> Results:
-    """Solve a case, and report faults with places in the file."""
-    try:
-        return solve(reading.case)
-    except CaseError as error:
-        raise ReadError(map(reading.locate, error.problems)) from None
 
 
 def located_messages(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:

@@ -107,7 +107,11 @@ def balanced(
     follow : callable
         Function that solves points with given torques.
     """
-    open_balances = [_at_points(balance, given, variants) for balance in balances]
+    open_balances = []
+    for balance in balances:
+        constant = np.repeat(balance.battery, variants)
+        battery = given.get(CaseNumber(balance.gear, "battery"), constant)
+        open_balances.append(replace(balance, battery=battery))
     columns = {number: column for number, column in given.items() if number.quantity != "battery"}
     columns |= {balance.number: np.zeros(variants) for balance in open_balances}
     scales = _scales(case, open_balances, follow(columns, variants).results, columns)
@@ -213,11 +217,6 @@ def _is_determined(case: Transmission, index: int, link: int, holding: tuple[int
     held = results.in_own_unit("holding_torques")[:, 0, [other - 1 for other in holding]]
     known = np.isfinite(held).all(axis=-1) & np.isfinite(results.in_own_unit("output_torque")[:, 0])
     return bool((results.balanced[:, 0] & known).any() or results.tied_up.any())
-
-
-def _at_points(balance: OpenBalance, given: Columns, variants: int) -> OpenBalance:
-    battery = given.get(CaseNumber(balance.gear, "battery"), np.repeat(balance.battery, variants))
-    return replace(balance, battery=battery)
 
 
 def _scales(

@@ -179,7 +179,7 @@ def _speed(case: Transmission, results: Results, columns: Columns, number: CaseN
     return size
 
 
-def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
+def _checked(case: Transmission, number: CaseNumber, values: Floats) -> Floats:
     """Return the values of a law; raise CaseError for the first value that is not valid."""
     wrong = ~(np.isfinite(values) & (values >= 0))
     if wrong.any():
@@ -196,8 +196,7 @@ def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
             }
             path = of_case[quantity]
         raise CaseError([Problem("E268", message, path)])
-    torques: Floats = values
-    return torques
+    return values
 
 
 def _name(case: Transmission, number: CaseNumber) -> str:

@@ -189,10 +189,10 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
     Fixed numbers with a unit vary with the operating points.
     """
     numbers: dict[GearNumber, Floats] = {}
-    gear = case.gears[index]
+    gear = case.with_all_drag(case.gears[index])
     for quantity in OF_GEAR:
         unit = load.unit_of(quantity)
-        for owner, number in _given(case, gear, quantity).items():
+        for owner, number in getattr(gear, quantity).items():
             column = columns.get(CaseNumber(index, quantity, owner))
             if column is None and isinstance(number, OfLoad) and unit is not None:
                 given = number.given / (RPM if quantity == "speeds" else 1.0)
@@ -203,12 +203,6 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
         if place == index and of_mechanism in OF_MECHANISMS:
             numbers[GearNumber(of_mechanism, owner)] = column
     return numbers
-
-
-def _given(case: Transmission, gear: Gear, quantity: OfGear) -> dict[int, Any]:
-    if quantity == "drag":
-        return case.gear_drag(gear)
-    return case.gear_open_drag(gear) if quantity == "open_drag" else dict(getattr(gear, quantity))
 
 
 class _PointData:
