@@ -1,7 +1,9 @@
-"""The annexes of the program and what each of them provides; no other module of the core knows one.
+"""Registry of the annexes: optional packages such as `vstatics.torsion`, built on the core.
 
-A record stands in ``annex.py`` of its annex. It is plain data, so that it can be read without what
-it names, and it is read only when somebody asks for something that the core does not have.
+Each annex declares its commands, public names, pictures, keys and schemas in an `Annex` record, in
+its module ``annex.py``. The core finds them here and nowhere else, so that an annex can be deleted.
+A record contains names of modules instead of objects. The modules are imported when they are
+needed, and the records when a name is not found in the core.
 
 >>> all(annex.name in _NAMES for annex in annexes())
 True
@@ -15,12 +17,13 @@ from importlib import import_module
 from types import MappingProxyType, ModuleType
 from typing import NamedTuple, TypeVar
 
-Found = TypeVar("Found")
+Entry = TypeVar("Entry")
 
 _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", "page")
 _NOTHING: Mapping[str, str] = MappingProxyType({})
+# These tables list all annexes, installed or not, so that messages can name a missing annex.
 KEYS = MappingProxyType({"vehicle": "vehicle", "fatigue": "vehicle", "dump": "torsion"})
-"""Key of a case, in the order of reading and writing -> the annex that provides it."""
+"""Annex of each key of a case, in the order of reading and writing."""
 DOCUMENTS = MappingProxyType(
     {
         "boxes": ("synthesis", b'"searched"'),
@@ -28,9 +31,9 @@ DOCUMENTS = MappingProxyType(
         "sweep file": ("sweep", b"case"),
     }
 )
-"""Kind of documents other than cases -> its annex, and what they all contain, and hardly a case.
+"""Annex of each kind of documents other than cases, with a text that identifies the kind.
 
-The names of the annexes are known here, too, so that a message can name one that is missing.
+All documents of the kind contain the text, and hardly any case does.
 """
 COMMANDS = MappingProxyType(
     {
@@ -45,7 +48,7 @@ COMMANDS = MappingProxyType(
         "serve": "page",
     }
 )
-"""Command -> the annex that it belongs to, installed or not."""
+"""Annex of each command."""
 PURPOSES = MappingProxyType(
     {
         "omega": "torsion",
@@ -55,126 +58,130 @@ PURPOSES = MappingProxyType(
         **dict.fromkeys(("damages", "torque_life", "vehicle_section"), "vehicle"),
     }
 )
-"""Other things that are asked for by name -> the annex that they belong to."""
+"""Annex of other features that the core requests by name."""
 
 
 class Command(NamedTuple):
-    """A command of the program, which is imported when it is called."""
+    """Command of the program."""
 
     module: str
-    """Module with a function of the name of the command."""
+    """Module to import for the command, with a function of the command's name."""
     help: str
-    """The line about it in the list of commands."""
+    """Line in the list of commands."""
     place: int
-    """Commands are listed in ascending order of their places."""
+    """Sort key in the list of commands, ascending."""
 
 
 class PictureKind(NamedTuple):
-    """A kind of picture of `vstatics plot`."""
+    """Kind of picture drawn by `vstatics plot`."""
 
     module: str
-    """Module that draws it, which is imported then."""
+    """Module to import for drawing the picture."""
     help: str
-    """Its description in the help of the command."""
+    """Description in the help of the command."""
     place: int
-    """Kinds are listed in ascending order of their places."""
+    """Sort key in lists of kinds, ascending."""
     title: str = ""
-    """Its name on a page."""
+    """Heading of the picture on a page."""
     shows: str = "case"
-    """Subject: case, vibration (a converter can be open), run, or a document of another kind."""
+    """Subject: case, vibration (a converter can be open), run, or a kind of documents."""
     options: Sequence[str] = ()
-    """Options that few kinds have; see `Annex.picture_options`."""
+    """Special options of the kind, declared in `Annex.picture_options`."""
     refused: Mapping[str, str] = _NOTHING
-    """Option of most other kinds -> why this kind does not have it."""
+    """Common options that the kind lacks, each with the reason."""
     plots: str = ""
-    """Function that plots a document of the kind that it shows."""
+    """Name of the function that plots a document, for kinds that show documents."""
     least_width: float = 0.0
-    """Width that its names and numbers need. [mm]"""
+    """Smallest width of the picture with readable labels. [mm]"""
     alike: bool = False
-    """Whether it can have the scales of another case, too."""
+    """True if pictures of two cases can be drawn to common scales."""
 
 
 class DocumentKind(NamedTuple):
-    """A kind of documents other than cases."""
+    """Kind of documents other than cases."""
 
     note: str
-    """Message where a case is expected."""
+    """Message if the document is given instead of a case."""
     functions: Mapping[str, str] = _NOTHING
-    """Function by which a command takes such a document -> the module that defines it."""
+    """Modules of the functions with which commands handle the document, by function name."""
 
 
 class Schema(NamedTuple):
-    """A JSON Schema, by the type of what it describes."""
+    """JSON Schema of a kind of files."""
 
     module: str
     type: str
-    """Name of the type in the module; without a title of the function that returns the schema."""
+    """Name of the type described; without `title`, of a function that returns the schema."""
     title: str = ""
     documents: bool = True
-    """Whether the type is that of each document of a file, or of the file as a whole."""
+    """True if the type describes each document of a file, not the whole file."""
 
 
 class ReportPart(NamedTuple):
-    """A section of the page of a case."""
+    """Section on the page of a case."""
 
     name: str
-    """Its heading."""
+    """Heading of the section."""
     module: str
     """Module with ``has_part(case, runs=...)`` and ``part(request)``."""
     place: int
-    """Sections stand in ascending order of their places."""
+    """Sort key of the sections on the page, ascending."""
     is_printed: bool = True
-    """Whether it is printed unless other sections are asked for."""
+    """True if the section is part of a page by default."""
     scripts: str = ""
-    """Module with the `SCRIPTS` and the `STYLE` that a page with a run has, if any."""
+    """Module with the `SCRIPTS` and the `STYLE` of a page with a simulation; empty without."""
 
 
 class Annex(NamedTuple):
-    """What an annex provides."""
+    """Record of everything that an annex adds to the program.
+
+    Modules are given by their full names and imported on demand.
+    """
 
     name: str
+    """Name of the package in `vstatics`."""
     needs: tuple[str, ...] = ()
-    """Annexes that it imports from."""
+    """Annexes from which this annex imports."""
     commands: Mapping[str, Command] = MappingProxyType({})
+    """Commands of `vstatics`, by name."""
     names: Mapping[str, str] = _NOTHING
-    """Public name of the package -> the module that defines it."""
+    """Modules of the names that the annex adds to `vstatics`, by name."""
     methods: Mapping[str, str] = _NOTHING
-    """Function that the core or an earlier annex calls by name -> the module that defines it."""
+    """Modules of the functions that the core or an earlier annex calls by name."""
     groups: Mapping[str, Mapping[str, tuple[str, str]]] = MappingProxyType({})
-    """Command -> its sub-commands: name -> module, and the line of help about it."""
+    """Sub-commands of each command: module and line of help, by name."""
     own_names: Mapping[str, str] = _NOTHING
-    """Public name of the annex itself -> the module that defines it."""
+    """Modules of the names that the annex package exports, by name."""
     pictures: Mapping[str, PictureKind] = MappingProxyType({})
-    """Kind of picture -> what `vstatics plot` needs of it."""
+    """Kinds of pictures, by the name of the kind."""
     picture_options: Mapping[str, str] = _NOTHING
-    """Option of pictures that few kinds have -> why {kinds} alone have it."""
+    """Options that only some kinds of pictures have, each with the message for other kinds.
+
+    The message can name the kinds by ``{kinds}``.
+    """
     documents: Mapping[str, DocumentKind] = MappingProxyType({})
-    """Kind of documents other than cases -> what commands can do with it."""
+    """Kinds of documents other than cases, by the name of the kind."""
     schemas: Mapping[str, Schema] = MappingProxyType({})
-    """Name of a file of `schemas/` -> the type that it describes."""
+    """JSON Schemas, by the name of the file in `schemas/`."""
     report: Mapping[str, ReportPart] = MappingProxyType({})
-    """Word that chooses a section of the page of a case -> the section."""
+    """Sections for the page of a case, by the word that selects the section."""
     keys: Mapping[str, str] = _NOTHING
-    """Key of a case -> the module whose `KEY` declares it."""
+    """Modules whose `KEY` declares a key of a case, by the name of the key."""
     types: Mapping[str, str] = _NOTHING
-    """Type of a part of other annexes' or the core's answers -> the module that defines it."""
+    """Modules of types that appear in answers of the core or of other annexes, by name."""
 
 
 @cache
 def annexes() -> tuple[Annex, ...]:
-    """Return the records of the annexes that are installed."""
-    return tuple(_records())
-
-
-def _records() -> list[Annex]:
-    found = []
+    """Return the records of the installed annexes."""
+    records = []
     for name in _NAMES:
         try:
-            found.append(module(f"vstatics.{name}.annex").ANNEX)
+            records.append(module(f"vstatics.{name}.annex").ANNEX)
         except ModuleNotFoundError as error:
             if error.name not in (f"vstatics.{name}", f"vstatics.{name}.annex"):
                 raise
-    return found
+    return tuple(records)
 
 
 def module(name: str) -> ModuleType:
@@ -182,13 +189,13 @@ def module(name: str) -> ModuleType:
     return import_module(name)
 
 
-def _first(tables: Iterable[Mapping[str, Found]], name: str) -> Found | None:
-    """Return the entry of a name in the first table that has the name."""
+def _first(tables: Iterable[Mapping[str, Entry]], name: str) -> Entry | None:
+    """Return the entry of a name in the first table with the name."""
     return next((table[name] for table in tables if name in table), None)
 
 
 def module_of_name(name: str) -> str:
-    """Return the module of an annex that defines a public name; empty if there is none.
+    """Return the module of an annex that defines a public name; empty if unknown.
 
     >>> module_of_name("nothing")
     ''
@@ -197,50 +204,50 @@ def module_of_name(name: str) -> str:
 
 
 def public_names() -> list[str]:
-    """Return the public names of the annexes that are installed."""
+    """Return the public names of the installed annexes."""
     return [name for annex in annexes() for name in annex.names]
 
 
 def module_of_method(name: str) -> str:
-    """Return the module of an annex that defines the function of a method; empty if none does."""
+    """Return the module of an annex that defines a function called by name; empty if unknown."""
     return _first((annex.methods for annex in annexes()), name) or ""
 
 
 def picture_kinds() -> Mapping[str, PictureKind]:
-    """Return all kinds of pictures in the order of their places."""
-    found = {kind: own for annex in annexes() for kind, own in annex.pictures.items()}
-    return dict(sorted(found.items(), key=lambda entry: entry[1].place))
+    """Return all kinds of pictures, sorted by `place`."""
+    kinds = {name: kind for annex in annexes() for name, kind in annex.pictures.items()}
+    return dict(sorted(kinds.items(), key=lambda entry: entry[1].place))
 
 
 def picture_options() -> Mapping[str, str]:
-    """Return the options of pictures that few kinds have, and what is said of other kinds."""
+    """Return the special options of pictures, each with the message for other kinds."""
     return {name: why for annex in annexes() for name, why in annex.picture_options.items()}
 
 
 def document_kind(kind: str) -> DocumentKind | None:
-    """Return what is declared of a kind of documents; None if its annex is not installed."""
+    """Return the declaration of a kind of documents; None without the annex."""
     return _first((annex.documents for annex in annexes()), kind)
 
 
 def module_of_key(key: str) -> str:
-    """Return the module that declares a key of a case; empty if its annex is not installed."""
+    """Return the module that declares a key of a case; empty without the annex."""
     return _first((annex.keys for annex in annexes()), key) or ""
 
 
 def module_of_type(name: str) -> str:
-    """Return the module that defines a type of a part of an answer; empty if none does."""
+    """Return the module that defines a type in an answer; empty without the annex."""
     return _first((annex.types for annex in annexes()), name) or ""
 
 
 def missing_command(name: str) -> str:
-    """Return the message that the annex of a command is not installed; empty if it is."""
+    """Return the message that the annex of a command is not installed; empty if installed."""
     if name not in COMMANDS or COMMANDS[name] in {annex.name for annex in annexes()}:
         return ""
     return not_installed(name, COMMANDS[name])
 
 
 def not_installed(what: str, annex: str) -> str:
-    """Return the message about a part of an annex that is not installed.
+    """Return the message about a feature of a missing annex.
 
     >>> not_installed("omega", PURPOSES["omega"])
     'omega belongs to vstatics.torsion, which is not installed here'

@@ -1,7 +1,7 @@
-"""What is wrong or doubtful about a case or a scenario: problems of its text, its model, its gears.
+"""Check of a case or scenario: errors, warnings and notes about its text, model and gears.
 
 >>> case = b"{links: 2, mechanisms: {D: {first: 1, second: 2}}, gears: {1: []}}"
->>> [str(one) for one in problems_of(case, "box.yaml")]
+>>> [str(problem) for problem in problems_of(case, "box.yaml")]
 ['box.yaml:1:25: error: mechanisms.D: `ratio` is missing [E191]']
 """
 
@@ -26,35 +26,35 @@ from vstatics.core.suggestions import why_not_allowed
 def check(
     source: str | os.PathLike[str] | readers.Stream, *, allow: Sequence[str] = ()
 ) -> list[Problem]:
-    r"""All problems, warnings and notes of a case or a scenario; a case is calculated for that.
+    r"""Check a case or scenario, and return all errors, warnings and notes; a case is calculated.
 
     Parameters
     ----------
     source : path-like or stream
-        A deck, YAML, JSON or a workbook; or something opened, such as ``io.StringIO(text)``. Files
-        that a stream without a name names are refused, so that a text of a stranger opens none.
+        Deck, YAML, JSON or workbook, or an open stream such as ``io.StringIO(text)``. A stream
+        without a name must not refer to files, so that untrusted text cannot open any.
     allow : sequence of str
-        Ids of warnings and notes that are not told, besides those that the case allows.
+        Ids of warnings and notes to suppress, in addition to the `allow` of the case.
 
     Returns
     -------
     list of Problem
-        With `id`, `severity`, `message` and `place`; none where all is well. What the case
-        allows is not told.
+        Problems with `id`, `severity`, `message` and `place`; empty if there are none.
 
     Raises
     ------
     OSError
         If a file cannot be opened.
     ValueError
-        If an id to be allowed is of an error, or of nothing.
+        If `allow` contains the id of an error or an unknown id.
 
     Examples
     --------
     >>> import io
     >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2}}\ngears: {1: []}"
-    >>> [(one.id, one.severity, one.place.line) for one in check(io.StringIO(text))]
-    [('E191', 'error', 2)]
+    >>> [problem] = check(io.StringIO(text))
+    >>> problem.id, problem.severity, problem.place.line
+    ('E191', 'error', 2)
     """
     for why in filter(None, map(why_not_allowed, allow)):
         raise ValueError(why)
@@ -63,29 +63,27 @@ def check(
 
 
 def problems_of(data: bytes, file: str) -> list[Problem]:
-    """The same of what a file holds."""
+    """Return all problems of the content of a file."""
     try:
         if document_problems := document_function("document_problems", data, file):
             return [*document_problems(data, file)]
         reading = readers.read(data, file)
-        results = _solved(reading)
     except ReadError as error:
         return error.problems
-    found = located_messages(reading, results, each_gear=True)
-    notes = map(reading.locate, hints(reading.case))
-    return not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
-
-
-def _solved(reading: Reading) -> Results:
-    """The results of a case, or why there are none, with its place."""
     try:
-        return solve(reading.case)
+        results = solve(reading.case)
     except CaseError as error:
-        raise ReadError(map(reading.locate, error.problems)) from None
+        return [*map(reading.locate, error.problems)]
+    messages = located_messages(reading, results, each_gear=True)
+    notes = map(reading.locate, hints(reading.case))
+    return not_allowed([*reading.warnings, *notes, *messages], reading.case.untold)
 
 
 def located_messages(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-    """The messages of a result as problems: at the place of each gear, or of the first of many."""
+    """Yield the messages of results with places; equal messages of gears are merged.
+
+    Unless `each_gear`, messages that differ only in the gear are merged, too.
+    """
     if not results.messages:
         return
     numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}

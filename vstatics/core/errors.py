@@ -1,9 +1,9 @@
-"""What can go wrong, and where.
+"""Errors and problems of the program, their places, and texts for messages.
 
-Three classes of error: `VstaticsError`, the parent of all; `CaseError`, a
-transmission that cannot be; `ReadError`, a text that cannot be read as one.
-The last two carry a list of `Problem`, because one run reports all of them.
-Only the command line prints. What it prints may hold text of anybody: `printable` makes it safe.
+`VstaticsError` is the parent of all errors. `CaseError` is raised for an impossible transmission,
+`ReadError` for a text that cannot be read. Both have a list of `Problem`, because a run reports all
+problems at once. Only the command line prints; `printable` protects the terminal from text of
+unknown origin.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from collections.abc import Container, Iterable, Sequence
 from typing import Literal, NamedTuple, Protocol, TypeVar
 
 Path = tuple[str | int, ...]
-"""Where a value stands in a model: ``("mechanisms", 2, "ratio")``, numbers from 1."""
+"""Path of a value in a model, such as ``("mechanisms", 2, "ratio")``, with numbers from 1."""
 
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: dict[str, Severity] = {"E": "error", "W": "warning", "N": "note"}
-"""By the letters with which ids begin; see docs/messages.md."""
+"""Severities by the first letter of an id; see docs/messages.md."""
 
 
 class Place(NamedTuple):
-    """A place in a text: file, line and column from 1, and the line itself.
+    """Place in a text: file, line and column from 1, and the text of the line.
 
     Examples
     --------
@@ -36,39 +36,40 @@ class Place(NamedTuple):
     text: str = ""
 
     def __str__(self) -> str:
-        """As it is told before a message."""
+        """Return the place in the form that begins a message."""
         return f"{self.file}:{self.line}:{self.column}" if self.line else self.file
 
 
 class CellPlace(Place):
-    """A cell of a workbook: line and column are its own, and it has a sheet."""
+    """Cell of a workbook; line and column are the row and column of the cell."""
 
     sheet: str = ""
+    """Name of the sheet."""
 
     @classmethod
     def of(cls, place: Place, sheet: str) -> CellPlace:
-        """The cell of a sheet.
+        """Return the cell of a sheet at a place.
 
         >>> str(CellPlace.of(Place("box.xlsx", 4, 28), "gears"))
         'box.xlsx:gears!AB4'
         """
-        made = cls(*place)
-        made.sheet = sheet
-        return made
+        cell = cls(*place)
+        cell.sheet = sheet
+        return cell
 
     def __str__(self) -> str:
-        """As a spreadsheet program names it."""
+        """Return the place in the notation of spreadsheet programs."""
         if not (self.sheet and self.line):
             return super().__str__()
-        letters, rest = "", self.column
-        while rest:
-            rest, letter = divmod(rest - 1, 26)
+        letters, number = "", self.column
+        while number:
+            number, letter = divmod(number - 1, 26)
             letters = chr(ord("A") + letter) + letters
         return f"{self.file}:{self.sheet}!{letters}{self.line}"
 
 
 def excerpt(place: Place, width: int = 76) -> tuple[str, str]:
-    """The part of a line around a place that fits on a terminal, and a caret below it.
+    """Return the part of a line around a place that fits on a terminal, and a caret for below.
 
     >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
     ('B1: [rign, housing]', '   ^')
@@ -81,7 +82,7 @@ def excerpt(place: Place, width: int = 76) -> tuple[str, str]:
 
 
 def severity(identity: str) -> Severity:
-    """What the first letter of an id says.
+    """Return the severity of an id.
 
     >>> severity("W201")
     'warning'
@@ -198,11 +199,11 @@ DOUBTS = {
     "N630": "a response has no bound near resonances that nothing damps",
     "N801": "elements that no wanted ratio needs stay as they are",
 }
-"""Of each warning and note its id, and what it says: these can be allowed."""
+"""Meanings of all warnings and notes, by id; errors cannot be suppressed."""
 
 
 class Problem(NamedTuple):
-    """One thing that is wrong or doubtful: what was read, what was expected.
+    """Error, warning or note, with the value that was read and the expectation.
 
     Examples
     --------
@@ -211,60 +212,60 @@ class Problem(NamedTuple):
     """
 
     id: str
-    """Of its cause, whatever names it speaks of: a letter for the severity, and three digits."""
+    """Id of the cause, independent of names: a letter for the severity and three digits."""
     message: str
     path: Path = ()
     place: Place | None = None
 
     @property
     def severity(self) -> Severity:
-        """Whether it is an error, a warning or a note."""
+        """Severity of the problem: error, warning or note."""
         return severity(self.id)
 
     @property
     def told(self) -> str:
-        """The message with its id, as it stands in answers."""
+        """Message followed by the id, as in answers."""
         return f"{self.message} [{self.id}]"
 
     def __str__(self) -> str:
-        """The problem in one line that is safe to print, in the wording of a compiler."""
+        """Return the problem as a line in the format of a compiler, safe to print."""
         text = self.told
         if self.place is not None:
             return printable(f"{self.place}: {self.severity}: {text}")
         return printable(f"{path_text(self.path)}: {text}" if self.path else text)
 
     def in_file(self, file: str) -> Problem:
-        """The same of a file as a whole."""
+        """Return the problem without path, as a problem of a whole file."""
         return self._replace(path=(), place=Place(file, 0, 0))
 
 
 class HasId(Protocol):
-    """A message with the id of its cause."""
+    """Message with an id."""
 
     @property
     def id(self) -> str:
-        """A letter for the severity, and three digits."""
+        """Id: a letter for the severity and three digits."""
 
 
-Told = TypeVar("Told", bound=HasId)
+MessageType = TypeVar("MessageType", bound=HasId)
 
 
-def not_allowed(found: Iterable[Told], allow: Container[str]) -> list[Told]:
-    """The messages that are told: those whose id is not allowed."""
-    return [one for one in found if one.id not in allow]
+def not_allowed(messages: Iterable[MessageType], allow: Container[str]) -> list[MessageType]:
+    """Return the messages whose ids are not suppressed by `allow`."""
+    return [message for message in messages if message.id not in allow]
 
 
 def of_file(identity: str, file: str, message: str) -> Problem:
-    """A problem of a file as a whole."""
+    """Return a problem of a whole file."""
     return Problem(identity, message).in_file(file)
 
 
 class VstaticsError(Exception):
-    """Anything that this package raises on purpose."""
+    """Base class of all errors raised by this package on purpose."""
 
 
 class CaseError(VstaticsError):
-    """A transmission that cannot be; `problems` tells all that is wrong with it."""
+    """Error of an impossible transmission; `problems` lists all faults."""
 
     def __init__(
         self,
@@ -273,7 +274,7 @@ class CaseError(VstaticsError):
         path: Path = (),
         place: Place | None = None,
     ) -> None:
-        """Keep the problems, or the one of an id and a message; the text is a line for each.
+        """Store problems, or a single problem given by id and message.
 
         >>> CaseError("E234", "read 0, expected a ratio", ("mechanisms", 1, "ratio"))
         CaseError('mechanisms[1].ratio: read 0, expected a ratio [E234]')
@@ -283,28 +284,29 @@ class CaseError(VstaticsError):
         super().__init__("\n".join(map(str, self.problems)))
 
     def __reduce__(self) -> tuple[type[CaseError], tuple[list[Problem]]]:
-        """Come out of another process as what went in."""
+        """Return the class and the arguments of the constructor, for pickling."""
         return type(self), (self.problems,)
 
 
 class ReadError(CaseError):
-    """A file that cannot be read as a case or a result, or not written; with places."""
+    """Error of a file that cannot be read or written; the problems have places."""
 
 
 _OTHERS = "\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff"
-"""What no terminal should get: more controls, ends of lines, marks that turn the direction of
-writing, half characters."""
+"""Characters unsafe in any output: control characters above ASCII, line separators, marks that
+reverse the direction of writing, and lone surrogates."""
 _IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
 
 def printable(text: str, *, lines: bool = False) -> str:
-    r"""A text that does nothing to a terminal, whoever wrote it; JSON stays the same JSON.
+    r"""Escape all characters that could control a terminal; JSON stays equivalent JSON.
 
     Parameters
     ----------
     text : str
+        Text of unknown origin.
     lines : bool
-        Whether ends of lines and tabs stay.
+        Whether to keep line feeds and tabs.
 
     Examples
     --------
@@ -313,13 +315,13 @@ def printable(text: str, *, lines: bool = False) -> str:
     \u202eb
     """
     if (text.replace("\n", "") if lines else text).isprintable():
-        return text  # as nearly all is, which a pattern takes ten times as long to see
+        return text  # nearly all texts; the pattern below takes ten times as long
     pattern = _IN_LINES if lines else _IN_LINE
-    return re.sub(pattern, lambda found: f"\\u{ord(found[0]):04x}", text)
+    return re.sub(pattern, lambda match: f"\\u{ord(match[0]):04x}", text)
 
 
 def path_text(path: Path) -> str:
-    """A path as one writes it.
+    """Return a path as text.
 
     >>> path_text(("mechanisms", 2, "ratio"))
     'mechanisms[2].ratio'
@@ -329,12 +331,12 @@ def path_text(path: Path) -> str:
 
 
 def quoted(read: str) -> str:
-    """What was read, between marks and not too long."""
+    """Return a text in backquotes, shortened to 40 characters."""
     return f"`{read if len(read) <= 40 else read[:37] + '...'}`"
 
 
 def spoken(names: Iterable[str], last: str = "and") -> str:
-    """Names as one says them, with a word before the last.
+    """Join names with commas and a word before the last name.
 
     >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"], "or")
     ('a', 'a and b', 'a, b or c')
@@ -344,7 +346,7 @@ def spoken(names: Iterable[str], last: str = "and") -> str:
 
 
 def plural(noun: str, count: int) -> str:
-    """A noun as it stands with a number.
+    """Return the singular or plural of a noun.
 
     >>> plural("gear", 1), plural("gear", 0)
     ('gear', 'gears')
@@ -353,7 +355,7 @@ def plural(noun: str, count: int) -> str:
 
 
 def typed_number(text: str, last: int) -> int | None:
-    """The number from 1 that somebody typed for one of so many, if it is one.
+    """Return the number from 1 to `last` in a text, or None.
 
     >>> typed_number("02", 3), typed_number("4", 3), typed_number("x", 3), typed_number("9" * 99, 3)
     (2, None, None, None)
@@ -365,5 +367,5 @@ def typed_number(text: str, last: int) -> int | None:
 
 
 def listed(names: Sequence[str], most: int = 8) -> str:
-    """The first of some names."""
+    """Join at most `most` names with commas; three points mark omitted names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

@@ -1,6 +1,6 @@
-"""The cases and scenarios that come with the program, by their names.
+"""Example cases and scenarios that come with the program, by name.
 
-An installed package carries them; in a working copy they stand beside it.
+They are part of the installed package; in a working copy the folder `cases` contains them.
 
 >>> example("zf-8hp70")
 <Transmission 'ZF 8HP70': 8 links, 5 shift elements, 4 mechanisms, 9 gears>
@@ -24,14 +24,14 @@ from vstatics.core.suggestions import nearest
 
 
 class ExampleFile(NamedTuple):
-    """A file that comes with the program."""
+    """Example file that comes with the program."""
 
     name: str
-    """Of its path without suffix, by `/`."""
+    """Path below `cases` without suffix, separated by `/`."""
     path: str
 
     def data(self) -> bytes:
-        """What it holds."""
+        """Return the content of the file."""
         with open(self.path, "rb") as file:  # noqa: PTH123 (pathlib costs start-up time)
             return file.read()
 
@@ -46,24 +46,24 @@ def example(name: str) -> Transmission | Any: ...
 
 @refusing()
 def example(name: str | None = None) -> list[str] | Transmission | Any:
-    """A case or a scenario that comes with the program, or the names of all of them.
+    """Return an example case or scenario, or the names of all examples.
 
     Parameters
     ----------
     name : str, optional
-        Such as ``zf-8hp70``, or ``scenarios/tarasik-box``.
+        Name of an example, such as ``zf-8hp70`` or ``scenarios/tarasik-box``.
 
     Returns
     -------
     Transmission or Scenario or list of str
-        The names where none is given.
+        The example; without `name` the names of all examples.
 
     Raises
     ------
     CaseError
-        If there is none of this name; it tells the nearest.
+        If the example does not exist, with the nearest name.
     ReadError
-        If it is a scenario, and simulation is not installed.
+        If the example is a scenario and simulation is not installed.
 
     Examples
     --------
@@ -72,38 +72,38 @@ def example(name: str | None = None) -> list[str] | Transmission | Any:
     """
     if name is None:
         return [*example_files()]
-    found = example_file(name)
+    file = example_file(name)
     from vstatics.core.readers.kinds import document_function
 
-    data = found.data()
-    if load := document_function("load_document", data, found.path):
-        return load(found.path)
-    return readers.read(data, found.path).case
+    data = file.data()
+    if load := document_function("load_document", data, file.path):
+        return load(file.path)
+    return readers.read(data, file.path).case
 
 
 def example_file(name: str) -> ExampleFile:
-    """The file of a name.
+    """Return the file of an example.
 
     Raises
     ------
     CaseError
-        If there is none; it tells the nearest.
+        If the example does not exist, with the nearest name.
 
     Examples
     --------
     >>> example_file("simpson").data()[:5]
     b'name:'
     """
-    found = example_files()
-    if name not in found:
+    files = example_files()
+    if name not in files:
         message = f"there is no example {quoted(name)}: expected one of vstatics.example()"
-        raise CaseError("E800", f"{message}{nearest(name, found)}")
-    return found[name]
+        raise CaseError("E800", f"{message}{nearest(name, files)}")
+    return files[name]
 
 
 @cache
 def example_files() -> dict[str, ExampleFile]:
-    """All of them by name, cases before scenarios; of a deck and YAML of one name the latter.
+    """Return all examples by name, cases before scenarios; YAML is preferred to a deck.
 
     >>> example_files()["mzkt7922"].path.endswith("mzkt7922.yaml")
     True
@@ -111,11 +111,11 @@ def example_files() -> dict[str, ExampleFile]:
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # noqa: PTH100, PTH120
     inside = os.path.join(package, "cases")  # noqa: PTH118
     top = inside if os.path.isdir(inside) else os.path.join(package, os.pardir, "cases")  # noqa: PTH112, PTH118
-    found = {}
+    files = {}
     for folder, _, names in os.walk(top):
-        for one in names:
-            path = os.path.join(folder, one)  # noqa: PTH118
+        for file_name in names:
+            path = os.path.join(folder, file_name)  # noqa: PTH118
             name, suffix = os.path.splitext(os.path.relpath(path, top).replace(os.sep, "/"))  # noqa: PTH122
-            if suffix == ".yaml" or (suffix == ".dat" and name not in found):
-                found[name] = ExampleFile(name, path)
-    return {name: found[name] for name in sorted(found, key=lambda one: (one.count("/"), one))}
+            if suffix == ".yaml" or (suffix == ".dat" and name not in files):
+                files[name] = ExampleFile(name, path)
+    return {name: files[name] for name in sorted(files, key=lambda name: (name.count("/"), name))}

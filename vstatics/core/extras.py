@@ -1,7 +1,4 @@
-"""The version and build of this package, packages that only some outputs need: extras.
-
-What is imported later: names of a package, functions of higher rooms.
-"""
+"""Version and build of this package, optional dependencies (extras), and imports on demand."""
 
 from __future__ import annotations
 
@@ -32,24 +29,26 @@ EXTRAS = {
     "xlsx": "openpyxl",
     "boxes": "numba",
 }
-"""By extra: the package that it brings."""
+"""Package that each extra installs."""
 _IN_ROOMS = {"damage": "torsion"}
-"""By rooms without an extra of their own: the one that their commands name."""
+"""Extra of subpackages with a different name."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
-"""Further packages of an extra."""
+"""Further packages that an extra installs."""
 
 
 def later(
     package: str, modules: Mapping[str, str], find: Callable[[str], str] = lambda _: ""
 ) -> Callable[[str], Any]:
-    """A `__getattr__` of a package, by which names are imported when somebody asks for them.
+    """Return a `__getattr__` for a package whose names are imported on first use.
 
     Parameters
     ----------
+    package : str
+        Name of the package, for messages.
     modules : mapping
-        Of each name the module that has it.
+        Modules that define the names.
     find : callable
-        Returns the module of another name, or an empty text.
+        Function that returns the module of any other name, or an empty text.
 
     Examples
     --------
@@ -58,9 +57,9 @@ def later(
     """
 
     def attribute(name: str) -> Any:
-        if found := modules.get(name) or find(name):
+        if defining := modules.get(name) or find(name):
             try:
-                return getattr(module(found), name)
+                return getattr(module(defining), name)
             except ImportError as error:
                 raise needed(error, name, package) from None
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
@@ -69,28 +68,28 @@ def later(
 
 
 class AnyPicture(Protocol):
-    """A `Picture`, of whose room those below know nothing."""
+    """Interface of `Picture`, for the core, which must not import pictures."""
 
     @property
     def figure(self) -> Figure:
-        """The figure of matplotlib."""
+        """Figure of matplotlib."""
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write it to a file: SVG, PNG or PDF by the suffix."""
+        """Write the picture to a file: SVG, PNG or PDF by the suffix."""
 
     def _repr_svg_(self) -> str: ...
 
 
 def higher(function: str, purpose: str = "") -> Any:
-    """A function of a room above, by which a class has a method although its room knows none.
+    """Return a function of a higher package, to be called by a method of a lower package.
 
     Parameters
     ----------
     function : str
-        Its name in the record of the core or of an annex.
+        Name of the function in the record of the core or of an annex.
     purpose : str
-        Thing that needs the function, one of `PURPOSES`, for the message that its annex is not
-        installed. Without it: the function.
+        Feature that needs the function, a key of `PURPOSES`, for the message about a missing
+        annex; by default the function.
 
     Raises
     ------
@@ -112,15 +111,15 @@ def higher(function: str, purpose: str = "") -> Any:
 
 @cache
 def build(*holding: bytes) -> str:
-    """A hash of all files of this package: two that calculate differently have two of them.
+    """Return a hash of all files of this package; calculations of equal builds are equal.
 
-    It reads every file, so it is asked for only where builds meet: what `--resume` takes
-    up, workers of a cluster, machine code that is kept.
+    Every file is read, so the hash is used only if builds can meet: for `--resume`, the workers of
+    a cluster and cached machine code.
 
     Parameters
     ----------
     *holding : bytes
-        Only of the files in which one of these stands.
+        Texts that select files: only files that contain any of them are hashed.
 
     Examples
     --------
@@ -144,7 +143,7 @@ def build(*holding: bytes) -> str:
 
 
 def missing(extra: str, purpose: str) -> str:
-    """What to install for a purpose, or nothing where it is installed.
+    """Return the message about a package to install for a purpose; empty if installed.
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '
@@ -165,15 +164,15 @@ def _needs(purpose: str, package: str, extra: str) -> str:
 
 
 def needed(error: ImportError, purpose: str, module: str) -> Exception:
-    """What to raise for a package that is missing or can't be imported: E014 if it is an extra.
+    """Return the exception for a failed import: E014 for a package of an extra, else `error`.
 
     Parameters
     ----------
     error : ImportError
     purpose : str
-        What needs it.
+        Feature that needs the package.
     module : str
-        Of that, whose room has the name of the extra where several bring the package.
+        Module of the feature, whose path decides between extras with the same package.
 
     Examples
     --------
@@ -193,7 +192,7 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
 
 
 def broken(error: BaseException) -> str:
-    """Of which package an import fails although it is there; nothing where it is none."""
+    """Return the message about an installed but broken package; empty for other errors."""
     if not isinstance(error, ImportError):
         return ""
     trace, packages = error.__traceback__, {*EXTRAS.values(), "networkx", "numpy", "yaml"}
@@ -207,12 +206,12 @@ def broken(error: BaseException) -> str:
 
 
 def require(extra: str, purpose: str) -> None:
-    """Make sure that the package of an extra is there before anything is calculated.
+    """Check that the packages of an extra are installed, before anything is calculated.
 
     Raises
     ------
     CaseError
-        With the way to install it.
+        If a package is missing, with the command to install it.
     """
     message = missing(extra, purpose)
     if message:

@@ -1,4 +1,4 @@
-"""What the core provides to the program, declared as annexes declare what they provide."""
+"""Record of the core: its commands, public names and functions called by name, as in an annex."""
 
 from vstatics.core.annexes import Annex, Command
 
@@ -69,4 +69,4 @@ CORE = Annex(
         "with_part_numbers": "vstatics.core.elements.part_numbers",
     },
 )
-"""Record of the core; its public names are imported when somebody asks for them."""
+"""Record of the core; modules are imported on first use of a name."""

@@ -8,20 +8,20 @@ from collections.abc import Iterable, Sequence
 from vstatics.core.errors import DOUBTS, quoted, spoken
 
 _LEAST_PART = 4
-"""Number of letters from which a part of a word identifies the word."""
+"""Fewest letters of a part of a name that identify the name."""
 
 
 _LATIN = {
     "Cyrillic": ("АВЕКМНОРСТУХІЈЅԚԜаеорсухіјѕ", "ABEKMHOPCTYXIJSQWaeopcyxijs"),
     "Greek": ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοιν", "ABEZHIKMNOPTYXoiv"),
 }
-"""Letters of other scripts, and the Latin letters that look like them."""
+"""Letters of other scripts, and the Latin letters of equal shape."""
 _SCRIPTS = {letter: script for script, (letters, _) in _LATIN.items() for letter in letters}
 _LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*pairs, strict=True)))
 
 
 def lookalike(word: str, known: Iterable[str]) -> str:
-    """Return a hint that names the known word which looks like another one; else nothing.
+    """Return a hint to a known word of equal look in a different script; empty without one.
 
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
@@ -43,7 +43,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
 
 
 def mixed_letters(word: str) -> str:
-    """Return a hint on letters of another script among Latin ones, which look like these.
+    """Return a hint on Cyrillic or Greek letters in a Latin word; empty for pure words.
 
     >>> mixed_letters("k\u0435g"), mixed_letters("kg"), mixed_letters("\u0442\u043e\u043d")
     ('; letter 2, `\u0435`, is Cyrillic', '', '')
@@ -69,9 +69,9 @@ def _letters(word: str, places: Sequence[int]) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return a hint that names the known word nearest to a mistyped word; empty without one.
+    """Return a hint with the known word nearest to a mistyped word; empty without a near word.
 
-    The shortest word that contains the mistyped word comes first.
+    The shortest known word that contains the mistyped word is preferred.
 
     >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
     ('; did you mean `ratio`?', '; did you mean `ETA`?')
@@ -98,7 +98,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 
 def why_not_allowed(identity: str) -> str:
-    """Explain why messages of an id cannot be allowed; return an empty text if they can.
+    """Return the reason why messages of an id cannot be suppressed; empty if possible.
 
     >>> why_not_allowed("E234"), why_not_allowed("W999")
     ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')

@@ -1,13 +1,13 @@
-"""Links that turn as one body."""
+"""Groups of links that rotate together as one body."""
 
 from __future__ import annotations
 
 Bodies = list[int]
-"""By link, the housing first: the least link of those that turn as one with it."""
+"""Body of each link, housing first: the smallest number of a link in the body."""
 
 
 def join(bodies: Bodies, *links: int) -> None:
-    """Make some links one body, in place."""
+    """Merge the bodies of several links, in place."""
     joined = {bodies[link] for link in links}
     if len(joined) > 1:
         least = min(joined)

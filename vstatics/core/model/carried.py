@@ -20,38 +20,32 @@ def _nothing(_: TransmissionFields) -> Iterator[Problem]:
 
 
 class CaseKey(NamedTuple):
-    """A key of a case that an annex provides; the module of the key holds it as `KEY`."""
+    """Key of a case provided by an annex, whose module defines `KEY` of this type."""
 
     shape: KeyShape
     type: object
-    """Type of the field of a case, for messages about arguments."""
+    """Type of the case's field, for messages about arguments."""
     record: Callable[[TransmissionFields], Any]
-    """Returns the data of a case as a document has them."""
+    """Function that returns the data of a case in the form of a document."""
     problems: Callable[[TransmissionFields], Iterator[Problem]]
     doubts: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
-    """Returns notes about data that runs and vibration do not use."""
+    """Function that yields notes about data that simulation and vibration ignore."""
 
 
 def as_type(data: object, kind: type[Data]) -> Data | None:
-    """Return data of an annex as the type that its annex declares.
+    """Return data of an annex, checked to be of the type that the annex declares.
 
     Raises
     ------
     TypeError
-        If they are of another type.
+        If the data are of another type.
     """
     if data is None or isinstance(data, kind):
         return data
     raise TypeError(f"read {data!r}, expected a {kind.__name__}")
 
 
-def _key(name: str) -> CaseKey | None:
-    declaring = module_of_key(name)
-    key: CaseKey | None = module(declaring).KEY if declaring else None
-    return key
-
-
 def installed_keys(names: Iterable[str] = KEYS) -> list[CaseKey]:
-    """Return the keys of these names whose annexes are installed."""
-    return [key for name in names if (key := _key(name))]
+    """Return the named keys of installed annexes."""
+    return [module(declaring).KEY for name in names if (declaring := module_of_key(name))]

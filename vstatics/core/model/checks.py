@@ -1,4 +1,4 @@
-"""What a transmission as a whole must fulfil, and what is doubtful about it."""
+"""Checks of a transmission as a whole: errors, warnings and notes."""
 
 from __future__ import annotations
 
@@ -33,20 +33,23 @@ from vstatics.core.model.springs import spring_names
 from vstatics.core.suggestions import why_not_allowed
 
 MOST_FREEWHEELS = 8
-"""All sets of them are tried in every gear."""
+"""Largest number of freewheels; every gear tries all combinations, 2^8 at most."""
 LARGE_DRAG = 0.05
-"""Drag by the input torque; a larger one was meant in N*m. [-]"""
+"""Largest plausible drag torque, relative to the input torque; a larger number is meant in N*m."""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
-    """Every error of a case, in the order of its parts."""
+    """Yield every error of a case, in the order of parts."""
     yield from _sizes(case)
     yield from _drawn(case)
     yield from _names(case)
     yield from _ports(case)
     for number, element in enumerate(case.shift_elements, 1):
         yield from of_element(case, element, ("shift_elements", number))
-    yield from _freewheels(case)
+    if len(case.freewheels) > MOST_FREEWHEELS:
+        message = f"{len(case.freewheels)} freewheels, expected {MOST_FREEWHEELS} at most"
+        path = ("shift_elements", case.freewheels[MOST_FREEWHEELS])
+        yield Problem("E215", message, path)
     for number, mechanism in enumerate(case.mechanisms, 1):
         yield from of_mechanism(mechanism, ("mechanisms", number), case.links)
     yield from _in_motion(case)
@@ -59,7 +62,10 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
         if gear.load:
             yield from of_load(gear.load, path)
     yield from of_missing_ratios(case, open_too=False)
-    yield from _laws(case)
+    if case.depends:
+        from vstatics.core.model.laws import of_balances  # costs start-up time
+
+        yield from of_balances(case)
     for number, identity in enumerate(case.allow, 1):
         if why := why_not_allowed(identity):
             yield Problem("E299", why, ("allow", number))
@@ -68,7 +74,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield problems of torsion, and of data of annexes."""
+    """Yield problems of torsional vibration data and of the annexes' data."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     elastic = any(part.stiffness is not None or part.damping for part in parts)
     if _moves(case) or case.converters or elastic:
@@ -80,7 +86,7 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def carried_keys(case: TransmissionFields) -> list[CaseKey]:
-    """Return the keys of annexes under which a case has data."""
+    """Return the annexes' keys under which a case has data."""
     names = [name for name in KEYS if getattr(case, name) not in (None, {})]
     for name in names:
         if not module_of_key(name):
@@ -89,7 +95,7 @@ def carried_keys(case: TransmissionFields) -> list[CaseKey]:
 
 
 def left_out(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about data that runs and vibration do not use."""
+    """Yield notes about data that simulation and vibration ignore."""
     for key in carried_keys(case):
         yield from key.left_out(case)
 
@@ -101,21 +107,13 @@ def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem("E740", message, ("cylinders",))
 
 
-def _laws(case: TransmissionFields) -> Iterator[Problem]:
-    """Balances of machines, which depend on their torques."""
-    if case.depends:
-        from vstatics.core.model.laws import of_balances  # costs start-up time
-
-        yield from of_balances(case)
-
-
 def _moves(case: TransmissionFields) -> bool:
-    """Whether it is a case by its springs or inertias alone."""
+    """Return whether springs or inertias alone make a case, without gears or mechanisms."""
     return bool(case.springs or case.inertias or case.masses)
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
-    """The warnings alone, of a case that has no error."""
+    """Yield warnings about a case without errors."""
     for number, mechanism in _not_drawn(case):
         yield from doubtful(mechanism, ("mechanisms", number))
     for key in carried_keys(case):
@@ -124,14 +122,14 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _bare_drags(case: TransmissionFields) -> Iterator[Problem]:
-    """Drags without a unit that seem to be in N*m: next to drags with a unit, or large."""
+    """Warn about unitless drags that are probably in N*m: large, or next to drags with a unit."""
     elements = {number: element.drag for number, element in enumerate(case.shift_elements, 1)}
     paths = {number: ("shift_elements", number, "drag") for number in elements}
     torque = case.load.torque if case.load else None
     yield from _bare(case, {link: ("drag", link) for link in case.drag}, case.drag, torque)
     yield from _bare(case, paths, elements, torque)
     for number, gear in enumerate(case.gears, 1):
-        torque = case.gear_load(gear).torque if case.load or gear.load else None
+        torque = case.gear_load(gear).torque
         for key, drags in (("drag", gear.drag), ("open_drag", gear.open_drag)):
             of_gear = {part: ("gears", number, key, part) for part in drags}
             yield from _bare(case, of_gear, drags, torque)
@@ -143,7 +141,7 @@ def _bare(
     drags: Mapping[int, float],
     torque: float | None,
 ) -> Iterator[Problem]:
-    """Warnings about the bare numbers of one table of drags, whose input torque may be known."""
+    """Warn about the unitless numbers of a table of drags; `torque` is the input torque [N*m]."""
     bare = {part: drag for part, drag in drags.items() if not isinstance(drag, Law | OfLoad)}
     has_units = len(bare) < len(drags)
     for part, drag in bare.items():
@@ -161,7 +159,7 @@ def _bare(
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
-    """Notes on what a case leaves to be guessed."""
+    """Yield notes about the assumptions that a case leaves to the program."""
     yield from _sharing(case)
     yield from _turning(case)
     if case.springs:
@@ -169,7 +167,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:
-    """Gears with an input of their own, and freewheels that ask which way it turns."""
+    """Note gears with another input link if its direction, needed for freewheels, is assumed."""
     for number, gear in enumerate(case.gears if case.freewheels else (), 1):
         if gear.input not in (None, case.input) and not case.input_turns(gear):
             message = (
@@ -180,14 +178,14 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _sharing(case: TransmissionFields) -> Iterator[Problem]:
-    """Mechanisms that look as if planets were shared, whose losses are then doubtful.
+    """Note mechanisms with losses that probably share planets; the losses are then inexact.
 
-    Such mechanisms have the third link and one wheel in common, and losses.
+    Such mechanisms have the third link and one toothed gear in common.
     """
     sets = (
-        (number, one.name or mechanism_name(number), one.third, one.links[:2])
-        for number, one in _not_drawn(case)
-        if one.efficiency != 1
+        (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
+        for number, mechanism in _not_drawn(case)
+        if mechanism.efficiency != 1
     )
     for number, other in sets_side_by_side(sets):
         message = (
@@ -199,12 +197,16 @@ def _sharing(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
-    """Mechanisms, the last ones, that were not made from elements, which are checked as such."""
+    """List the mechanisms given directly by the case; gear sets are checked separately."""
     return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
 
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
-    """Sizes that devices can fill; so no case asks for more memory than its text holds."""
+    """Check the number of links, gears and names.
+
+    Links are limited by the components that connect them, so that a short text cannot demand a lot
+    of memory.
+    """
     joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
     joined += sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
     moves = _moves(case)
@@ -226,7 +228,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _first_gear(case: TransmissionFields) -> str:
-    """A gear as a case has it, which engages as many of its shift elements as speeds need."""
+    """Return the text of an example gear that engages as many shift elements as speeds need."""
     named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
     names = [name for element, name in named if not element.is_freewheel]
     count = max(case.links - len(case.mechanisms) - 1, 1)
@@ -235,14 +237,14 @@ def _first_gear(case: TransmissionFields) -> str:
 
 
 def _counted(case: TransmissionFields) -> str:
-    """What can join links, in words."""
+    """Count the components that can connect links, in words."""
     parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
     parts += [f"{len(case.springs)} springs"] * bool(case.springs)
     return spoken(parts + [f"{len(case.heavy)} inertias"] * bool(case.heavy))
 
 
 def _names(case: TransmissionFields) -> Iterator[Problem]:
-    """Names are one line of text, and each is the only one of its kind."""
+    """Check that names are single lines of text, different for all parts of a kind."""
     gears = [gear.name or str(number) for number, gear in enumerate(case.gears, 1)]
     yield from _distinct(case.link_names, "link_names", "link")
     yield from _distinct(element_names(case.shift_elements), "shift_elements", "shift element")
@@ -258,7 +260,7 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _drawn(case: TransmissionFields) -> Iterator[Problem]:
-    """As many mechanisms as the drawing has: they follow from it."""
+    """Check that the mechanisms are as many as the drawing yields."""
     if case.drawing is None:
         return
     count = sum(len(device.mechanisms) for device in case.drawing.devices)
@@ -268,7 +270,7 @@ def _drawn(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _outputs(case: TransmissionFields) -> Iterator[Problem]:
-    """Several outputs: different links, `output` first, the input not among them."""
+    """Check that several outputs are different links, with `output` first and without the input."""
     for number, link in enumerate(case.outputs, 1):
         path = ("outputs", number)
         yield from of_link(link, path, case.own_links, lowest=1)
@@ -283,8 +285,6 @@ def _outputs(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _distinct(names: Sequence[str], part: str, kind: str) -> Iterator[Problem]:
-    if len(set(names)) == len(names) and all(map(_is_name, names)):
-        return
     seen: dict[str, int] = {}
     for number, name in enumerate(names, 1):
         if not _is_name(name):
@@ -309,11 +309,3 @@ def _ports(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem(
             "E214", f"input and output are both link {called(case, case.input)}", ("output",)
         )
-
-
-def _freewheels(case: TransmissionFields) -> Iterator[Problem]:
-    """No more of them than can be tried."""
-    numbers = case.freewheels
-    if len(numbers) > MOST_FREEWHEELS:
-        message = f"{len(numbers)} freewheels, expected {MOST_FREEWHEELS} at most"
-        yield Problem("E215", message, ("shift_elements", numbers[MOST_FREEWHEELS]))

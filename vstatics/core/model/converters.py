@@ -11,7 +11,7 @@ from vstatics.core.model.parts import HOUSING, Mechanism
 class Converter(NamedTuple):
     """A torque converter between two links.
 
-    ``M_P = lambda w_P |w_P|``, ``M_T = K M_P``, by the points i = w_T/w_P, K, lambda.
+    ``M_P = lambda w_P |w_P|`` and ``M_T = K M_P``, with K and lambda as functions of i = w_T/w_P.
 
     Examples
     --------
@@ -24,7 +24,7 @@ class Converter(NamedTuple):
     pump: int
     turbine: int
     points: tuple[tuple[float, ...], ...]
-    """i [-], K [-], lambda [N*m*s^2]; i ascends."""
+    """Speed ratio i [-] in ascending order, torque ratio K [-] and lambda [N*m*s^2]."""
 
     @property
     def links(self) -> tuple[int, int]:
@@ -32,11 +32,11 @@ class Converter(NamedTuple):
         return self.pump, self.turbine
 
     def completed(self) -> Converter:
-        """The same with floats."""
+        """Return the converter with all numbers as floats."""
         return self._replace(points=tuple(tuple(map(float, point)) for point in self.points))
 
     def at_ratio(self, ratio: float) -> Mechanism:
-        """The mechanism that it is at a speed ratio."""
+        """Return the converter as a mechanism with a given speed ratio."""
         return Mechanism(
             self.pump,
             self.turbine,
@@ -49,9 +49,9 @@ class Converter(NamedTuple):
 
 
 def converters_of(given: Mapping[str, Any]) -> tuple[Converter, ...]:
-    """The converters of a document, by their names."""
+    """Return the converters of a document, given by name."""
     return tuple(
-        Converter(name, pump, turbine, one["points"]).completed()
-        for name, one in given.items()
-        for pump, turbine in [one["links"]]
+        Converter(name, pump, turbine, record["points"]).completed()
+        for name, record in given.items()
+        for pump, turbine in [record["links"]]
     )

@@ -1,7 +1,7 @@
-"""Numbers that the shape of a document declares: one walk along the keys that lead to them.
+"""Declarations of the numbers in a document, found by following its shape along their keys.
 
-`leaf_at` looks up the declaration at some keys, `bare_unit` its unit, and `numbers_below` lists all
-numbers below a part of the model.
+`leaf_at` finds the declaration at some keys, `bare_unit` the unit of a number without one, and
+`numbers_below` all numbers below a part of the model.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ from vstatics.core.model.shape import (
     ByName,
     ByPoints,
     Either,
-    KeyShape,
     Leaf,
     ListOf,
     Measure,
@@ -32,13 +31,13 @@ from vstatics.core.model.shape import (
 
 _UNITS = {str(kind): unit for kind, unit in UNIT_OF.items()}
 _NUMBERS = ("number", "count", "relative_torque", *get_args(Measure))
-"""Kinds of single values that are numbers wherever they are."""
+"""Kinds of leaves that are numbers in every document."""
 
 
 def leaf_at(shape: Shape, keys: Sequence[str]) -> Leaf | Parsed | None:
-    """Return the declaration of the single value at some keys; items of lists by their numbers.
+    """Return the declaration of the single value at some keys, counting list items from 1.
 
-    None where there can be none, or keys alone do not decide it.
+    Return None if no single value can be there, or if keys alone do not decide it.
     """
     if isinstance(shape, Leaf | Parsed):
         return None if keys else shape
@@ -49,7 +48,7 @@ def leaf_at(shape: Shape, keys: Sequence[str]) -> Leaf | Parsed | None:
 
 
 def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
-    """Return the unit of a bare number at some keys; empty without one, or if keys do not decide.
+    """Return the unit of a bare number at some keys; empty without a unit.
 
     Examples
     --------
@@ -64,9 +63,9 @@ def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
 
 
 def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Keys, Leaf]]:
-    """Return the numbers below a part of the model, also those that it leaves out.
+    """Yield keys and declarations of the numbers below a part of the model, given or omitted.
 
-    Laws and short forms are not entered: they are single numbers of their own kind.
+    Laws and short forms are left out.
 
     Parameters
     ----------
@@ -74,7 +73,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
     part : object
         A record by its attributes or keys, a mapping of names, or a sequence.
     keys : tuple of str
-        Keys of the part itself, which come first.
+        Keys of the part itself, with which all yielded keys begin.
 
     Examples
     --------
@@ -99,7 +98,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
 
 
 def value_at(part: Any, key: str) -> Any:
-    """Return the value of a part at a key: a number of an item from 1, None if it is left out."""
+    """Return the value at a key of a part, or at an item number from 1; None if omitted."""
     if hasattr(part, "_fields"):
         return getattr(part, key, None)
     if isinstance(part, Sequence):
@@ -108,21 +107,11 @@ def value_at(part: Any, key: str) -> Any:
 
 
 _Below = tuple[Shape | None, Sequence[str]]
-"""Declaration at a key, or of the mapping or list there, and the keys that are left."""
+"""Declaration at a key, or of the mapping or list there, and the remaining keys."""
 
 
-def _of_keys(known: Iterable[KeyShape], first: str, others: Sequence[str]) -> _Below:
-    return next((one.shape for one in known if one.name == first), None), others
-
-
-def _by_key(shape: ByKey, first: str, others: Sequence[str]) -> _Below:
-    return _of_keys(shape.keys, first, others)
-
-
-def _by_kind(shape: ByKind, first: str, others: Sequence[str]) -> _Below:
-    return _of_keys(
-        (key for record in shape.records.values() for key in record.keys), first, others
-    )
+def _by_key(shape: ByKey | ByKind, first: str, others: Sequence[str]) -> _Below:
+    return next((key.shape for key in shape.keys if key.name == first), None), others
 
 
 def _named(shape: ByName | Numbers, _: str, others: Sequence[str]) -> _Below:
@@ -134,12 +123,12 @@ def _list_of(shape: ListOf, first: str, others: Sequence[str]) -> _Below:
 
 
 def _row(shape: RowOf, first: str, others: Sequence[str]) -> _Below:
-    items = (*shape.items, *shape.optional)
-    return next((items[n] for n in range(len(items)) if str(n + 1) == first), None), others
+    items = {str(number): item for number, item in enumerate((*shape.items, *shape.optional), 1)}
+    return items.get(first), others
 
 
 def _one_or_many(shape: OneOrMany, first: str, others: Sequence[str]) -> _Below:
-    """Items of a list of lists are points of one."""
+    # Numbers of two levels address a list of lists, which is a single item given by points.
     is_many = first.isdigit() and not (others and others[0].isdigit())
     return shape.item, others if is_many else (first, *others) if first else ()
 
@@ -156,21 +145,15 @@ def _by_form(shape: ByForm, first: str, others: Sequence[str]) -> _Below:
     return shape.listing if first.isdigit() else shape.mapping, (first, *others)
 
 
-def _by_law(shape: ByLaw, first: str, others: Sequence[str]) -> _Below:
+def _by_law(shape: ByLaw | ByPoints, first: str, others: Sequence[str]) -> _Below:
     if not first:
         return shape.scalar, ()
     return (shape.row, others) if first.isdigit() else (shape.mapping, (first, *others))
 
 
-def _by_points(shape: ByPoints, first: str, others: Sequence[str]) -> _Below:
-    if not first:
-        return shape.row.items[1], ()
-    return (shape.row, others) if first.isdigit() else (shape.mapping, (first, *others))
-
-
 _BELOW: Mapping[type, Callable[[Any, str, Sequence[str]], _Below]] = {
     ByKey: _by_key,
-    ByKind: _by_kind,
+    ByKind: _by_key,
     ByName: _named,
     Numbers: _named,
     ListOf: _list_of,
@@ -179,5 +162,5 @@ _BELOW: Mapping[type, Callable[[Any, str, Sequence[str]], _Below]] = {
     Either: _either,
     ByForm: _by_form,
     ByLaw: _by_law,
-    ByPoints: _by_points,
+    ByPoints: _by_law,
 }

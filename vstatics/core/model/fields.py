@@ -1,4 +1,4 @@
-"""What a transmission consists of, before it is checked; what can be asked of it."""
+"""Fields of a transmission before they are checked, and the quantities derived from them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from vstatics.core.model.parts import (
     Load,
     Mechanism,
     Member,
-    OfLoad,
     OwnDevice,
     Planet,
     ShiftElement,
@@ -27,45 +26,45 @@ from vstatics.core.model.parts import (
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.suggestions import nearest
 
-if TYPE_CHECKING:  # who has none does without
+if TYPE_CHECKING:  # cases without converters must not import them
     from vstatics.core.model.converters import Converter
 
 IdleConvention = Literal["published", "exact"]
-"""Which sign an idle mechanism gets; see docs/method.md."""
+"""Convention for the sign of idle mechanisms; see docs/method.md."""
 
 
 MOST_CYLINDERS = 48
-"""Of an engine; orders of its speed go as far."""
+"""Largest number of cylinders of an engine: the firing order is at most 24."""
 
 
 @runtime_checkable
 class AnyDrawing(Protocol):
-    """What a case was drawn as, as far as the model knows: the room `elements` has the rest."""
+    """Interface of a drawing of gear sets with teeth, implemented by `vstatics.core.elements`."""
 
     @property
     def links(self) -> int:
-        """The case's own links; those of planets come after them."""
+        """Number of the case's own links; links of planets are numbered after them."""
 
     @property
     def mechanisms(self) -> Sequence[Mechanism]:
-        """Those that were given as such, not made from elements."""
+        """Mechanisms that the case gives directly, not through gear sets."""
 
     @property
     def devices(self) -> Sequence[OwnDevice]:
-        """Elements and mechanisms, in the order of the mechanisms that they became."""
+        """Gear sets and mechanisms in the order of the mechanisms derived from them."""
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Between which ratios that of a mechanism is, by the kind of its element."""
+        """Return the bounds of a mechanism's basic ratio, by the kind of gear set."""
 
     def problems(self) -> Iterator[Problem]:
-        """Every error of its elements."""
+        """Yield every error of the gear sets."""
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """The fields of a case that follow from it, for names of its own links."""
+        """Return the fields of a case that follow from the drawing and the link names."""
 
 
 class Carried(Protocol):
-    """Data of an annex in a case; the core only asks for them by the key of the annex."""
+    """Data of an annex in a case, not read by the core."""
 
     def completed(self) -> Self:
         """Return checked data with all numbers as floats."""
@@ -73,7 +72,7 @@ class Carried(Protocol):
 
 @dataclass(frozen=True)
 class TransmissionFields:
-    """The fields of a `Transmission`, whose docstring tells of them."""
+    """Fields of a `Transmission`; see its docstring for their meaning."""
 
     links: int
     shift_elements: Sequence[ShiftElement]
@@ -101,62 +100,62 @@ class TransmissionFields:
     cylinders: int | None = None
     drag: Mapping[int, float] = field(default_factory=dict)
     hushed: Sequence[str] = field(default=(), repr=False, compare=False)
-    """Ids that whoever asks wants to hear nothing of: no part of the case, and written nowhere."""
+    """Ids of messages suppressed by the caller, not by the case."""
     _lowered: AnyDrawing | None = field(default=None, repr=False, compare=False)
-    """The drawing that the mechanisms were made from; with another one they are not its own."""
+    """Drawing from which the mechanisms were derived, to notice when `drawing` is replaced."""
 
     def __post_init__(self) -> None:
-        """Nothing is checked here, but by `Transmission`."""
+        """Leave all checks to `Transmission`."""
 
     @property
     def untold(self) -> Sequence[str]:
-        """Ids of messages that are not told: what the case allows, and who asks."""
+        """Ids of suppressed messages, by the case and by the caller."""
         return (*self.allow, *self.hushed)
 
     @property
     def main_output(self) -> int:
-        """The output link also where it is not given: the first output, else the last link."""
+        """Output link, by default the first of several outputs or the last link."""
         return self.output or next(iter(self.outputs), self.links)
 
     @property
     def own_links(self) -> int:
-        """How many links the case itself has, without those of planets."""
+        """Number of links without planets."""
         return self.links if self.drawing is None else self.drawing.links
 
     @property
     def heavy(self) -> dict[int, float]:
-        """Inertias of links that turn, masses of those that move straight [kg*m^2, kg]."""
+        """Inertias of rotating links [kg*m^2] and masses of straight-moving links [kg]."""
         return {**self.inertias, **self.masses}
 
     def is_straight(self, spring: Spring) -> bool:
-        """Whether a spring is in N/m: its twist has a link that moves straight."""
+        """Return whether a spring acts along a straight line, with a stiffness in N/m."""
         return any(link in self.masses for link in spring.form)
 
     @cached_property
     def own_devices(self) -> Sequence[OwnDevice]:
-        """Mechanisms and drawn elements as the case itself names them."""
+        """Mechanisms and gear sets under the names of the case."""
         if self.drawing is not None:
             return self.drawing.devices
-        return [_own_device(number, one) for number, one in enumerate(self.mechanisms)]
+        return [_own_device(number, mechanism) for number, mechanism in enumerate(self.mechanisms)]
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Between which ratios that of a mechanism is: any, where that is given as such."""
+        """Return the bounds of a mechanism's basic ratio; infinite without a gear set."""
         return self.drawing.ratio_range(index) if self.drawing else (-math.inf, math.inf)
 
     def gear_number(self, asked: int | str) -> int:
-        """The number of a gear from 1: the one of a name, else the one of a number.
+        """Return the number of a gear from 1, given the name or number.
 
         Parameters
         ----------
         asked : int or str
-            A text is a name, or ``#3`` of the third; ``3`` is the third, too, where no gear has
-            a digit in its name. An int is a number from 1.
+            A name, or the number as an int or as a text such as ``#3``. The text ``3`` is a
+            number only if no name of a gear contains a digit.
 
         Raises
         ------
         ValueError
-            If there is none; it tells the nearest name. If an int is the number of one gear and
-            the name of another.
+            If the gear does not exist, with the nearest name; or if an int is the number of one
+            gear and the name of another.
         """
         names = [gear.name for gear in self.gears]
         if asked in names:
@@ -171,12 +170,12 @@ class TransmissionFields:
         return number
 
     def link_number(self, asked: int | str) -> int:
-        """The number of one of the case's own links: the one of a name, else the one of a number.
+        """Return the number of a link that is not a planet, given the name or number.
 
         Raises
         ------
         ValueError
-            If there is none; it tells the nearest name.
+            If the link does not exist, with the nearest name.
         """
         names = self.link_names[: self.own_links]
         if str(asked) in names:
@@ -187,22 +186,22 @@ class TransmissionFields:
         raise ValueError(f"no link {asked!r}{hint}")
 
     def gear_input(self, gear: Gear) -> int:
-        """The input link of a gear."""
+        """Return the input link of a gear."""
         return gear.input or self.input
 
     def gear_output(self, gear: Gear) -> int:
-        """The output link of a gear."""
+        """Return the output link of a gear."""
         return gear.output or self.output
 
     def further_outputs(self, gear: Gear) -> list[int]:
-        """The outputs of a gear besides that of its ratio."""
+        """Return the outputs of a gear other than the main output."""
         ends = self.gear_input(gear), self.gear_output(gear)
         return [link for link in self.outputs if link not in ends]
 
     def gear_load(self, gear: Gear) -> Load:
-        """The load of a gear: its own, filled up with that of the case.
+        """Return the operating point of a gear, which inherits omitted values from the case.
 
-        `coast` turns its torque against the input's speed, or along it if it is false.
+        `coast` turns the torque against the input speed if true, along the speed if false.
         """
         load = (gear.load or Load()).or_else(self.load or Load())
         coast = self.gear_coast(gear)
@@ -215,21 +214,21 @@ class TransmissionFields:
         return load._replace(torque=-load.torque, power=power)
 
     def gear_coast(self, gear: Gear) -> bool | None:
-        """What a gear, or else the case, says of power that enters at the output."""
+        """Return `coast` of a gear, by default of the case."""
         return self.coast if gear.coast is None else gear.coast
 
     def coasts(self, gear: Gear) -> bool:
-        """Whether the input is driven: the sign of its power says so, else `coast`."""
-        load = self.gear_load(gear) if gear.load or self.load else Load()
+        """Return whether a gear coasts, by the sign of the input power or else by `coast`."""
+        load = self.gear_load(gear)
         if load.speed and load.torque:
             return load.speed * load.torque < 0
         return bool(self.gear_coast(gear))
 
     def torque_unit(self, gear: Gear) -> float:
-        """What torques of a gear are related to: that of the input with its sign [N*m].
+        """Return the torque to which a gear's torques are relative: the signed input torque [N*m].
 
-        1 N*m where the load gives none, along its speed unless the gear coasts; 0 if no load
-        tells a torque.
+        Without torque of the operating point the unit is 1 N*m, along the speed unless the gear
+        coasts; it is 0 if no torque is given.
         """
         load = self.gear_load(gear)
         if load.torque is None or load.torque:
@@ -237,22 +236,17 @@ class TransmissionFields:
         return math.copysign(1.0, load.speed or 1.0) * (-1.0 if self.coasts(gear) else 1.0)
 
     def input_torque(self, gear: Gear) -> float:
-        """The torque of the input in the unit of all torques: 1, or 0 where the load gives none."""
-        if gear.load is None and self.load is None:
-            return 1.0
+        """Return the relative input torque of a gear: 1, or 0 if the input is unloaded."""
         return 0.0 if self.gear_load(gear).torque == 0 else 1.0
 
     @property
     def unloaded(self) -> list[int]:
-        """Indices of the gears whose load gives no torque: theirs are relative to 1 N*m."""
-        loads = [self.load, *(gear.load for gear in self.gears)]
-        if not any(load is not None and load.torque == 0 for load in loads):
-            return []
+        """Indices of gears with an input torque of 0, whose torques are relative to 1 N*m."""
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
-        """The way in which the input of a gear turns, as it says itself or its load does."""
-        if gear.input_turns or (gear.load is None and self.load is None):
+        """Return the direction in which a gear's input turns; empty if the case does not say."""
+        if gear.input_turns:
             return gear.input_turns
         load = self.gear_load(gear)
         said = load.speed or load.torque
@@ -260,11 +254,11 @@ class TransmissionFields:
 
     @property
     def has_converter(self) -> bool:
-        """Whether output torque by input torque is not the ratio, even without losses."""
-        return any(one.kind == "converter" for one in self.mechanisms)
+        """True if a converter makes the torque ratio differ from the speed ratio."""
+        return any(mechanism.kind == "converter" for mechanism in self.mechanisms)
 
     def bodies(self, gear: Gear) -> Bodies:
-        """The bodies that the engaged elements, and springs as shafts, make of the links.
+        """Return the bodies into which engaged shift elements and shafts join the links.
 
         Examples
         --------
@@ -278,15 +272,15 @@ class TransmissionFields:
         for number in gear.engaged:
             element = self.shift_elements[number - 1]
             join(bodies, element.first, element.second)
-        for spring in self.springs:  # a shaft is not twisted further at mean speeds
+        for spring in self.springs:  # at mean speeds the twist of a shaft is constant
             join(bodies, *(() if spring.is_damper else ends(spring.twist) or ()))
         return bodies
 
     def bypassed(self, gear: Gear) -> set[int]:
-        """Indices of the converters whose links turn as one body, as by a lock-up clutch.
+        """Return the indices of converters that a gear bypasses, as by a lock-up clutch.
 
-        Such a one carries no torque, whatever its speed ratio is in other gears: it has no
-        equation in this gear.
+        Pump and turbine are then one body, so the converter carries no torque and has no equation
+        in this gear, whatever its speed ratio in other gears.
 
         Examples
         --------
@@ -301,41 +295,45 @@ class TransmissionFields:
         bodies = self.bodies(gear)
         return {
             number
-            for number, one in enumerate(self.mechanisms)
-            if one.kind == "converter" and bodies[one.first] == bodies[one.second]
+            for number, mechanism in enumerate(self.mechanisms)
+            if mechanism.kind == "converter" and bodies[mechanism.first] == bodies[mechanism.second]
         }
 
     @property
     def own_mechanisms(self) -> slice:
-        """Where the mechanisms stand that the case gives: behind those of drawn elements."""
+        """Slice of the mechanisms that the case gives directly, after the gear sets' mechanisms."""
         drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
         return slice(drawn, len(self.mechanisms))
 
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
-        """The ratio of each mechanism in a gear [-]: its speed ratios in place of others.
+        """Return the ratio of each mechanism in a gear [-], with the gear's own speed ratios.
 
-        That of a bypassed converter is 1.
+        A bypassed converter has the ratio 1.
 
         Parameters
         ----------
         ratios : sequence, optional
-            In place of the mechanisms' own, for all gears. [-]
+            Ratios of the mechanisms in all gears, by default their `ratio`. [-]
         """
-        own = list(ratios) if ratios is not None else [one.ratio for one in self.mechanisms]
+        in_gear = (
+            list(ratios)
+            if ratios is not None
+            else [mechanism.ratio for mechanism in self.mechanisms]
+        )
         for number, ratio in gear.speed_ratios.items():
             place = self.own_mechanisms.start + number - 1
-            if place < len(own):  # else of one of the converters
-                own[place] = ratio
+            if place < len(in_gear):  # larger numbers belong to `converters`
+                in_gear[place] = ratio
         for place in self.bypassed(gear):
-            own[place] = 1.0
-        return own
+            in_gear[place] = 1.0
+        return in_gear
 
     def link_name(self, link: int) -> str:
-        """The name of a link; the housing is ``housing``."""
+        """Return the name of a link; the housing is ``housing``."""
         return self.link_names[link - 1] if link else "housing"
 
     def speed_text(self, speed: float | SpeedOf) -> str:
-        """A given speed in words: ``0.5``, or ``1.05*FL`` for that of another link."""
+        """Return a given speed in words, such as ``0.5`` or, relative to a link, ``1.05*FL``."""
         if not isinstance(speed, SpeedOf):
             return f"{speed:g}"
         name = self.link_name(speed.link)
@@ -348,7 +346,7 @@ class TransmissionFields:
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
 
     def gear_drag(self, gear: Gear) -> dict[int, float]:
-        """The drag of links in a gear: its own, and for other links the drag of the case.
+        """Return the drag torque on links in a gear, by default of the case.
 
         Examples
         --------
@@ -361,7 +359,7 @@ class TransmissionFields:
         return {**self._in_gear(gear, self.drag), **gear.drag}
 
     def gear_open_drag(self, gear: Gear) -> dict[int, float]:
-        """The drag of every shift element where it is open in a gear, by its number."""
+        """Return the drag torque of each shift element when disengaged in a gear, by number."""
         numbered = enumerate(self.shift_elements, 1)
         return {
             **self._in_gear(gear, {number: element.drag for number, element in numbered}),
@@ -369,60 +367,61 @@ class TransmissionFields:
         }
 
     def with_all_drag(self, gear: Gear) -> Gear:
-        """Return a gear with the drag of the case and of shift elements as its own."""
+        """Return a gear completed with the drag torques of the case and the shift elements."""
         return gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
-        """Torques of the case, by the load of a gear if they were given with a unit."""
-        if not any(isinstance(torque, OfLoad) for torque in torques.values()):
-            return dict(torques)
-        unit = abs(self.torque_unit(gear)) if self.load or gear.load else None
+        """Relate torques that were given with a unit to the input torque of a gear."""
+        unit = abs(self.torque_unit(gear))
         return {part: related(torque, unit) for part, torque in torques.items()}
 
     @property
     def has_drag(self) -> bool:
-        """Whether anything drags, in one gear at least."""
-        by_gear = [(self.gear_drag(gear), self.gear_open_drag(gear)) for gear in self.gears]
-        return any(torque for both in by_gear for given in both for torque in given.values())
+        """True if any gear has a drag torque."""
+        return any(
+            any(self.gear_drag(gear).values()) or any(self.gear_open_drag(gear).values())
+            for gear in self.gears
+        )
 
     @property
     def laws(self) -> list[Law]:
-        """Drags and efficiencies that depend on speed or torque."""
+        """Drag torques and efficiencies that depend on speed or torque."""
         numbers = [*self.drag.values(), *(element.drag for element in self.shift_elements)]
-        for one in self.mechanisms:
-            numbers += [one.efficiency, one.back_efficiency or 0.0]
+        for mechanism in self.mechanisms:
+            numbers += [mechanism.efficiency, mechanism.back_efficiency or 0.0]
         for gear in self.gears:
             numbers += [*gear.drag.values(), *gear.open_drag.values()]
         return [number for number in numbers if isinstance(number, Law)]
 
     @property
     def depends(self) -> bool:
-        """Whether a drag or an efficiency depends on speed or torque, or a torque on a balance."""
+        """True if drag or efficiency depends on the operating point, or a gear has a balance."""
         return bool(self.laws) or any(gear.balance is not None for gear in self.gears)
 
     @property
     def devices(self) -> list[str]:
-        """Names of all devices in the order of the structural-distribution matrix."""
+        """Names of all components in the order of the structural-distribution matrix."""
         elements = [element.name for element in self.shift_elements]
         mechanisms = [mechanism.name for mechanism in self.mechanisms]
         return [*elements, *mechanisms, *(spring.name for spring in self.springs)]
 
     @property
     def has_own_rows(self) -> bool:
-        """Whether rows of results have names that no deck tells: of elements, of springs."""
+        """True if results have rows without a name in a deck: gear sets or springs."""
         return self.drawing is not None or bool(self.springs)
 
     @property
     def among_devices(self) -> slice:
-        """Where the mechanisms stand among the devices: shift elements before, springs behind."""
+        """Slice of the mechanisms in `devices`, between shift elements and springs."""
         elements = len(self.shift_elements)
         return slice(elements, elements + len(self.mechanisms))
 
 
 def gear_place(text: str, names: Sequence[str]) -> int | None:
-    """The number from 1 of a gear that is not told by its name; None where a text is none.
+    """Return the number of a gear from a text such as ``#3``; None for other texts.
 
-    Who writes `9` of gears 1 to 8 and R means a gear that there is not, and not the ninth.
+    Without ``#`` a text is a number only if no name has a digit: of gears 1 to 8 and R, `9` does
+    not mean the ninth gear, R.
 
     >>> names = ["1", "2", "R"]
     >>> gear_place("3", names), gear_place("#3", names), gear_place("2", ["low", "high"])
@@ -434,7 +433,7 @@ def gear_place(text: str, names: Sequence[str]) -> int | None:
 
 
 def numbered_gear(text: str, names: Sequence[str]) -> str:
-    """A hint how one asks for the gear of a number that is no name.
+    """Return a hint to the gear whose number, not name, was given.
 
     >>> numbered_gear("3", ["1", "2", "R"]), numbered_gear("4", ["1", "2", "R"])
     ('; #3 is R', '')
@@ -444,7 +443,6 @@ def numbered_gear(text: str, names: Sequence[str]) -> str:
 
 
 def _own_device(index: int, mechanism: Mechanism) -> OwnDevice:
-    """A mechanism that was not made from an element."""
     links = mechanism.links if mechanism.third else mechanism.links[:2]
     members = [
         Member(name, link, ((index, place),))

@@ -1,7 +1,7 @@
-"""The keys of a case in YAML and JSON, declared once; see `model.shape`.
+"""Keys of a case in YAML and JSON; see `model.shape`.
 
-Keys are the attributes of the model's classes, in the order in which they are read: what
-others refer to comes first.
+Keys are the attributes of the model's classes, in the order of reading: links come before the
+parts that refer to them, for example.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ DRAG = ByLaw(
     ),
     RowOf((Leaf("si_speed"), Leaf("si_torque")), "speed, torque"),
 )
-"""Relative to the input torque; or in N*m by the speed in rad/s: a formula of w, or points."""
+"""Drag torque relative to the input torque [-], or over the speed w [N*m, rad/s]."""
 
 
 def _law(over: Any, points: Any) -> Any:
@@ -157,7 +157,7 @@ def _law(over: Any, points: Any) -> Any:
 
 
 def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
-    """Points of an efficiency over speed or torque."""
+    """Return the shape of an efficiency given by points over speed or torque."""
     return ByKey(
         f"Efficiency over {over}",
         "Points, interpolated linearly between, constant outside.",
@@ -341,7 +341,7 @@ COAST = KeyShape(
     "speed of the input, or along it if false; when not given the sign of its power says it.",
 )
 ENGAGED = ListOf(Leaf("element"), "shift elements")
-"""What a gear engages."""
+"""Shape of the shift elements that a gear engages."""
 
 GEAR = ByKey(
     "Gear",
@@ -506,13 +506,13 @@ CASE = ByKey(
 
 
 def with_carried(case: ByKey, keys: Iterable[CaseKey]) -> ByKey:
-    """Return the shape of a case that has some keys of annexes; they come before `allow`."""
-    *known, allow = case.keys
-    return case._replace(keys=(*known, *(key.shape for key in keys), allow))
+    """Return the shape of a case extended by keys of annexes, which come before `allow`."""
+    *others, allow = case.keys
+    return case._replace(keys=(*others, *(key.shape for key in keys), allow))
 
 
 def with_masses(case: ByKey) -> ByKey:
-    """The shape of a case that has springs or inertias: it may go without the rest."""
+    """Return the shape of a case with springs or inertias, which needs no links or mechanisms."""
     free = {"mechanisms", "links"}
     keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
     return case._replace(keys=tuple(keys))

@@ -1,4 +1,4 @@
-"""Laws of points, and what laws must fulfil; where there are laws in a case."""
+"""Laws given by points, and the checks of laws and battery balances in a case."""
 
 from __future__ import annotations
 
@@ -12,18 +12,19 @@ from vstatics.core.errors import Path, Problem
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law
 
-MOST_POINTS = 10_000
-"""Points of one law."""
+MOST_LAW_POINTS = 10_000
+"""Largest number of points in a law."""
 
 
 class PointLaw(Law):
-    """Straight between points, constant outside.
+    """Law interpolated linearly between points and held constant outside.
 
     Parameters
     ----------
     points : sequence of pairs
-        Speed [rad/s] or torque [N*m] of 0 or more in ascending order, each with the value there.
+        Speeds [rad/s] or torques [N*m] of 0 or more in ascending order, with the value at each.
     over : {"speed", "torque"}
+        Quantity on which the value depends.
 
     Examples
     --------
@@ -35,31 +36,31 @@ class PointLaw(Law):
     def __new__(
         cls, points: Sequence[Sequence[float]], over: Literal["speed", "torque"] = "speed"
     ) -> Self:
-        """Keep the points; they are checked with the case."""
-        made = super().__new__(cls, points[0][1] if points else 1.0)
-        made.points = tuple((float(x), float(y)) for x, y in points)
-        made.over = over
-        return made
+        """Store the points, which are checked with the case."""
+        law = super().__new__(cls, points[0][1] if points else 1.0)
+        law.points = tuple((float(x), float(y)) for x, y in points)
+        law.over = over
+        return law
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """For another process."""
+        """Return the arguments of the constructor, for pickling."""
         return self.points, self.over
 
     def at(self, size: Any) -> Any:
-        """Its value at a speed or torque, or at each of an array."""
+        """Return the value at a speed or torque, or an array of values at an array of speeds."""
         x, y = zip(*self.points, strict=True)
         values = np.interp(size, x, y)
         return values if isinstance(size, np.ndarray) else float(values)
 
     def is_outside(self, size: Any) -> Any:
-        """Whether a speed or torque lies outside the points."""
+        """Return whether a speed or torque, or each of an array, is outside the points."""
         return (size < self.points[0][0]) | (size > self.points[-1][0])
 
 
 def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
-    """Points in ascending order, none below 0, with values that can be."""
-    if len(law.points) > MOST_POINTS:
-        message = f"read {len(law.points)} points, expected {MOST_POINTS} at most"
+    """Check that points ascend from 0 on, with values from `low` to `high`."""
+    if len(law.points) > MOST_LAW_POINTS:
+        message = f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most"
         yield Problem("E266", message, path)
         return
     if not law.points:
@@ -78,7 +79,7 @@ def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> It
 
 
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
-    """Efficiencies of machines on links, one of which is left open."""
+    """Check battery balances: links, efficiencies, and a link whose torque is to be calculated."""
     for number, gear in enumerate(case.gears, 1):
         if gear.balance is None:
             continue
@@ -102,15 +103,18 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:
-    """Laws in gears whose load has no speed or no torque; statics needs both, a run does not."""
+    """Yield laws in gears whose operating point lacks speed or torque, which statics needs.
+
+    Simulation does not need them.
+    """
     places: list[Path] = [
         ("mechanisms", number, name)
-        for number, one in enumerate(case.mechanisms, 1)
+        for number, part in enumerate(case.mechanisms, 1)
         for name in ("efficiency", "back_efficiency")
-        if isinstance(getattr(one, name), Law)
+        if isinstance(getattr(part, name), Law)
     ]
     elements = enumerate(case.shift_elements, 1)
-    places += [("shift_elements", n, "drag") for n, one in elements if isinstance(one.drag, Law)]
+    places += [("shift_elements", n, "drag") for n, part in elements if isinstance(part.drag, Law)]
     places += [("drag", link) for link, drag in case.drag.items() if isinstance(drag, Law)]
     for number, gear in enumerate(case.gears, 1):
         load = case.gear_load(gear)

@@ -1,4 +1,4 @@
-"""Converters that are mechanisms, at a speed ratio that is given, and by themselves, open."""
+"""Conversion of converters with a given speed ratio into open ones, which slip freely."""
 
 from __future__ import annotations
 
@@ -14,37 +14,36 @@ from vstatics.core.model.transmission import Transmission
 
 
 def with_open_converters(case: Transmission) -> Transmission:
-    """A case whose mechanisms that are converters are `converters` instead.
+    """Return a case with every converter moved from `mechanisms` to `converters`.
 
     Raises
     ------
     CaseError
-        If one has no lambda.
+        If a converter has no lambda.
     """
     if faults := list(without_lambda(case)):
         raise CaseError(faults)
-    own = case.mechanisms[case.own_mechanisms]
-    kept = [one for one in own if one.kind != "converter"]
-    if len(kept) == len(own):
+    mechanisms = case.mechanisms[case.own_mechanisms]
+    remaining = [part for part in mechanisms if part.kind != "converter"]
+    if len(remaining) == len(mechanisms):
         return case
     moved = [
-        Converter(one.name, one.first, one.second, one.points)
-        for one in own
-        if one.kind == "converter"
+        Converter(part.name, part.first, part.second, part.points)
+        for part in mechanisms
+        if part.kind == "converter"
     ]
-    others = [one.name for one in case.converters]
-    before = [*(one.name for one in own), *others]
-    after = [*(one.name for one in kept), *others, *(one.name for one in moved)]
+    others = [part.name for part in case.converters]
+    before = [*(part.name for part in mechanisms), *others]
+    after = [*(part.name for part in remaining), *others, *(part.name for part in moved)]
     gears = []
     for gear in case.gears:
-        ratios = {before[n - 1]: ratio for n, ratio in gear.speed_ratios.items()}
-        numbers = {after.index(name) + 1: ratio for name, ratio in ratios.items()}
-        gears.append(gear._replace(speed_ratios=numbers))
-    return with_mechanisms(case, kept, gears=gears, converters=[*case.converters, *moved])
+        ratios = {after.index(before[n - 1]) + 1: r for n, r in gear.speed_ratios.items()}
+        gears.append(gear._replace(speed_ratios=ratios))
+    return with_mechanisms(case, remaining, gears=gears, converters=[*case.converters, *moved])
 
 
 def with_needed_ratios(case: Transmission) -> Transmission:
-    """The case, with all converters open if one of them lacks a speed ratio.
+    """Return the case, with all converters open if any converter lacks a speed ratio.
 
     Examples
     --------
@@ -59,17 +58,21 @@ def with_needed_ratios(case: Transmission) -> Transmission:
     return with_open_converters(case) if lacks else case
 
 
-def with_mechanisms(case: Transmission, own: Sequence[Mechanism], **changes: Any) -> Transmission:
-    """A case with others in place of the mechanisms that it gives itself, and further changes."""
+def with_mechanisms(
+    case: Transmission, mechanisms: Sequence[Mechanism], **changes: Any
+) -> Transmission:
+    """Return a case with its mechanisms, apart from gear sets, replaced, and other changes."""
     if case.drawing is None:
-        return case.replace(mechanisms=own, **changes)
+        return case.replace(mechanisms=mechanisms, **changes)
     drawing: Any = case.drawing
-    return case.replace(drawing=replace(drawing, mechanisms=tuple(own)), **changes)
+    return case.replace(drawing=replace(drawing, mechanisms=tuple(mechanisms)), **changes)
 
 
 def without_lambda(case: Transmission) -> Iterator[Problem]:
-    """Mechanisms that are converters of which no torque is known."""
-    for number, one in enumerate(case.mechanisms, 1):
-        if one.kind == "converter" and not one.can_be_open:
-            message = f"{one.name} has no lambda, so its torque is not known: expected points "
+    """Yield problems of converters whose torque is unknown for lack of lambda."""
+    for number, mechanism in enumerate(case.mechanisms, 1):
+        if mechanism.kind == "converter" and not mechanism.can_be_open:
+            message = (
+                f"{mechanism.name} has no lambda, so its torque is not known: expected points "
+            )
             yield Problem("E698", f"{message}[i, K, lambda]", ("mechanisms", number, "points"))

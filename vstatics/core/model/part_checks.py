@@ -1,4 +1,7 @@
-"""What parts must fulfil: links, shift elements, mechanisms, gears, loads; problems with paths."""
+"""Checks of links, shift elements, mechanisms, gears and operating points of a case.
+
+Each check yields a `Problem` for every fault, with the path of the value.
+"""
 
 from __future__ import annotations
 
@@ -30,25 +33,25 @@ from vstatics.core.numerics.tolerances import SAME_POWER
 
 
 def called(case: TransmissionFields, link: int) -> str:
-    """The name of a link, or its number."""
+    """Return the name of a link, or the number if unnamed."""
     if link == HOUSING:
         return "0 (the housing)"
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
 
 
 def is_number(number: object, last: int, first: int = HOUSING) -> bool:
-    """Whether something is the number of a link or an element; a name, say, is none."""
+    """Return whether an object is an integer from `first` to `last`, as links are numbered."""
     return hasattr(number, "__index__") and first <= number <= last  # type: ignore[operator]
 
 
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
-    """A number that is right; else what was expected in its place."""
+    """Yield a problem with the expectation `what` unless a number is right."""
     if not right:
         yield Problem("E216", f"read {number:g}, expected {what}", path)
 
 
 def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:
-    """A number that a link has."""
+    """Check the number of a link."""
     if not is_number(link, links, lowest):
         expected = f"a link number from 1 to {links}"
         if lowest == HOUSING:
@@ -58,11 +61,10 @@ def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterato
 
 
 def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> Iterator[Problem]:
-    """The links, the kind, the drag and the capacity of a shift element."""
+    """Check the links, kind, drag torque, capacity and friction of a shift element."""
     first, second, links = element.first, element.second, case.own_links
-    if not (is_number(first, links) and is_number(second, links)):
-        yield from of_link(first, (*path, "first"), links)
-        yield from of_link(second, (*path, "second"), links)
+    yield from of_link(first, (*path, "first"), links)
+    yield from of_link(second, (*path, "second"), links)
     if first == second:
         message = f"joins link {called(case, first)} to itself, expected two different links"
         yield Problem("E218", message, (*path, "second"))
@@ -80,23 +82,24 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
 
 
 def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
-    """Sizes above 0, whole surfaces, slips in ascending order, coefficients above 0.
+    """Check the dimensions, coefficients and heat capacity of a friction pack.
 
     Examples
     --------
-    >>> [one] = of_friction(Friction(0.1, 0.006, 8, ((3, 0.12), (1, 0.1))), ())
-    >>> print(one.message)
+    >>> [problem] = of_friction(Friction(0.1, 0.006, 8, ((3, 0.12), (1, 0.1))), ())
+    >>> print(problem.message)
     read 1, expected a slip of 3 rad/s or more: slips are in ascending order
     """
     if friction.heat_capacity is not None:
         yield from _of_heat(friction, path)
         if not any(friction[:4]):
             return
-    for name, one in (("radius", "a radius"), ("area", "an area")):
+    for name, noun in (("radius", "a radius"), ("area", "an area")):
         size = getattr(friction, name)
-        yield from expect(size, f"{one} above 0", (*path, name), right=0 < size < math.inf)
-    surfaces, what = friction.surfaces, "a whole number of surfaces from 1"
+        yield from expect(size, f"{noun} above 0", (*path, name), right=0 < size < math.inf)
+    surfaces = friction.surfaces
     right = surfaces >= 1 and surfaces == int(surfaces)
+    what = "a whole number of surfaces from 1"
     yield from expect(surfaces, what, (*path, "surfaces"), right=right)
     here = (*path, "coefficient")
     table = friction.table
@@ -117,8 +120,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
             message = f"read {slip:g}, expected a slip of {least:g} rad/s or more"
             yield Problem("E221", f"{message}: slips are in ascending order", (*here, number, 1))
         for column, coefficient in enumerate(coefficients, 2):
-            place = (*here, number, column)
-            right = 0 < coefficient < math.inf
+            place, right = (*here, number, column), 0 < coefficient < math.inf
             yield from expect(coefficient, "a coefficient above 0", place, right=right)
         least = max(least, slip)
 
@@ -126,19 +128,21 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
 def _of_temperatures(
     table: CoefficientTable, heat_capacity: float | None, path: Path
 ) -> Iterator[Problem]:
-    """Temperatures in ascending order, a coefficient for each, and what is known to warm up."""
+    """Check a coefficient table: ascending temperatures, a coefficient for each."""
     if heat_capacity is None:
         message = "the coefficient depends on temperature, expected a `heat_capacity` beside it"
         yield Problem("E261", message, path)
     here = (*path, "columns")
     if not table.columns:
         yield Problem("E219", "there is no temperature, expected one at least", here)
-    for number, one in enumerate(table.columns, 1):
-        right = math.isfinite(one)
-        yield from expect(one, "a finite number", (*here, number), right=right)
-    for number, (one, other) in enumerate(pairwise(table.columns), 2):
-        if not other > one:
-            message = f"read {other:g} behind {one:g}, expected temperatures in ascending order"
+    for number, temperature in enumerate(table.columns, 1):
+        right = math.isfinite(temperature)
+        yield from expect(temperature, "a finite number", (*here, number), right=right)
+    for number, (temperature, other) in enumerate(pairwise(table.columns), 2):
+        if not other > temperature:
+            message = (
+                f"read {other:g} behind {temperature:g}, expected temperatures in ascending order"
+            )
             yield Problem("E262", message, (*here, number))
     for number, row in enumerate(table.rows, 1):
         if len(row) != len(table.columns) + 1:
@@ -148,18 +152,17 @@ def _of_temperatures(
 
 
 def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
-    """What warms is above 0, what cools 0 or more."""
-    capacity, cooling = friction.heat_capacity or 0.0, friction.cooling
-    right = 0 < capacity < math.inf
-    yield from expect(capacity, "a heat capacity above 0", (*path, "heat_capacity"), right=right)
-    right = 0 <= cooling < math.inf
-    yield from expect(cooling, "a cooling of 0 or more", (*path, "cooling"), right=right)
-    right = math.isfinite(friction.ambient)
-    yield from expect(friction.ambient, "a temperature", (*path, "ambient"), right=right)
+    """Check the heat capacity, cooling and ambient temperature of a friction pack."""
+    for key, what, right in (
+        ("heat_capacity", "a heat capacity above 0", 0 < (friction.heat_capacity or 0) < math.inf),
+        ("cooling", "a cooling of 0 or more", 0 <= friction.cooling < math.inf),
+        ("ambient", "a temperature", math.isfinite(friction.ambient)),
+    ):
+        yield from expect(getattr(friction, key), what, (*path, key), right=right)
 
 
 def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator[Problem]:
-    """The drag torque of a link or of an element."""
+    """Check the drag torque of a link, or of a shift element."""
     size = torque.given if isinstance(torque, OfLoad) else torque
     if isinstance(torque, Law) and not torque.text:
         from vstatics.core.model.laws import of_points  # costs start-up time
@@ -175,7 +178,7 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
-    """A kind that is one, and that the links of the element suit."""
+    """Check that the kind of a shift element exists and agrees with its links."""
     to_housing = HOUSING in (element.first, element.second)
     if element.kind not in ELEMENT_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
@@ -189,11 +192,10 @@ def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
 
 
 def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Problem]:
-    """The links and the numbers of a mechanism."""
+    """Check the links, ratios and efficiencies of a mechanism."""
     members = [link for link in mechanism.links if link != HOUSING]
-    if not all(is_number(link, links) for link in members):
-        for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
-            yield from of_link(link, (*path, member), links)
+    for member, link in zip(("first", "second", "third"), mechanism.links, strict=True):
+        yield from of_link(link, (*path, member), links)
     if not members:
         yield Problem("E227", "all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
@@ -212,7 +214,7 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
 
 
 def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    """A variator or converter joins two links, at a finite speed ratio if it has its own."""
+    """Check the links, speed ratio and points of a variator or converter."""
     if mechanism.kind not in MECHANISM_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in MECHANISM_KINDS)
         yield Problem("E224", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
@@ -234,43 +236,43 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 def of_characteristic(
     points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
 ) -> Iterator[Problem]:
-    """Speed ratios that ascend, torque ratios of 0 or more; so many numbers, or more, in each."""
+    """Check the points of a converter: speed ratio, torque ratio and, in all or none, lambda."""
     if not points:
         yield Problem("E219", "there is no point, expected one at least", path)
     before = -math.inf
-    for number, (speed_ratio, torque_ratio, *rest) in enumerate(points, 1):
+    for number, (speed_ratio, torque_ratio, *factors) in enumerate(points, 1):
         if not before < speed_ratio < math.inf:
             message = f"read {speed_ratio:g}, expected a speed ratio above {before:g}"
             yield Problem("E274", f"{message}: points are in ascending order", (*path, number, 1))
         what, right = "a torque ratio of 0 or more", 0 <= torque_ratio < math.inf
         yield from expect(torque_ratio, what, (*path, number, 2), right=right)
-        for factor in rest:
+        for factor in factors:
             what = "a lambda of 0 or more up to i = 1"
             right = math.isfinite(factor) and (factor >= 0 or speed_ratio >= 1)
             yield from expect(factor, what, (*path, number, 3), right=right)
-        if 2 + len(rest) != max(len(points[0]), numbers):
-            message = f"read {2 + len(rest)} numbers, expected lambda in all points or in none"
+        if 2 + len(factors) != max(len(points[0]), numbers):
+            message = f"read {2 + len(factors)} numbers, expected lambda in all points or in none"
             yield Problem("E522", message, (*path, number))
         before = speed_ratio
 
 
 def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Those that a gear gives to variators and converters."""
-    own = case.mechanisms[case.own_mechanisms]
-    last = len(own) + len(case.converters)
+    """Check the speed ratios that a gear gives to variators and converters."""
+    mechanisms = case.mechanisms[case.own_mechanisms]
+    last = len(mechanisms) + len(case.converters)
     for number, ratio in gear.speed_ratios.items():
         inner = (*path, "speed_ratios", number)
         if not is_number(number, last, 1):
             expected = f"the number of a mechanism, from 1 to {last}"
             yield Problem("E275", f"read {number!r}, expected {expected}", inner)
-        elif number <= len(own) and not own[number - 1].kind:
-            name = own[number - 1].name or number
+        elif number <= len(mechanisms) and not mechanisms[number - 1].kind:
+            name = mechanisms[number - 1].name or number
             message = f"mechanism {name} is neither a variator nor a converter: its ratio is fixed"
             yield Problem("E276", message, inner)
         elif not math.isfinite(ratio):
             yield Problem("E229", f"read {ratio}, expected a finite number", inner)
         elif ratio != 1 and _is_bypassed(case, gear, number):
-            name = own[number - 1].name or number
+            name = mechanisms[number - 1].name or number
             message = (
                 f"read {ratio:g}, but what is engaged joins the links of converter {name}, so that "
                 "it turns as one: expected 1, or none; release its lock-up clutch, or leave the "
@@ -280,32 +282,39 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
-    """Whether a mechanism, by its number among the case's own, is a bypassed converter."""
+    """Return whether a gear bypasses a converter, numbered among the case's own mechanisms.
+
+    Faulty links or engaged elements have messages of their own; here nothing is bypassed then.
+    """
     elements = case.shift_elements
-    if not all(is_number(one, len(elements), 1) for one in gear.engaged):
-        return False  # said already
-    parts: list[ShiftElement | Mechanism] = [elements[one - 1] for one in gear.engaged]
+    if not all(is_number(element, len(elements), 1) for element in gear.engaged):
+        return False
+    parts: list[ShiftElement | Mechanism] = [elements[element - 1] for element in gear.engaged]
     parts += case.mechanisms
     links = [link for part in parts for link in (part.first, part.second)]
     links += [link for spring in case.springs for link in spring.form]
     if not all(is_number(link, case.links) for link in links):
-        return False  # likewise
+        return False
     return case.own_mechanisms.start + number - 1 in case.bypassed(gear)
 
 
 def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[Problem]:
-    """Variators and converters that have a speed ratio neither by themselves nor by a gear.
+    """Yield variators and converters without a speed ratio in some gear.
 
     Parameters
     ----------
     open_too : bool
-        Also converters whose torque is known, which can be open.
+        Whether to include converters with lambda, which can also be calculated open.
     """
-    for number, one in enumerate(case.mechanisms[case.own_mechanisms], 1):
-        if one.kind and math.isnan(one.ratio) and (open_too or not one.can_be_open):
+    for number, mechanism in enumerate(case.mechanisms[case.own_mechanisms], 1):
+        if (
+            mechanism.kind
+            and math.isnan(mechanism.ratio)
+            and (open_too or not mechanism.can_be_open)
+        ):
             message = (
-                f"`speed_ratio` of {one.kind} {one.name or number} is missing: give it in this "
-                "gear under `speed_ratios`, or in the mechanism for all gears"
+                f"`speed_ratio` of {mechanism.kind} {mechanism.name or number} is missing: "
+                "give it in this gear under `speed_ratios`, or in the mechanism for all gears"
             )
             for place, gear in enumerate(case.gears, 1):
                 if number not in gear.speed_ratios and not _is_bypassed(case, gear, number):
@@ -313,20 +322,20 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
 
 
 def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """A finite number that is not 0."""
+    """Check that a number is finite and not 0."""
     right = number != 0 and math.isfinite(number)
     return expect(number, f"{what} other than 0", path, right=right)
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
-    """The efficiency of a mechanism, an element or a mesh."""
+    """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
         return _efficiencies(value, path)
     return expect(value, "an efficiency above 0 and up to 1", path, right=0 < value <= 1)
 
 
 def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
-    """The efficiency of power that flows back, if it is another one."""
+    """Check the efficiency of power flow from the second link to the first."""
     if isinstance(value, Law):
         yield from _efficiencies(value, path)
     elif value is not None:
@@ -335,7 +344,6 @@ def of_back_efficiency(value: float | None, path: Path) -> Iterator[Problem]:
 
 
 def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
-    """The points of an efficiency."""
     from vstatics.core.model.laws import of_points  # costs start-up time
 
     return of_points(
@@ -346,7 +354,10 @@ def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
 def sets_side_by_side(
     sets: Iterable[tuple[int, str, int, Iterable[int]]],
 ) -> Iterator[tuple[int, str]]:
-    """Of sets (number, name, carrier, wheels): which has a wheel and the carrier of one before."""
+    """Find sets (number, name, carrier, wheels) that share carrier and a wheel with earlier sets.
+
+    Yields the number of the set and the name of the earlier set.
+    """
     seen: dict[tuple[int, int], str] = {}
     for number, name, carrier, wheels in sets:
         pairs = [(carrier, wheel) for wheel in wheels if HOUSING not in (carrier, wheel)]
@@ -356,10 +367,10 @@ def sets_side_by_side(
 
 
 def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    """What may be meant, but may be a mistake too."""
+    """Warn about a ratio that is allowed but unusual for a planetary gear set."""
     ratio = mechanism.ratio
-    if mechanism.third == HOUSING:
-        return  # so is a variator's
+    if mechanism.third == HOUSING:  # a gear pair, shaft, variator or converter
+        return
     if ratio == 1:
         message = (
             "with ratio 1 the first link turns as the second whatever the third does, which takes "
@@ -376,7 +387,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """What a gear engages and gives."""
+    """Check the engaged elements and all given values of a gear."""
     if gear.engaged:
         yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
     ends = gear.input or case.input, gear.output or case.main_output
@@ -397,7 +408,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
 def _sides_given(
     case: TransmissionFields, gear: Gear, ends: tuple[int, int], path: Path
 ) -> Iterator[Problem]:
-    """Given speeds and torques, of links that have neither by themselves."""
+    """Check given speeds and torques; the input speed and output torque cannot be given."""
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
@@ -413,25 +424,25 @@ def _sides_given(
 
 
 def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """The way in which the input turns, which is also that of the load."""
-    said = gear.input_turns
-    if not said:
+    """Check that the given direction of the input agrees with the operating point."""
+    turns = gear.input_turns
+    if not turns:
         return
     by_load = case.input_turns(gear._replace(input_turns=""))
-    if said not in DIRECTIONS:
+    if turns not in DIRECTIONS:
         expected = " or ".join(f"`{direction}`" for direction in DIRECTIONS)
-        yield Problem("E236", f"read {said!r}, expected {expected}", path)
-    elif by_load and said != by_load:
+        yield Problem("E236", f"read {turns!r}, expected {expected}", path)
+    elif by_load and turns != by_load:
         yield Problem(
             "E237",
-            f"read `{said}`, but by the load of this gear the input turns {by_load}; expected "
+            f"read `{turns}`, but by the load of this gear the input turns {by_load}; expected "
             "a load of its own whose signs agree, or this left out",
             path,
         )
 
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
-    """A load that is one, and of which power enters."""
+    """Check an operating point."""
     if not isinstance(load or Load(), Load):
         message = f"read {type_and_value(load)}, expected a Load, in rpm and N*m"
         yield Problem("E238", message, (*path, "load"))
@@ -453,13 +464,13 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
 
 
 def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
-    """The power of a load, which is written in place of its torque: both are one."""
+    """Check that the power of an operating point is speed times torque."""
     if load.speed is None:
         message = f"read {power:g} kW without a speed, expected `speed` and `torque`"
         yield Problem("E238", message, path)
         return
-    own = load.speed * (load.torque or 0.0) * KW_OF_RPM_NM
-    if load.speed and not (own and math.isclose(power, own, rel_tol=SAME_POWER)):
+    product = load.speed * (load.torque or 0.0) * KW_OF_RPM_NM
+    if load.speed and not (product and math.isclose(power, product, rel_tol=SAME_POWER)):
         torque = power / load.speed / KW_OF_RPM_NM
         message = (
             f"read {power:g} kW, which at {load.speed:g} rpm are {torque:.6g} N*m: expected these "
@@ -471,7 +482,7 @@ def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
 def of_link_drag(
     case: TransmissionFields, drag: Mapping[int, float], path: Path
 ) -> Iterator[Problem]:
-    """The drag of links in a gear or in the case."""
+    """Check the drag torques on links, of a gear or of the case."""
     for link, torque in drag.items():
         if link == HOUSING:
             message = "the housing does not turn, expected a link"
@@ -482,7 +493,7 @@ def of_link_drag(
 
 
 def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """The drag that a gear gives, of links and of open elements."""
+    """Check the drag torques of links and disengaged shift elements in a gear."""
     yield from of_link_drag(case, gear.drag, path)
     elements = case.shift_elements
     for number, torque in gear.open_drag.items():
@@ -516,8 +527,8 @@ def _engaged(
 def _speeds(
     case: TransmissionFields, speeds: Mapping[int, float | SpeedOf], path: Path
 ) -> Iterator[Problem]:
-    """Given speeds: numbers, or those of other links."""
-    numbers = {link: one for link, one in speeds.items() if not isinstance(one, SpeedOf)}
+    """Check given speeds: numbers, or multiples of the speed of a link."""
+    numbers = {link: speed for link, speed in speeds.items() if not isinstance(speed, SpeedOf)}
     yield from _finite(numbers, path, case.own_links)
     for link, speed in speeds.items():
         if not isinstance(speed, SpeedOf):
@@ -541,7 +552,7 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
-    """A number that was written without its unit, it seems."""
+    """Return a note about an implausibly large number with a missing unit."""
     other = "mm" if unit == "m" else "rpm"
     hint = f"{value:g} {other} needs its unit, a bare number is in {unit}"
     message = f"read {value:g} {unit}, more than {what} has: {hint}"

@@ -1,10 +1,10 @@
-"""The parts of a transmission: links, elements, mechanisms, gears, and its own devices.
+"""Parts of a transmission: shift elements, mechanisms, gears, operating points and their numbers.
 
-Numbers are as printed in the source: links, shift elements, mechanisms and gears
-count from 1, link 0 is the housing. They become indices in `matrix` only.
+Links, shift elements, mechanisms and gears are numbered from 1 as in the source; link 0 is the
+housing. Numbers become indices only in `matrix`.
 
-The solver knows three-link mechanisms, and planets as links. Results are given for what
-the case names: here stands how the one follows from the other.
+The solver calculates three-link mechanisms, with planets as links, whereas results name the gear
+sets of the case. `OwnDevice` relates the results of mechanisms to the gear set.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from typing import Any, Literal, NamedTuple, Self, get_args
 
 
 class Damping(NamedTuple):
-    """What resists the rate of a twist.
+    """Damping of an elastic component.
 
     Parameters
     ----------
     viscous : float
-        Torque by rate of twist. [N*m*s/rad]
+        Torque per rate of twist. [N*m*s/rad]
     loss_factor : float
-        Of the material: at any frequency the damping torque is this part of the elastic one,
-        so that a mode of this device alone has half of it as its damping ratio. [-]
+        Ratio of damping torque to elastic torque at any frequency, as of a material. A mode in
+        which only this component is twisted has half of it as its damping ratio. [-]
 
     Examples
     --------
@@ -37,7 +37,7 @@ class Damping(NamedTuple):
     loss_factor: float = 0.0
 
     def __bool__(self) -> bool:
-        """Whether it resists anything."""
+        """Return whether there is any damping."""
         return self.viscous != 0 or self.loss_factor != 0
 
 
@@ -45,7 +45,7 @@ NO_DAMPING = Damping()
 
 
 def damping(given: Damping | float) -> Damping:
-    """A damping that may be a number, which is viscous.
+    """Return a damping with floats; a number is viscous.
 
     >>> damping(3)
     Damping(viscous=3.0, loss_factor=0.0)
@@ -56,7 +56,7 @@ def damping(given: Damping | float) -> Damping:
 def damping_of(
     viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
 ) -> Damping:
-    """The damping that one of the three gives; a damping ratio is half of a loss factor.
+    """Return the damping given by a single number; a ratio is half a loss factor.
 
     >>> damping_of(ratio=0.02)
     Damping(viscous=0.0, loss_factor=0.04)
@@ -67,7 +67,7 @@ def damping_of(
 def damping_fault(
     viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
 ) -> str:
-    """Why these do not tell a damping.
+    """Return the reason why numbers do not define a damping; empty if valid.
 
     >>> damping_fault(ratio=0.02, loss_factor=0.1)
     'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
@@ -83,32 +83,32 @@ HOUSING = 0
 RAD_PER_RPM = math.pi / 30
 """1 rpm. [rad/s]"""
 KW_OF_RPM_NM = RAD_PER_RPM / 1000
-"""1 N*m at 1 rpm, in kW."""
+"""Power of 1 N*m at 1 rpm. [kW]"""
 
 ElementKind = Literal["clutch", "brake", "dog_clutch", "freewheel"]
-"""What a shift element is, where it says so."""
+"""Kind of a shift element."""
 Direction = Literal["forward", "backward"]
-"""The way in which an input turns."""
+"""Direction of rotation of an input."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
 GearKind = Literal["gear", "point"]
 """A gear of the shift pattern, or an operating point, as of a variable drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 MechanismKind = Literal["variator", "converter"]
-"""What a mechanism is whose speed ratio may be any number, and is given."""
+"""Kind of a mechanism whose speed ratio is given instead of a fixed basic ratio."""
 MECHANISM_KINDS: tuple[MechanismKind, ...] = get_args(MechanismKind)
 
 
 class CoefficientTable(NamedTuple):
-    """Coefficients of friction by slip and temperature: straight between, constant outside."""
+    """Coefficients of friction, interpolated over slip and temperature, constant outside."""
 
     columns: tuple[float, ...]
     """Temperatures in ascending order. [degC]"""
     rows: tuple[tuple[float, ...], ...]
-    """Slip [rad/s] in ascending order, each with its coefficient at every temperature [-]."""
+    """Rows of slip [rad/s], ascending, and the coefficient at each temperature [-]."""
 
     def at(self, temperature: float) -> tuple[tuple[float, float], ...]:
-        """Slips with their coefficients at a temperature.
+        """Return pairs of slip and coefficient at a temperature.
 
         >>> table = CoefficientTable((20, 120), ((0, 0.12, 0.10),))
         >>> table.at(70), table.at(0)
@@ -123,53 +123,53 @@ class CoefficientTable(NamedTuple):
         )
 
     def completed(self) -> CoefficientTable:
-        """A checked one with its numbers as floats."""
+        """Return a checked table with all numbers as floats."""
         rows = tuple(tuple(map(float, row)) for row in self.rows)
         return CoefficientTable(tuple(map(float, self.columns)), rows)
 
 
 class Friction(NamedTuple):
-    """The friction pack of a shift element: its capacity is by pressure, its heat warms it.
+    """Friction pack of a shift element, for torque capacity and temperature.
 
-    ``capacity = pressure area radius surfaces mu(|slip|)``, and with the power P of its friction
+    ``capacity = pressure area radius surfaces mu(|slip|)``, and with the friction power P
     ``heat_capacity dT/dt = P - cooling (T - ambient)``.
     """
 
     radius: float = 0.0
     """Mean radius of friction. [m]"""
     area: float = 0.0
-    """Of the piston. [m^2]"""
+    """Area of the piston. [m^2]"""
     surfaces: int = 0
     """Pairs of friction surfaces."""
     coefficient: tuple[tuple[float, float], ...] | CoefficientTable = ()
-    """Slip [rad/s] in ascending order, each with its coefficient of friction [-]; none: only its
-    heat is known. In a scenario it may depend on temperature."""
+    """Coefficient of friction [-] over ascending slip [rad/s], or also over temperature; empty if
+    only the heat is known."""
     heat_capacity: float | None = None
-    """[J/K]"""
+    """Heat capacity of the pack. [J/K]"""
     cooling: float = 0.0
-    """[W/K]"""
+    """Heat flow to the surroundings per temperature difference. [W/K]"""
     ambient: float = 0.0
-    """Temperature at which it begins, and to which it is cooled. [degC]"""
+    """Temperature of the surroundings, and of the pack at the start. [degC]"""
 
     @property
     def per_pressure(self) -> float:
-        """``area radius surfaces``: the capacity by the pressure, for a coefficient of 1 [m^3]."""
+        """``area radius surfaces``: capacity per pressure at a coefficient of 1 [m^3]."""
         return self.area * self.radius * self.surfaces
 
     @property
     def table(self) -> CoefficientTable | None:
-        """The coefficient, if it depends on temperature."""
+        """Coefficient of friction if dependent on temperature, else None."""
         return self.coefficient if isinstance(self.coefficient, CoefficientTable) else None
 
     @property
     def points(self) -> tuple[tuple[float, float], ...]:
-        """Slips with their coefficients, where it is as warm as at the beginning."""
+        """Pairs of slip and coefficient at the ambient temperature."""
         if isinstance(self.coefficient, CoefficientTable):
             return self.coefficient.at(self.ambient)
         return self.coefficient
 
     def completed(self) -> Friction:
-        """A checked one with its numbers as floats."""
+        """Return a checked friction pack with all numbers as floats."""
         table = self.table
         points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.points)
         heat = None if self.heat_capacity is None else float(self.heat_capacity)
@@ -185,31 +185,30 @@ class Friction(NamedTuple):
 
 
 class ShiftElement(NamedTuple):
-    """A clutch joins two links; a brake joins a link to the housing (0).
+    """Shift element: a clutch joins two links, a brake joins a link to the housing (0).
 
     Parameters
     ----------
     first, second : int
         Link numbers; 0 is the housing.
     name : str
-        A letter and the number when not given; see `element_name`.
+        By default a letter and the number; see `element_name`.
     kind : {"clutch", "brake", "dog_clutch", "freewheel"}, optional
-        A brake if the housing is one of its links, else a clutch, when not given. A
-        freewheel keeps its first link from turning backward against the second; it is
-        never engaged, but finds by itself whether it holds.
+        By default a brake if the housing is one of the links, else a clutch. A freewheel keeps
+        its first link from turning backward relative to the second; it is never listed as
+        engaged, because torque and speed decide whether it holds.
     drag : float
-        Torque with which it drags when open, relative to the input torque. [-]
+        Drag torque when disengaged, relative to the input torque. [-]
     capacity : float, optional
-        Torque that it can carry, relative to the input torque of the case's load. Nothing
-        is calculated with it but margins. [-]
+        Torque capacity relative to the input torque of the case, for margins only. [-]
     stiffness : float, optional
-        When it is engaged, for vibration; rigid when not given. [N*m/rad]
+        Stiffness when engaged, for vibration; rigid by default. [N*m/rad]
     damping : Damping or float
-        Beside the stiffness; a number is viscous. [N*m*s/rad]
+        Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     static : float
-        Up to which part of its kinetic capacity it sticks, 1 or more. [-]
+        Static-to-dynamic friction ratio, 1 or more. [-]
     friction : Friction, optional
-        In a scenario its controls are then pressures.
+        Friction pack; the controls of the element are then pressures in a scenario.
 
     Examples
     --------
@@ -231,65 +230,64 @@ class ShiftElement(NamedTuple):
 
     @property
     def links(self) -> tuple[int, int]:
-        """The first and second link."""
+        """First and second link."""
         return self.first, self.second
 
     @property
     def is_freewheel(self) -> bool:
-        """Whether it finds by itself whether it holds."""
+        """True for a freewheel, which holds or overruns without control."""
         return self.kind == "freewheel"
 
     @property
     def pack(self) -> Friction | None:
-        """Its friction, if that tells its capacity by the pressure."""
+        """Friction pack if the capacity depends on a pressure, else None."""
         return self.friction if self.friction and self.friction.coefficient else None
 
     @property
     def heat_store(self) -> Friction | None:
-        """Its friction, if that tells its temperature."""
+        """Friction pack if the heat capacity is known, else None."""
         friction = self.friction
         return friction if friction and friction.heat_capacity is not None else None
 
 
 class Mechanism(NamedTuple):
-    """A three-link device of constant structure; a variator or converter between two links.
+    """Three-link mechanism with a constant basic ratio, or a variator or converter.
 
     Parameters
     ----------
     first, second, third : int
-        Link numbers; 0 is the housing. In a planetary set: sun, ring, carrier.
+        Link numbers; 0 is the housing. In a planetary gear set: sun, ring, carrier.
     ratio : float
-        ``(w_first - w_third)/(w_second - w_third)``, the internal ratio. Of a variator or
-        converter the speed ratio ``w_second/w_first``, of any sign, 0 too; NaN where gears give
-        it. [-]
+        Basic ratio ``(w_first - w_third)/(w_second - w_third)``. Of a variator or converter the
+        speed ratio ``w_second/w_first``, of any sign or 0; NaN if gears give it. [-]
     efficiency : float
-        With the third link held still, above 0 and up to 1. [-]
+        Basic efficiency, third link held, above 0 and up to 1. [-]
     back_efficiency : float, optional
-        The same where power flows from the second link to the first (seen from the
-        third); `efficiency` when not given. 0: self-locking. [-]
+        Efficiency of power flow from the second link to the first, third link held; by default
+        `efficiency`, and 0 if self-locking. [-]
     planet_ratio : float, optional
-        First link to planet, third link held. Without it a plain planetary set
-        (ratio below 0, not -1) has ``(ratio + 1)/2``, any other has none. [-]
+        Speed ratio of first link to planet, third link held. The default of a plain planetary
+        gear set (ratio below 0, not -1) is ``(ratio + 1)/2``; others have no default. [-]
     name : str
-        ``D`` and the number when not given.
+        By default ``D`` and the number.
     stiffness : float, optional
-        Torque on its first link by the twist of its row (1, -u, u - 1), for vibration; rigid
-        when not given. [N*m/rad]
+        Torque on the first link per twist, which is the sum of (1, -u, u - 1) times the angles of
+        the links; for vibration, rigid by default. [N*m/rad]
     damping : Damping or float
-        Beside the stiffness; a number is viscous. [N*m*s/rad]
+        Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     is_set : bool
-        With the housing as third link: whether it is a planetary set with its carrier held, not
-        a pair of wheels.
+        Whether a mechanism with the housing as third link is a planetary gear set with its
+        carrier held, not a gear pair.
     kind : {"variator", "converter"}, optional
-        A variator divides power as a pair of wheels of the ratio ``1/x`` would; one with the
-        speed ratio x = 0 holds its second link. A converter is hydrodynamic.
+        A variator of speed ratio x has the torques of a gear pair of ratio ``1/x``; at x = 0 it
+        holds its second link. A converter is hydrodynamic.
     points : sequence of (float, float) or (float, float, float)
-        Of a converter: speed ratio, torque ratio ``M_second/M_first`` [-], and perhaps lambda, by
-        which a `Converter` has its torque [N*m*s^2].
+        Speed ratio and torque ratio ``M_second/M_first`` of a converter [-]; with lambda
+        [N*m*s^2] as a third number it can also be calculated as an open `Converter`.
 
     Examples
     --------
-    A set with its ring held has the ratio 1 - u:
+    A planetary gear set with its ring held has the ratio 1 - u:
 
     >>> from vstatics import Gear, ShiftElement, Transmission, solve
     >>> sets = Mechanism(1, 2, 3, ratio=-2.5, name="set")
@@ -313,31 +311,33 @@ class Mechanism(NamedTuple):
 
     @property
     def links(self) -> tuple[int, int, int]:
-        """The first, second and third link."""
+        """First, second and third link."""
         return self.first, self.second, self.third
 
     def is_plain(self, ratio: Any) -> Any:
-        """Whether a set of this internal ratio, or of each in an array, can be a plain one.
+        """Return whether a plain planetary gear set can have a basic ratio, or each of an array.
 
-        Then ``z_planet = (z_ring - z_sun)/2``, so the ratio first link to planet is
-        ``(ratio + 1)/2``, with the sun or with the ring as first link.
+        In a plain set ``z_planet = (z_ring - z_sun)/2``, so the ratio of first link to planet is
+        ``(ratio + 1)/2`` with either the sun or the ring as first link.
         """
         return (self.third != HOUSING) & (ratio < 0) & (ratio != -1)
 
     @property
     def can_be_open(self) -> bool:
-        """Whether it is a converter whose torque at the pump is known: its points have lambda."""
+        """True for a converter with lambda, by which the pump torque is known."""
         return self.kind == "converter" and bool(self.points) and len(self.points[0]) == 3
 
     def is_outside(self, ratio: Any) -> Any:
-        """Whether a speed ratio, or each of an array, lies outside the points of a converter."""
+        """Return whether a speed ratio, or each of an array, is outside a converter's points."""
         return (ratio < self.points[0][0]) | (ratio > self.points[-1][0])
 
 
 def mechanism_of(
     third: int | None = None, speed_ratio: float | None = None, **others: Any
 ) -> Mechanism:
-    """The mechanism of what a case gives: the housing as third link is the carrier of a set.
+    """Return the mechanism with the values of a document.
+
+    A third link of 0 marks a planetary gear set with its carrier held; a gear pair has None.
 
     Examples
     --------
@@ -354,7 +354,7 @@ def mechanism_of(
 def mechanism_fault(
     kind: str = "", ratio: float | None = None, speed_ratio: float | None = None, **others: Any
 ) -> str:
-    """Why the numbers of a mechanism are not those of its kind.
+    """Return the reason why values do not suit the kind of a mechanism; empty if valid.
 
     >>> mechanism_fault("variator", ratio=2.0)
     'read `ratio` of a variator, expected `speed_ratio`'
@@ -369,7 +369,7 @@ def mechanism_fault(
 
 
 def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
-    """What `mechanism_of` takes."""
+    """Return a mechanism as the arguments of `mechanism_of`."""
     has_third = mechanism.third != HOUSING or mechanism.is_set
     record = {**mechanism._asdict(), "third": mechanism.third if has_third else None}
     if mechanism.kind:
@@ -379,18 +379,18 @@ def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
 
 
 class Load(NamedTuple):
-    """What enters at the input link: with it there are results in rpm, N*m and kW.
+    """Operating point at the input link, for results in rpm, N*m and kW.
 
-    Where it varies, arrays of ``load.speed`` are in rad/s: 2000 rpm are ``2000 * math.pi / 30``.
+    Arrays of a varied ``load.speed`` are in rad/s: 2000 rpm are ``2000 * math.pi / 30``.
 
     Parameters
     ----------
     speed : float, optional
-        [rpm]
+        Input speed. [rpm]
     torque : float, optional
-        [N*m]
+        Input torque. [N*m]
     power : float, optional
-        That which gave the torque, beside it: it stays where the speed is another. [kW]
+        Power from which the torque was calculated; it is kept when the speed changes. [kW]
 
     Examples
     --------
@@ -406,7 +406,7 @@ class Load(NamedTuple):
 
     @property
     def torque_size(self) -> float:
-        """What drag is related to: the torque without sign, 1 N*m beside none, 0 if not told.
+        """Reference torque of drag: ``|torque|``, or 1 N*m if that is 0; 0 if no torque is given.
 
         >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
@@ -414,7 +414,7 @@ class Load(NamedTuple):
         return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
-        """The load with what it leaves open as in another.
+        """Return the operating point with omitted values taken from `other`.
 
         >>> Load(speed=1000).or_else(load_of(speed=2000, power=50)).torque
         477.4648292756861
@@ -423,7 +423,7 @@ class Load(NamedTuple):
             return self if self.speed is not None else Load(other.speed, self.torque)
         if self.speed is None:
             return other
-        if other.power is not None and self.speed:  # at a speed of 0, which is refused, is none
+        if other.power is not None and self.speed:  # a speed of 0 is an error reported elsewhere
             return load_of(self.speed, power=other.power)
         return Load(self.speed, other.torque)
 
@@ -431,12 +431,12 @@ class Load(NamedTuple):
 def load_of(
     speed: float | None = None, torque: float | None = None, power: float | None = None
 ) -> Load:
-    """The load of two of the three: speed [rpm], torque [N*m], power [kW].
+    """Return the operating point given by two of speed [rpm], torque [N*m] and power [kW].
 
     Raises
     ------
     ValueError
-        With what `load_fault` says.
+        With the reason from `load_fault`.
 
     Examples
     --------
@@ -448,7 +448,7 @@ def load_of(
     if power is None:
         return Load(speed, torque)
     if speed is None:
-        assert torque is not None  # noqa: S101 - for mypy: no fault
+        assert torque is not None  # noqa: S101 - by load_fault; for mypy
         return Load(power / torque / KW_OF_RPM_NM, torque)
     return Load(speed, power / speed / KW_OF_RPM_NM, power)
 
@@ -456,7 +456,7 @@ def load_of(
 def load_fault(
     speed: float | None = None, torque: float | None = None, power: float | None = None
 ) -> str:
-    """Why a load cannot be told by these: power alone, beside both others, 0, or beside 0.
+    """Return the reason why a power does not define an operating point; empty if valid.
 
     >>> load_fault(power=90)
     'read `power` alone, expected a speed or a torque beside it'
@@ -464,8 +464,8 @@ def load_fault(
     if power is None:
         return ""
     if speed is not None and torque is not None:
-        told = f"{torque:g} N*m at {speed:g} rpm are {speed * torque * KW_OF_RPM_NM:.5g} kW"
-        return f"read speed, torque and power, expected two of them: {told}"
+        given = f"{torque:g} N*m at {speed:g} rpm are {speed * torque * KW_OF_RPM_NM:.5g} kW"
+        return f"read speed, torque and power, expected two of them: {given}"
     other = torque if speed is None else speed
     if other is None:
         return "read `power` alone, expected a speed or a torque beside it"
@@ -475,16 +475,16 @@ def load_fault(
 
 
 class OfLoad(float):
-    """A speed or torque relative to that of a load, which was given with a unit and keeps it.
+    """Relative speed or torque that was given with a unit.
 
-    A case with another load, or that coasts, has another number for the same speed or torque.
+    The relative number changes when the case has another operating point, or coasts.
 
     Parameters
     ----------
     given : float
-        [rpm] or [N*m]
+        Given speed [rpm] or torque [N*m].
     whole : float
-        Of the load, in the same unit; other than 0, which stands for 1 N*m.
+        Input speed or torque in the same unit, not 0; the reference of an unloaded input is 1 N*m.
 
     Examples
     --------
@@ -497,22 +497,22 @@ class OfLoad(float):
     whole: float
 
     def __new__(cls, given: float, whole: float) -> Self:
-        """Keep what the number was made from."""
-        made = super().__new__(cls, given / whole)
-        made.given, made.whole = given, whole
-        return made
+        """Store the given value and the reference with the number."""
+        number = super().__new__(cls, given / whole)
+        number.given, number.whole = given, whole
+        return number
 
     def __getnewargs__(self) -> tuple[float, float]:  # type: ignore[override] # as __new__ asks
-        """For another process."""
+        """Return the arguments of the constructor, for pickling."""
         return self.given, self.whole
 
     def by(self, whole: float | None) -> OfLoad:
-        """The same by another load; as it is where there is none."""
+        """Return the given value relative to a new reference; unchanged without a reference."""
         return OfLoad(self.given, whole) if whole else self
 
 
 def related(number: float, whole: float | None) -> float:
-    """A number by a load [rpm, N*m] if it was given with a unit; any other is left as it is.
+    """Return a number relative to a reference [rpm, N*m] if given with a unit, else unchanged.
 
     >>> related(OfLoad(10.0, 100.0), 200.0), related(0.1, 200.0)
     (0.05, 0.1)
@@ -521,61 +521,62 @@ def related(number: float, whole: float | None) -> float:
 
 
 class Law(float):
-    """A drag over a speed [N*m, rad/s], or an efficiency over a speed or torque [-, N*m].
+    """Drag torque [N*m] over speed [rad/s], or efficiency [-] over speed or torque [N*m].
 
-    It is asked with magnitudes, and needs a load. As a number it is its value at 0, for all that
-    knows no load. As a truth value it is true: its value at 0 says nothing of its other values.
+    The argument is the magnitude of a speed or torque, so that a law needs an operating point. As
+    a number it is the value at 0, for calculations without an operating point. It is always true,
+    since a value of 0 there does not imply others of 0.
     """
 
     over: Literal["speed", "torque"] = "speed"
     points: tuple[tuple[float, float], ...] = ()
-    """If it is made of points."""
+    """Points of a `PointLaw`."""
     text: str = ""
-    """If it is a formula."""
+    """Text of a formula."""
     file: str = ""
-    """From which its points were read; two that have the same points are equal."""
+    """Name of the file with the points; irrelevant for equality."""
 
     def at(self, size: Any) -> Any:
-        """Its value at a speed or torque, or at each of an array."""
+        """Return the value at a speed or torque, or at each of an array."""
         raise NotImplementedError
 
     def __bool__(self) -> bool:
-        """Whether it can be other than 0."""
+        """Return True, because a law with the value 0 at 0 can be positive elsewhere."""
         return True
 
     @property
-    def _told(self) -> tuple[Any, ...]:
+    def _definition(self) -> tuple[Any, ...]:
         return type(self), self.over, self.points, self.text
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Law) and self._told == other._told
+        return isinstance(other, Law) and self._definition == other._definition
 
     def __ne__(self, other: object) -> bool:
-        """As `__eq__` says; a float has its own."""
+        """Negate `__eq__`, because float defines `__ne__`, too."""
         return not self == other
 
     def __repr__(self) -> str:
-        """All that it is: what is known by its text must not take it for a number."""
+        """Return the whole definition, so that cases with different laws have different texts."""
         return f"{type(self).__name__}({self.text or self.points!r}, over={self.over!r})"
 
     def __hash__(self) -> int:
-        return hash(self._told)
+        return hash(self._definition)
 
 
 def as_float(number: float) -> float:
-    """A number as a float; a law, or a number with a unit, as it is."""
+    """Return a number as a float; laws and numbers with a unit stay unchanged."""
     return number if isinstance(number, Law | OfLoad) else float(number)
 
 
 class SpeedOf(NamedTuple):
-    """A speed that is given by that of another link, as on a curve or by a differential.
+    """Speed given as a multiple of a link's speed, as of wheels on a curve.
 
     Parameters
     ----------
     link : int
-        The other link.
+        Other link.
     factor : float
-        By which its speed is multiplied, other than 0. [-]
+        Multiple of the other link's speed, not 0. [-]
     """
 
     link: int
@@ -583,14 +584,14 @@ class SpeedOf(NamedTuple):
 
 
 class BatteryBalance(NamedTuple):
-    """What machines on links give to a battery, which tells the torque of one of them.
+    """Power balance of a battery and electric machines, for the torque of a machine.
 
     Parameters
     ----------
     efficiencies : sequence of pairs
         Link, and the efficiency of its machine, above 0 and up to 1. [-]
     battery : float
-        Power that charges it. [kW]
+        Power that charges the battery. [kW]
     """
 
     efficiencies: Sequence[tuple[int, float]]
@@ -598,47 +599,49 @@ class BatteryBalance(NamedTuple):
 
 
 class Gear(NamedTuple):
-    """A shift state: what is engaged, and what is given besides.
+    """Shift state: the engaged shift elements and further given speeds and torques.
 
     Parameters
     ----------
     engaged : sequence of int
         Numbers of the engaged shift elements.
     speeds : mapping of int to float or SpeedOf
-        Further given link speeds, relative to the input speed, or to that of another link. [-]
+        Further given link speeds, relative to the speed of the input or of another link. [-]
     torques : mapping of int to float
         Further external torques on links, relative to the input torque. [-]
     input, output : int, optional
-        This gear's own input and output link.
+        Input and output link of this gear, by default those of the case.
     name : str
-        The gear's number when not given.
+        By default the number of the gear.
     drag : mapping of int to float
         Torque of bearings and oil on links, against their rotation, relative to the
         input torque, instead of the drag of these links in the case. [-]
     open_drag : mapping of int to float
-        Number of a shift element -> torque with which it drags in this gear when it is
-        open, in place of its own `drag`. [-]
+        Drag torque of disengaged shift elements in this gear, by their numbers, instead of
+        their `drag`. [-]
     load : Load, optional
-        This gear's own; what it leaves open is as in the case.
+        Operating point of this gear, which inherits omitted values from the case.
     input_turns : {"forward", "backward"}, optional
-        The way in which the input turns, for freewheels: all speeds are relative to it. As
-        the load says when not given, and forward if that says nothing either.
+        Direction of rotation of the input, on which freewheels depend since all speeds are
+        relative. By default the sign of the operating point, or forward without it.
     kind : {"gear", "point"}
-        An operating point has no step to another, and no part in the spread.
+        An operating point (``point``) has no step ratio and is not part of the spread.
     coast : bool, optional
-        Power enters at the output; as the case or the sign of its load says when not given.
+        Whether power enters at the output; by default as in the case, or by the sign of its
+        operating point.
     balance : BatteryBalance, optional
-        The torque of one of its links is found; those of the others follow from equilibrium.
+        Balance from which the torque on one of its links is calculated; the torques on the other
+        links follow from equilibrium.
     speed_ratios : mapping of int to float
-        Number of a variator or converter among the mechanisms that the case gives, behind which
-        its `converters` stand -> its speed ratio in this gear, in place of its own. [-]
+        Speed ratio of variators and converters in this gear, by number: first the mechanisms that
+        the case gives, then its `converters`. [-]
     holding : tuple of int, optional
-        Links whose external torque follows from equilibrium; those with a given speed when not
-        given. The search for the torque of a `balance` sets it.
+        Links whose external torque follows from equilibrium, by default the links with a given
+        speed. The search for the torque of a `balance` sets it.
 
     Examples
     --------
-    The ring of a set turns at half the input speed:
+    The ring of a planetary gear set turns at half the input speed:
 
     >>> from vstatics import Mechanism, Transmission, solve
     >>> gear = Gear(speeds={2: 0.5}, name="split")
@@ -663,13 +666,13 @@ class Gear(NamedTuple):
     holding: tuple[int, ...] | None = None
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
-        """Links of its balance that have neither speed nor torque, and are none of its ends."""
+        """Return the links of the balance without speed or torque, except input and output."""
         links = [link for link, _ in self.balance.efficiencies] if self.balance else []
-        return [one for one in links if one not in (*ends, *self.speeds, *self.torques)]
+        return [link for link in links if link not in (*ends, *self.speeds, *self.torques)]
 
 
 def element_name(number: int, element: ShiftElement) -> str:
-    """The name of an element that has none: F for a clutch, T for a brake, L for a freewheel.
+    """Return the default name of a shift element: F for a clutch, T for a brake, L for a freewheel.
 
     >>> element_name(3, ShiftElement(2, 0))
     'T3'
@@ -681,67 +684,71 @@ def element_name(number: int, element: ShiftElement) -> str:
 
 
 def element_names(elements: Sequence[ShiftElement]) -> list[str]:
-    """Their names, as they will be filled in."""
-    return [one.name or element_name(number, one) for number, one in enumerate(elements, 1)]
+    """Return the given or default names of shift elements."""
+    return [
+        element.name or element_name(number, element) for number, element in enumerate(elements, 1)
+    ]
 
 
 def mechanism_name(number: int) -> str:
-    """The name of a mechanism that has none: D and its number."""
+    """Return the default name of a mechanism: D and its number."""
     return f"D{number}"
 
 
 def mechanism_names(mechanisms: Sequence[Mechanism]) -> list[str]:
-    """Their names, as they will be filled in."""
-    return [one.name or mechanism_name(number) for number, one in enumerate(mechanisms, 1)]
+    """Return the given or default names of mechanisms."""
+    return [
+        mechanism.name or mechanism_name(number) for number, mechanism in enumerate(mechanisms, 1)
+    ]
 
 
 class Member(NamedTuple):
-    """A member of a device: its link, and what the torque on it adds up from."""
+    """Member of a gear set, with the mechanism torques that add up to the member's torque."""
 
     name: str
     link: int
     places: tuple[tuple[int, int], ...]
-    """Index of a mechanism, and which of its links this is: 0 first, 1 second, 2 third."""
+    """Pairs of the mechanism's index and the place there: 0 first, 1 second, 2 third."""
 
 
 class WheelOfPlanet(NamedTuple):
-    """A wheel that turns a train of planets."""
+    """Central gear that meshes with a train of planets."""
 
     link: int
     mechanism: int
-    """Index of one that it belongs to: there it is seen whether wheel and carrier are one piece."""
+    """Index of a mechanism with the gear, which shows whether gear and carrier are locked up."""
     ratio: float
-    """Speed of the wheel by that of the train, both against the carrier. [-]"""
+    """Speed of the central gear divided by the train's speed, relative to the carrier. [-]"""
 
 
 class Planet(NamedTuple):
-    """A planet, and what its speed against its carrier follows from."""
+    """Planet, with the data to calculate the speed relative to the carrier."""
 
     name: str
     mechanism: int = -1
-    """Index of the mechanism whose ratio it follows; -1: of none."""
+    """Index of the mechanism that determines the speed, or -1."""
     ratio: float = 0.0
-    """That of the mechanism by the teeth; with another, as in a sweep, the wheels do not count."""
+    """Mechanism's ratio by tooth numbers; `wheels` are ignored at other ratios. [-]"""
     wheels: tuple[WheelOfPlanet, ...] = ()
-    """None: the mechanism has the planet's ratio."""
+    """Central gears of the planet; empty if the mechanism's `planet_ratio` applies."""
     carrier: int = 0
     speed: float = 1.0
-    """By that of its train; NaN if its teeth are not known. [-]"""
+    """Speed divided by the speed of the planet's train; NaN without tooth numbers. [-]"""
 
 
 class OwnDevice(NamedTuple):
-    """A mechanism or a drawn element, as the case names it."""
+    """Gear set or mechanism under the name that the case gives."""
 
     name: str
     mechanisms: tuple[int, ...]
-    """Indices of those that it became."""
+    """Indices of the mechanisms that represent the gear set."""
     members: tuple[Member, ...]
     planets: tuple[Planet, ...]
     meshes: tuple[bool, ...] = ()
-    """Where its mechanisms are meshes with planets as links: whether the teeth of the first
-    wheel of each are known, so that its torque is."""
+    """Flags of mechanisms that are meshes of planets: True if the teeth of the first gear, and so
+    the torque, are known."""
 
     @property
     def meshes_by_index(self) -> list[tuple[int, bool]]:
-        """Index of each mesh among the mechanisms, and whether its torque is known."""
+        """Pairs of a mesh's index among the mechanisms and a flag for a known torque."""
         return list(zip(self.mechanisms, self.meshes, strict=False))

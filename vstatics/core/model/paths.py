@@ -14,16 +14,16 @@ from typing import NamedTuple, TypeAlias
 from vstatics.core.errors import quoted
 
 Keys: TypeAlias = tuple[str, ...]
-"""The parts of a path, without quotes."""
+"""Parts of a path, without quotes."""
 
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
-"""Keys of a case that a path leaves out: the name of the part is enough."""
+"""Keys of a case that a path omits, because the name of the part is enough."""
 BODIES = ("inertias", "masses")
-"""Keys of a case with a number for each link: a path calls all of them its `inertia`."""
+"""Keys of a case with a number for each link, which a path calls the link's `inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
 """Keys of a case that begin a path, and the number of keys that name the owner of the number."""
 MOST_PATH_PARTS = 16
-"""Largest number of keys in a path, as documents nest."""
+"""Largest number of keys in a path, more than documents nest."""
 
 _PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
 _QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
@@ -32,15 +32,15 @@ _UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
 
 
 class PathPart(NamedTuple):
-    """A part of a path as it was typed."""
+    """Part of a typed path."""
 
     name: str
     at: int
-    """Where it begins in the text, from 0."""
+    """Index in the text at which the part begins."""
 
 
 class NoValueError(Exception):
-    """No value is there; `at` is the place in the typed path where that shows, from 0."""
+    """Error for a path without a value; `at` is the index of the faulty part in the path."""
 
     def __init__(self, message: str, at: int) -> None:
         super().__init__(message)
@@ -63,14 +63,14 @@ def split(text: str) -> list[PathPart]:
     at = len(text) - len(text.lstrip())
     end = len(text.rstrip())
     while True:
-        found = _PART.match(text, at, end)
-        if not found:
+        match = _PART.match(text, at, end)
+        if not match:
             quote = text[at : at + 1] in ('"', "'") and at < end
             message = "the quote is not closed" if quote else "read nothing, expected a name"
             raise NoValueError(f"{message} between the points of a path", at)
-        name = next(group for group in found.groups() if group is not None)
-        parts.append(PathPart(name.strip() if found[3] else name, at))
-        at = found.end()
+        name = next(group for group in match.groups() if group is not None)
+        parts.append(PathPart(name.strip() if match[3] else name, at))
+        at = match.end()
         if at == end:
             return parts
         if text[at] != "." or len(parts) == MOST_PATH_PARTS:
@@ -80,13 +80,13 @@ def split(text: str) -> list[PathPart]:
 
 
 def in_quotes(name: str) -> str:
-    """Return a name between quotes that do not occur in it, unless both do."""
+    """Return a name between quotes of a kind not used in the name, if possible."""
     mark = "'" if '"' in name else '"'
     return f"{mark}{name}{mark}"
 
 
 def written(keys: Sequence[str]) -> str:
-    """Return a path as it can be typed.
+    """Return a path with quotes around special names, ready to be typed.
 
     >>> written(("controls", "F.1", "2"))
     'controls."F.1".2'
@@ -100,12 +100,12 @@ def dotted(keys: Sequence[str]) -> str:
 
 
 def plain(text: str) -> str:
-    """Return a typed path without its quotes.
+    """Return a typed path without quotes.
 
     >>> plain('gears."1 [a]".load.speed')
     'gears.1 [a].load.speed'
     """
-    return _QUOTED.sub(lambda found: found[1] or found[2] or "", text)
+    return _QUOTED.sub(lambda match: match[1] or match[2] or "", text)
 
 
 def plain_keys(text: str) -> list[str]:
@@ -114,7 +114,7 @@ def plain_keys(text: str) -> list[str]:
 
 
 def owner_and_key(text: str) -> tuple[str, str, str]:
-    """Return the text before the last point of a path, the point, and the key behind it.
+    """Return the text before the last point of a path, the point, and the last key.
 
     >>> owner_and_key(" P.x. inertia"), owner_and_key("inertia")
     (('P.x', '.', 'inertia'), ('', '', 'inertia'))
@@ -124,7 +124,7 @@ def owner_and_key(text: str) -> tuple[str, str, str]:
 
 
 def owner_and_number(path: str) -> tuple[Keys, Keys]:
-    """Return the keys that name the owner of a number, and the keys of the number below it.
+    """Return the keys that name the owner of a number, and the remaining keys.
 
     >>> owner_and_number("P1.teeth.sun"), owner_and_number("gears.low.speeds.MG1")
     ((('P1',), ('teeth', 'sun')), (('gears', 'low'), ('speeds', 'MG1')))
@@ -135,7 +135,7 @@ def owner_and_number(path: str) -> tuple[Keys, Keys]:
 
 
 def with_unit(text: str) -> tuple[str, str | None]:
-    """Return a typed path and the unit in brackets behind it, None without brackets.
+    """Return a typed path and the unit in brackets, or None without brackets.
 
     >>> with_unit("load.speed [rpm]"), with_unit("load.speed")
     (('load.speed', 'rpm'), ('load.speed', None))
@@ -145,7 +145,7 @@ def with_unit(text: str) -> tuple[str, str | None]:
 
 
 def by_name(keys: Keys) -> Keys:
-    """Return the path of a number of a case by the name of its part, from its keys in the document.
+    """Return the path by the name of a part that corresponds to the keys of a number in a document.
 
     >>> by_name(("springs", "damper", "stiffness")), by_name(("inertias", "wheel"))
     (('damper', 'stiffness'), ('wheel', 'inertia'))
@@ -156,7 +156,7 @@ def by_name(keys: Keys) -> Keys:
 
 
 def typed_by_name(text: str) -> str:
-    """Return a typed path by the name of its part, where the key of the case is before it.
+    """Return a typed path by the name of a part, without the key of the case before the name.
 
     >>> typed_by_name("inertias.wl [kg*m^2]"), typed_by_name("D1.ratio")
     ('wl.inertia [kg*m^2]', 'D1.ratio')

@@ -1,8 +1,7 @@
-"""The words in which the shape of a document is declared: a key, and what may stand behind it.
+"""Vocabulary to declare the shape of a document: its keys and the values that they accept.
 
-One declaration serves all who know the keys of YAML and JSON: the reader walks along it,
-the writer goes it the other way, the JSON Schema is made from it. `model.keys` and
-`elements.keys` declare a case.
+The reader, the writer and the JSON Schema of YAML and JSON documents all follow one declaration.
+`model.keys` and `elements.keys` declare a case.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ Measure = Literal[
     "straight_compliance",
     "straight_damping",
 ]
-"""What is given in SI, with its unit or without."""
+"""Quantity in SI units, whose value can have a unit."""
 UNIT_OF: Mapping[Measure, str] = {
     "inertia": "kg*m^2",
     "stiffness": "N*m/rad",
@@ -60,7 +59,7 @@ UNIT_OF: Mapping[Measure, str] = {
     "straight_compliance": "m/N",
     "straight_damping": "N*s/m",
 }
-"""What bare numbers are in."""
+"""Units of numbers without a unit, by quantity."""
 STRAIGHT: Mapping[Measure, Measure] = {
     "stiffness": "straight_stiffness",
     "compliance": "straight_compliance",
@@ -69,7 +68,7 @@ STRAIGHT: Mapping[Measure, Measure] = {
     "angle": "length",
     "si_speed": "velocity",
 }
-"""What stands, where something moves straight, for a measure of what turns."""
+"""Quantity of straight motion that corresponds to a quantity of rotation."""
 
 LeafKind = (
     Measure
@@ -94,47 +93,47 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are not relative."""
 
 Limits: TypeAlias = Mapping[str, Any]
-"""Words of JSON Schema for numbers, which the model checks in its own words."""
+"""Limits of a number as keywords of JSON Schema; the model has separate checks."""
 NO_LIMITS: Limits = MappingProxyType({})
 
 
 class Leaf(NamedTuple):
-    """A single value."""
+    """Single value."""
 
     kind: LeafKind
     choices: tuple[str, ...] = ()
     infinite: bool = False
-    """Whether a number may be `.inf`."""
+    """True if a number can be `.inf`."""
     straight: bool = False
-    """Whether its measure may also be that of what moves straight."""
+    """True if the unit can also be the corresponding unit of straight motion."""
 
 
 class InUnit(float):
-    """A number in SI that knows what its unit measures."""
+    """Number in SI that stores the quantity of the unit."""
 
     measure: Measure | None
-    """None: it is bare."""
+    """Quantity, or None for a number without a unit."""
 
     def __new__(cls, value: float, measure: Measure | None) -> Self:
-        """Keep what it measures."""
-        made = super().__new__(cls, value)
-        made.measure = measure
-        return made
+        """Store the quantity with the number."""
+        number = super().__new__(cls, value)
+        number.measure = measure
+        return number
 
 
 class Links(NamedTuple):
-    """The number of links, or their names in order."""
+    """Number of links, or list of link names."""
 
 
 class Ends(NamedTuple):
-    """The links of a shift element, first and second."""
+    """First and second link of a shift element."""
 
     least: int = 2
-    """With 1 the second may be missing, which is the housing."""
+    """Smallest number of links; with 1, the second link defaults to the housing."""
 
 
 class Numbers(NamedTuple):
-    """Links or shift elements with a number for each, or with what else it has in its place."""
+    """Mapping of links, shift elements or other parts to numbers or values of a shape."""
 
     by: Literal["link", "shift element", "mechanism", "spring", "elastic device"]
     item: Shape
@@ -142,13 +141,13 @@ class Numbers(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """Names of gears, of whatever case, with a share for each."""
+    """Mapping of gears, of any case, to shares."""
 
 
 class KeyShape(NamedTuple):
-    """A key: the attribute that it is in the model, if it is one, and what stands behind it.
+    """Key of a document, named as the attribute of the model, and the shape of the value.
 
-    `default` is for keys whose default the document fixes.
+    `default` is set if the document, not the model, defines the default.
     """
 
     name: str
@@ -159,10 +158,10 @@ class KeyShape(NamedTuple):
     limits: Limits = NO_LIMITS
     examples: tuple[Any, ...] = ()
     unless: str = ""
-    """Another key beside which this one need not be there."""
+    """Name of a key that makes this required key optional."""
 
     def leaves_out(self, value: Any) -> bool:
-        """Whether a value says what a document says that has not the key.
+        """Return whether a value is the default, so that a document can omit the key.
 
         >>> KeyShape("drag", NUMBER, "Drag.", default=0).leaves_out(0.0)
         True
@@ -171,85 +170,90 @@ class KeyShape(NamedTuple):
 
 
 class ByKey(NamedTuple):
-    """A mapping of known keys."""
+    """Mapping with declared keys."""
 
     title: str
     description: str
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
-    """What the reader makes of the values, given by their keys: a part of the model."""
+    """Function that creates the part of the model from the values, given as keyword arguments."""
     fault: Callable[..., str] = lambda **_: ""
-    """What values that are each right are not right together: what was read, what was expected."""
+    """Function that returns the message about contradictory values; empty if valid."""
 
     @property
     def required(self) -> list[str]:
-        """Names of the keys that must be there."""
+        """Names of the required keys."""
         return [key.name for key in self.keys if key.required and not key.unless]
 
 
 class Either(NamedTuple):
-    """A record, or in its place a list or a number, which is one of its keys and says all."""
+    """Mapping, or in a short form the list or number of the most important key."""
 
     short: Ends | ListOf | Leaf
     key: str
     record: ByKey
     written: bool = False
-    """Whether it is written as a list where that says all."""
+    """True if the writer uses the short form when no other key has a value."""
 
 
 class ByName(NamedTuple):
-    """Items of one kind in order, each under its name."""
+    """Ordered mapping of names to items."""
 
     kind: str
     item: Shape
 
 
 class ListOf(NamedTuple):
-    """Items of one shape in order."""
+    """List of items of equal shape."""
 
     item: Shape
     kind: str = ""
-    """What messages call the items."""
+    """Name of the items in messages."""
     unique: bool = True
-    """Whether each, where it is of a kind, is the only one of its name."""
+    """True if repeated items are errors, for items with a `kind`."""
 
 
 class Pair(NamedTuple):
-    """Two names."""
+    """List of two names."""
 
     kind: str
 
 
 class RowOf(NamedTuple):
-    """Values in a fixed order, in a list."""
+    """List of values in a fixed order."""
 
     items: tuple[Shape, ...]
     kind: str
-    """What messages call them: ``slip, coefficient``."""
+    """Names of the values in messages: ``slip, coefficient``."""
     optional: tuple[Shape, ...] = ()
-    """What may stand behind them."""
+    """Further values that can follow."""
 
 
 class ByPoints(NamedTuple):
-    """A number, or points in order of which it is the constant one: rows of two; or a mapping."""
+    """Constant number, list of points (rows of two numbers), or mapping."""
 
     row: RowOf
     mapping: ByKey
 
+    @property
+    def scalar(self) -> Shape:
+        """Shape of a constant number, the second number of a point."""
+        return self.row.items[1]
+
 
 class Parsed(NamedTuple):
-    """A single value that a room reads itself."""
+    """Single value with a special parser."""
 
     expected: str
     parse: Callable[[str], Any]
-    """Text -> value; it raises ValueError with what was expected, or ReadError with the column."""
+    """Text -> value; raises ValueError with the expectation, or ReadError with the column."""
     stand_in: Any
     unit: str = ""
-    """What bare numbers are in, where that is always the same."""
+    """Unit of bare numbers, if independent of other keys."""
 
 
 class ByForm(NamedTuple):
-    """A single value, a list or a mapping, each with a shape of its own."""
+    """Single value, list or mapping, with a shape for each."""
 
     expected: str
     scalar: Leaf | Parsed
@@ -258,32 +262,37 @@ class ByForm(NamedTuple):
 
 
 class OneOrMany(NamedTuple):
-    """One item, or several in a list; a list of lists of single values is one."""
+    """Single item or list of items; a list of lists of single values is a single item."""
 
     item: ByForm
 
 
 class ByLaw(NamedTuple):
-    """A number, or a law: in a text, in points, or in a mapping."""
+    """Number or law; a law is a text, a list of points or a mapping."""
 
     scalar: Leaf
     mapping: ByKey | ByKind
     row: RowOf | None = None
-    """Of points that stand alone."""
+    """Shape of a point in a list of points."""
 
 
 class Balances(NamedTuple):
-    """Numbers of links, and a power under a word of its own."""
+    """Mapping of links to numbers, with a further key for a power."""
 
     links: Numbers
     power: str
 
 
 class ByKind(NamedTuple):
-    """A mapping whose other keys depend on one of them."""
+    """Mapping whose keys depend on the value of a key such as `kind`."""
 
     records: Mapping[str, ByKey]
     key: str = "kind"
+
+    @property
+    def keys(self) -> list[KeyShape]:
+        """Keys of all records."""
+        return [key for record in self.records.values() for key in record.keys]
 
 
 Shape: TypeAlias = (

@@ -1,4 +1,4 @@
-"""What bends in a transmission: springs, each with its twist."""
+"""Springs and other elastic components: their twists, torque curves and limits."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping
 from vstatics.core.model.struts import Strut, StrutCurve
 
 Twist = tuple[tuple[int, float], ...]
-"""Links with their coefficients: the twist is the sum of coefficient times angle."""
+"""Links with coefficients: the twist is the sum of coefficient times angle of link."""
 
 
 class TwistCurve(NamedTuple):
-    """A torque over a twist: straight between points, beyond them with the last slope.
+    """Torque over twist, piecewise linear between points and extrapolated with the last slopes.
 
     Examples
     --------
@@ -26,29 +26,29 @@ class TwistCurve(NamedTuple):
     """
 
     twists: tuple[float, ...]
-    """Two at least, each larger than the one before. [rad]"""
+    """Twists of the points, at least two, strictly ascending. [rad]"""
     torques: tuple[float, ...]
-    """None is less than the one before. [N*m]"""
+    """Torques of the points, ascending or constant. [N*m]"""
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Twists at which it bends [rad]."""
+        """Twists at which the slope changes [rad]."""
         return self.twists[1:-1]
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Torque at a twist of 0, and slope, of the straight line of a piece."""
+        """Return the torque at zero twist and the slope of a piece's straight line."""
         left, right = self.twists[number : number + 2]
         below, above = self.torques[number : number + 2]
         slope = (above - below) / (right - left)
         return below - slope * left, slope
 
     def alone(self, number: int) -> TwistCurve:
-        """The straight line of a piece, without its ends."""
+        """Return the straight line of a piece, extended at both ends."""
         return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
 
     @property
     def bends(self) -> bool:
-        """Whether it is not straight through 0."""
+        """True unless the curve is a straight line through 0."""
         return len(self.twists) > 2 or self.piece(0)[0] != 0
 
     def side(self, number: int) -> float:
@@ -58,34 +58,34 @@ class TwistCurve(NamedTuple):
 
     @property
     def has_gap(self) -> bool:
-        """Whether a piece of it has no torque: what it joins can part there."""
+        """True if a piece of the curve has no torque: a gap or play."""
         pieces = [self.piece(number) for number in range(len(self.twists) - 1)]
         return (0.0, 0.0) in pieces and len({*pieces}) > 1
 
     @property
     def has_play(self) -> bool:
-        """Whether it has no torque about a twist of 0."""
+        """True if the torque is 0 around zero twist."""
         return self.piece(bisect_right(self.corners, 0.0)) == (0.0, 0.0)
 
     @property
     def steepest(self) -> float:
-        """The largest slope [N*m/rad]."""
+        """Largest slope [N*m/rad]."""
         return max(self.piece(number)[1] for number in range(len(self.twists) - 1))
 
     def at(self, twist: float) -> float:
-        """The torque at a twist [N*m]."""
+        """Return the torque at a twist [N*m]."""
         value, slope = self.piece(bisect_right(self.corners, twist))
         return value + slope * twist
 
     def energy(self, twist: float) -> float:
-        """The integral of the torque from a twist of 0 on [J]."""
+        """Return the integral of the torque from zero twist to a twist [J]."""
         low, high = sorted((0.0, twist))
-        ends = (low, *(one for one in self.corners if low < one < high), high)
+        ends = (low, *(corner for corner in self.corners if low < corner < high), high)
         energy = sum((self.at(a) + self.at(b)) * (b - a) / 2 for a, b in pairwise(ends))
         return energy if twist > 0 else -energy
 
     def twist_at(self, torque: float) -> float | None:
-        """The twist nearest 0 at which it has a torque [rad]; None: it never has.
+        """Return the twist nearest 0 with a given torque [rad]; None without a solution.
 
         Examples
         --------
@@ -93,19 +93,19 @@ class TwistCurve(NamedTuple):
         >>> play.twist_at(0.0), play.twist_at(30.0), play.twist_at(-1.0)
         (0.0, 0.2, None)
         """
-        found = []
+        bounds = []
         for bisect, anywhere in ((bisect_left, -math.inf), (bisect_right, math.inf)):
             value, slope = self.piece(self._piece(bisect(self.torques, torque) - 1))
-            found.append((torque - value) / slope if slope else anywhere)
-        least, most = found
+            bounds.append((torque - value) / slope if slope else anywhere)
+        least, most = bounds
         if math.isinf(least) and math.isinf(most):
             return None
         return min(max(0.0, least), most)
 
     def slope_at(self, torque: float) -> float:
-        """The slope where it has a torque [N*m/rad]; in play, and where it never has it, 0.
+        """Return the slope at a torque [N*m/rad]; 0 in play or if the torque is never reached.
 
-        At a corner it is that of the larger torque.
+        At a corner the slope is that of the piece with the larger magnitude of torque.
 
         Examples
         --------
@@ -123,21 +123,22 @@ class TwistCurve(NamedTuple):
 
 
 def straight_curve(stiffness: float) -> TwistCurve:
-    """That of a stiffness [N*m/rad]."""
+    """Return the straight curve of a stiffness [N*m/rad]."""
     return TwistCurve((-1.0, 1.0), (-stiffness, stiffness))
 
 
 class SpringLimit(NamedTuple):
-    """A limit that follows the torque of another spring, as grip does the load of a wheel, (5.8).
+    """Torque limit proportional to the torque of a spring, as tyre grip to the wheel load, (5.8).
 
     Parameters
     ----------
     base : float
-        Where the other has none. [N*m]
+        Limit at zero torque or force of the other spring. [N*m]
     of : str
-        The other spring.
+        Name of the other spring.
     times : float
-        What its torque, or force, adds by its size; the limit is never below 0. [-, m]
+        Increase of the limit per torque or force of the other spring; the limit is at least 0.
+        [-, m]
     """
 
     base: float
@@ -146,47 +147,47 @@ class SpringLimit(NamedTuple):
 
 
 def limit_of(base: float, of: str = "", times: float = 0.0) -> float | SpringLimit:
-    """A limit by the keys of a case."""
+    """Return the limit with the values of a document."""
     return SpringLimit(base, of, times) if of else base
 
 
 def limit_fault(of: str = "", times: float | None = None, **_others: Any) -> str:
-    """Why these keys do not tell a limit.
+    """Return the reason why values do not define a limit; empty if valid.
 
     >>> limit_fault("suspension")
     'expected `of` and `times` both, or none of them'
     """
-    told = bool(of) == (times is not None)
-    return "" if told else "expected `of` and `times` both, or none of them"
+    is_complete = bool(of) == (times is not None)
+    return "" if is_complete else "expected `of` and `times` both, or none of them"
 
 
 class Spring(NamedTuple):
-    """An elastic device: a torque by a twist, which is any linear form of angles.
+    """Elastic component: a torque over a twist, which is any linear form of angles.
 
-    Its column in the structural-distribution matrix is its twist.
+    The coefficients of the twist are the column of the structural-distribution matrix.
 
     Parameters
     ----------
     twist : mapping of int to float, or pairs of these
-        Links with their coefficients; that of a shaft is the angle of the first link less
-        that of the second. The housing does not turn, so it may be left out.
+        Links with their coefficients. The twist of a shaft is the angle of the first link minus
+        the angle of the second. The housing can be omitted, because it does not turn.
     stiffness : float, optional
-        A spring without one is a damper alone. [N*m/rad]
+        Stiffness; a spring without stiffness is a damper. [N*m/rad]
     compliance : float, optional
-        In place of the stiffness. [rad/(N*m)]
+        Compliance instead of the stiffness. [rad/(N*m)]
     damping : Damping or float
-        A number is viscous. [N*m*s/rad]
+        Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     name : str
-        ``S`` and the number when not given.
+        By default ``S`` and the number.
     limit : float or SpringLimit, optional
-        In a scenario its torque stays within it, the rest is slip, as of a tyre. [N*m]
+        Largest torque in a scenario, beyond which the spring slips like a tyre. [N*m]
     points : sequence of (float, float), optional
-        In place of a stiffness: twists, which rise, and torques, which do not fall. They begin
-        with (0, 0) and hold in both directions, unless a twist is below 0. [rad, N*m]
+        Ascending twists and torques, instead of a stiffness. Points that begin with (0, 0) apply
+        in both directions; they can also begin with a twist below 0. [rad, N*m]
     friction : float
-        Dry friction beside it, in a scenario. [N*m]
+        Dry friction parallel to the spring, in a scenario. [N*m]
     strut : Strut, optional
-        In place of a stiffness.
+        Hydropneumatic strut, instead of a stiffness.
 
     Examples
     --------
@@ -208,13 +209,13 @@ class Spring(NamedTuple):
 
     @property
     def form(self) -> dict[int, float]:
-        """The links that turn, with their coefficients, none of them 0."""
+        """Links of the twist with coefficients, without the housing and without zeros."""
         pairs = dict(self.twist).items()
         return {link: float(part) for link, part in pairs if link != HOUSING and part}
 
     @property
     def rate(self) -> float:
-        """The stiffness [N*m/rad], whichever is given; of points the steepest."""
+        """Stiffness [N*m/rad], also from a compliance or strut; the largest slope of points."""
         if self.strut:
             return self.strut.slope(self.strut.at)
         if self.points:
@@ -225,25 +226,25 @@ class Spring(NamedTuple):
 
     @property
     def is_damper(self) -> bool:
-        """Whether it has no stiffness: a damper alone, which carries nothing at mean speeds."""
+        """True for a damper without stiffness, which has no torque at constant speeds."""
         return not (self.stiffness or self.compliance or self.points or self.strut)
 
     @property
     def curve(self) -> TwistCurve | StrutCurve:
-        """Its torque over its twist, in both directions."""
+        """Torque over twist, in both directions."""
         if self.strut:
             return StrutCurve(self.strut)
         points = [*self.points]
         if not points:
             return straight_curve(self.rate)
-        if points[0][0] >= 0:  # which is no corner
+        if points[0][0] >= 0:  # mirrored without the first point, (0, 0), which is not a corner
             points = [*((-twist, -torque) for twist, torque in points[:0:-1]), *points[1:]]
         twists, torques = zip(*points, strict=True)
         return TwistCurve(twists, torques)
 
 
 def between(first: int, second: int = HOUSING) -> Twist:
-    """The twist of a shaft from one link to another, or to the housing.
+    """Return the twist of a shaft between two links, or from a link to the housing.
 
     >>> between(1, 2), between(3)
     (((1, 1.0), (2, -1.0)), ((3, 1.0), (0, -1.0)))
@@ -252,7 +253,7 @@ def between(first: int, second: int = HOUSING) -> Twist:
 
 
 def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
-    """The links of a shaft that has this twist; none if it is no shaft's.
+    """Return the links of the shaft with a given twist; None for other twists.
 
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)
@@ -270,14 +271,14 @@ def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
 def spring_of(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **others: Any
 ) -> Spring:
-    """A spring by the keys of a case: a shaft's links, or any twist."""
+    """Return the spring with the values of a document: links of a shaft, or a twist."""
     return Spring(between(*links) if links else twist or (), **others)
 
 
 def spring_fault(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **_others: Any
 ) -> str:
-    """Why these keys do not tell a spring.
+    """Return the reason why values do not define a spring; empty if valid.
 
     >>> spring_fault((1, 2), {1: 1.0})
     'read both `links` and `twist`, expected one of them'
@@ -290,19 +291,19 @@ def spring_fault(
 
 
 def spring_record(spring: Spring) -> dict[str, Any]:
-    """A spring by the keys of a case."""
+    """Return a spring as the keys and values of a document."""
     links = ends(spring.twist)
     twist = spring.form if links is None else None
     limit = spring.limit
-    told = limit if limit is None or isinstance(limit, SpringLimit) else {"base": limit}
-    return {**spring._asdict(), "links": links, "twist": twist, "limit": told}
+    given = limit if limit is None or isinstance(limit, SpringLimit) else {"base": limit}
+    return {**spring._asdict(), "links": links, "twist": twist, "limit": given}
 
 
 def spring_name(number: int) -> str:
-    """The name of a spring that has none: S and its number."""
+    """Return the default name of a spring: S and its number."""
     return f"S{number}"
 
 
 def spring_names(springs: Sequence[Spring]) -> list[str]:
-    """Their names, as they will be filled in."""
-    return [one.name or spring_name(number) for number, one in enumerate(springs, 1)]
+    """Return the given or default names of springs."""
+    return [spring.name or spring_name(number) for number, spring in enumerate(springs, 1)]

@@ -1,4 +1,4 @@
-"""A hydropneumatic strut: gas above a piston, and below it where there is a counter chamber.
+"""Force of a hydropneumatic strut: gas above a piston, and below it in a counter chamber.
 
 Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981, (4.12) to (4.18).
 """
@@ -10,20 +10,20 @@ from typing import Any, NamedTuple
 
 
 class Strut(NamedTuple):
-    """The gas of a strut at rest; that of a chamber keeps ``p V^exponent``.
+    """Gas of a strut at rest; in each chamber ``p V^exponent`` is constant.
 
     Parameters
     ----------
     pressure, counter_pressure : float
-        [Pa]
+        Pressure in the chamber and in the counter chamber at rest. [Pa]
     area, counter_area : float
-        Of the piston towards each chamber. [m^2]
+        Area of the piston towards each chamber. [m^2]
     length, counter_length : float
-        Of each chamber, its volume by its area. [m]
+        Volume of each chamber at rest divided by its area. [m]
     exponent : float
-        Of the polytropic change. [-]
+        Polytropic exponent. [-]
     at : float
-        How much longer the strut is where its slope is its stiffness. [m]
+        Extension from rest at which the slope is the stiffness. [m]
 
     Examples
     --------
@@ -43,20 +43,20 @@ class Strut(NamedTuple):
 
     @property
     def chambers(self) -> list[tuple[float, float]]:
-        """Force of each chamber at rest, and its length; a counter chamber below 0 [N, m]."""
+        """Force and length of each chamber at rest, negative of the counter chamber [N, m]."""
         counter = self.counter_pressure * self.counter_area
         below = [(-counter, -(self.counter_length or 0.0))] if counter else []
         return [(self.pressure * self.area, self.length), *below]
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Between which lengths beyond that at rest it is [m]."""
+        """Bounds of the extension from rest [m]."""
         return -self.length, -self.chambers[1][1] if len(self.chambers) > 1 else math.inf
 
     def slope(self, longer: float) -> float:
-        """Its stiffness [N/m] where it is so much longer than at rest [m]; no number out of reach.
+        """Return the stiffness [N/m] at an extension from rest [m]; NaN out of reach.
 
-        Of numbers that no strut has it may be infinite.
+        The stiffness overflows to infinity for extreme dimensions.
         """
         import numpy as np  # costs start-up time
 
@@ -69,13 +69,13 @@ class Strut(NamedTuple):
             return float(sum(slopes))
 
     def completed(self) -> Strut:
-        """The same with floats."""
+        """Return the strut with all numbers as floats."""
         given = self._asdict().items()
-        return self._replace(**{name: float(one) for name, one in given if one is not None})
+        return self._replace(**{name: float(value) for name, value in given if value is not None})
 
 
 class StrutCurve(NamedTuple):
-    """What brings a strut back to rest, over how much longer it is: ``P(0) - P(z)``, (4.16).
+    """Restoring force of a strut over the extension z from rest: ``P(0) - P(z)``, (4.16).
 
     Examples
     --------
@@ -88,20 +88,20 @@ class StrutCurve(NamedTuple):
 
     strut: Strut
     corners: tuple[float, ...] = ()
-    """It bends nowhere at once."""
+    """Extensions at which the slope jumps, as in `TwistCurve`; a strut has none."""
     bends: bool = True
 
     @property
     def steepest(self) -> float:
-        """What stands for its slope: that at rest [N/m]."""
+        """Slope at rest, in the role of the largest slope of a `TwistCurve` [N/m]."""
         return self.strut.slope(0.0)
 
-    def piece(self, number: int) -> tuple[float, float]:  # noqa: ARG002 - as of other springs
-        """What of it is straight: nothing."""
+    def piece(self, number: int) -> tuple[float, float]:  # noqa: ARG002 - interface of TwistCurve
+        """Return zeros, because no piece of the curve is straight."""
         return 0.0, 0.0
 
     def at(self, twist: Any) -> Any:
-        """The force [N] at one or at many twists [m]; no number out of reach."""
+        """Return the force [N] at an extension [m], or at each of an array; NaN out of reach."""
         import numpy as np  # costs start-up time
 
         n = self.strut.exponent
@@ -112,7 +112,7 @@ class StrutCurve(NamedTuple):
             )
 
     def energy(self, twist: float) -> float:
-        """The integral of the force from a twist of 0 on [J]."""
+        """Return the integral of the force from rest to an extension [J]."""
         import numpy as np  # costs start-up time
 
         stored, n = 0.0, self.strut.exponent
@@ -124,7 +124,7 @@ class StrutCurve(NamedTuple):
         return stored
 
     def twist_at(self, force: float) -> float | None:
-        """The twist at which it has a force [m], by halving; None: it never has."""
+        """Find the extension at a force [m] by bisection; None without a solution."""
         low, high = self.strut.reach
         if math.isinf(high):
             if force >= self.strut.chambers[0][0]:
@@ -137,6 +137,6 @@ class StrutCurve(NamedTuple):
         return middle
 
     def slope_at(self, force: float) -> float:
-        """The slope where it has a force [N/m]; 0 where it never has it."""
+        """Return the slope at a force [N/m]; 0 if the force is never reached."""
         twist = self.twist_at(force)
         return 0.0 if twist is None else self.strut.slope(twist)

@@ -1,4 +1,4 @@
-"""Checks of springs, inertias and converters; problems with paths."""
+"""Checks of springs, inertias and converters, each yielding problems with paths."""
 
 from __future__ import annotations
 
@@ -20,18 +20,17 @@ _TURNING = {straight: turning for turning, straight in STRAIGHT.items()}
 
 
 def of_torsion(case: TransmissionFields) -> Iterator[Problem]:
-    """The inertias and springs of a case, what is elastic of its devices, and their names."""
-    for link, inertia in case.inertias.items():
-        path = ("inertias", link)
-        yield from of_link(link, path, case.own_links, lowest=1)
-        yield from not_negative(inertia, "an inertia", path)
-    for link, mass in case.masses.items():
-        path = ("masses", link)
-        yield from of_link(link, path, case.own_links, lowest=1)
-        yield from not_negative(mass, "a mass", path)
-        if link in case.inertias:
-            message = f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
-            yield Problem("E540", f"{message}, expected it in one of them", path)
+    """Check the inertias, springs, converters and elastic components of a case."""
+    bodies = ("inertias", "an inertia", case.inertias), ("masses", "a mass", case.masses)
+    for key, noun, inertias in bodies:
+        for link, inertia in inertias.items():
+            yield from of_link(link, (key, link), case.own_links, lowest=1)
+            yield from not_negative(inertia, noun, (key, link))
+            if key == "masses" and link in case.inertias:
+                what = (
+                    f"link {called(case, link)} is in `inertias`, too: it turns or moves straight"
+                )
+                yield Problem("E540", f"{what}, expected it in one of them", (key, link))
     for number, spring in enumerate(case.springs, 1):
         yield from _of_spring(case, spring, ("springs", number))
     for number, element in enumerate(case.shift_elements, 1):
@@ -70,7 +69,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
 
 
 def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """A stiffness, or what stands in its place, and a damping."""
+    """Check the stiffness, compliance, points or strut, and damping of a spring."""
     if spring.points:
         yield from _of_points(spring, path)
     if spring.strut:
@@ -91,17 +90,19 @@ def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Ite
 
 
 def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
-    """Twists that rise, torques that do not fall, and nothing beside them that they exclude."""
+    """Check the points of a spring: twists ascend, torques do not fall, other keys agree."""
     here = (*path, "points")
     for number, point in enumerate(spring.points, 1):
         for place, value in enumerate(point, 1):
             right = math.isfinite(value)
             yield from expect(value, "a finite number", (*here, number, place), right=right)
-    for number, (one, other) in enumerate(pairwise(spring.points), 2):
-        rises = other[0] > one[0]
-        if not (rises and other[1] >= one[1]):
+    for number, (previous, point) in enumerate(pairwise(spring.points), 2):
+        rises = point[0] > previous[0]
+        if not (rises and point[1] >= previous[1]):
             place, expected = (2, "torques that do not fall") if rises else (1, "twists that rise")
-            message = f"read {other[place - 1]:g} behind {one[place - 1]:g}, expected {expected}"
+            message = (
+                f"read {point[place - 1]:g} behind {previous[place - 1]:g}, expected {expected}"
+            )
             yield Problem("E690", message, (*here, number, place))
     first, last = spring.points[0], spring.points[-1]
     if first[0] >= 0 and (*first,) != (0, 0):
@@ -112,18 +113,18 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
     yield from _beside("points", spring, path)
 
 
-def _beside(own: str, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Nothing beside points, or a strut, that they exclude."""
+def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
+    """Refuse keys that contradict the points or the strut of a spring."""
     given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
     given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
     for name, read in given.items():
         if read:
             what = "a loss factor or ratio" if name == "damping" else f"`{name}`"
-            yield Problem("E693", f"read {what} beside `{own}`, expected none", (*path, name))
+            yield Problem("E693", f"read {what} beside `{key}`, expected none", (*path, name))
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Units are those of what turns, or of what moves straight, as the spring does."""
+    """Check that units are of rotation or of straight motion, whichever the spring's links do."""
     straight = [link for link in spring.form if link in case.masses]
     named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
     numbers: list[tuple[Path, Any]] = [
@@ -135,7 +136,7 @@ def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
         (("damping",), damped.viscous if isinstance(damped, Damping) else damped),
     ]
     for number, point in enumerate(spring.points, 1):
-        numbers += [(("points", number, place), one) for place, one in enumerate(point, 1)]
+        numbers += [(("points", number, place), value) for place, value in enumerate(point, 1)]
     for inner, value in numbers:
         why = f"its twist names {named} `masses`"
         yield from _of_unit(value, why, (*path, *inner), straight=bool(straight))
@@ -150,9 +151,9 @@ def _of_unit(value: Any, why: str, path: Path, *, straight: bool) -> Iterator[Pr
 
 
 def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """A strut of a straight spring: numbers above 0, a counter chamber that is whole or none."""
+    """Check the strut of a spring; a counter chamber with pressure needs all dimensions."""
     strut = spring.strut
-    assert strut is not None  # noqa: S101 - it is asked of these alone
+    assert strut is not None  # noqa: S101 - by the caller; for mypy
     if not case.is_straight(spring):
         message = "its twist names no link of `masses`, expected one: a strut is in m and N"
         yield Problem("E542", message, path)
@@ -178,7 +179,7 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
 
 
 def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
-    """A limit by the torque of another spring that bends alone."""
+    """Check a limit that follows a spring; the spring must not slip or rub itself."""
     yield from not_negative(limit.base, "a torque", (*path, "base"))
     right = math.isfinite(limit.times) and limit.times != 0
     yield from expect(limit.times, "a number other than 0", (*path, "times"), right=right)
@@ -194,7 +195,7 @@ def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> It
 
 
 def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Problem]:
-    """What is wrong with a converter between two of so many links."""
+    """Check a converter in a case with a given number of links."""
     for place, link in zip(("first", "second"), converter.links, strict=True):
         yield from of_link(link, (*path, place), links, lowest=1)
     if converter.pump == converter.turbine:
@@ -205,7 +206,7 @@ def of_converter(converter: Converter, path: Path, links: int) -> Iterator[Probl
 def of_elastic(
     stiffness: float | None, damping: Damping | float, path: Path, *, always: bool = False
 ) -> Iterator[Problem]:
-    """The stiffness and damping of a device; what is rigid (unless `always` elastic) has none."""
+    """Check the stiffness and damping of a component, rigid by default unless `always`."""
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
     is_damper = always and stiffness == 0 and viscous > 0
     if stiffness is not None and not is_damper:
@@ -222,7 +223,7 @@ def of_elastic(
 
 
 def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """A finite number above 0."""
+    """Check that a number and its inverse are finite and above 0."""
     if not 0 < number < math.inf:
         yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
     elif 1 / number == math.inf:
@@ -230,12 +231,12 @@ def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
 
 
 def not_negative(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """A finite number of 0 or more."""
+    """Check that a number is finite and 0 or more."""
     return expect(number, f"{what} of 0 or more", path, right=0 <= number < math.inf)
 
 
 def _of_names(case: TransmissionFields) -> Iterator[Problem]:
-    """Torques and energies are told by names, so everything that has one is called otherwise."""
+    """Check that components have different names, under which torques and energies are listed."""
     taken = dict.fromkeys(element_names(case.shift_elements), "a shift element")
     rows: dict[str, str] = {}
     for what, name, path, members in _devices(case):
@@ -244,20 +245,21 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E257", message, path)
         taken.setdefault(name, what)
         rows |= {f"{name}.{member}": f"a member of {name}" for member in members}
-    names = spring_names(case.springs)
-    for number, name in enumerate(names, 1):
-        if other := taken.get(name) or rows.get(name):
-            message = f"`{name}` is the name of {other} too, expected another"
-            yield Problem("E257", message, ("springs", number))
-    taken |= dict.fromkeys(names, "a spring")
-    for number, converter in enumerate(case.converters, 1):
-        if other := taken.get(converter.name) or rows.get(converter.name):
-            message = f"`{converter.name}` is the name of {other} too, expected another"
-            yield Problem("E257", message, ("converters", number))
+    springs = spring_names(case.springs)
+    converters = [converter.name for converter in case.converters]
+    for key, what, names in (
+        ("springs", "a spring", springs),
+        ("converters", "a converter", converters),
+    ):
+        for number, name in enumerate(names, 1):
+            if other := taken.get(name) or rows.get(name):
+                message = f"`{name}` is the name of {other} too, expected another"
+                yield Problem("E257", message, (key, number))
+        taken |= dict.fromkeys(names, what)
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
-    """Mechanisms and drawn elements: what each is, its name, its path, names of its members."""
+    """Yield kind, name, path and names of members of each gear set and mechanism."""
     if case.drawing is None:
         for number, name in enumerate(mechanism_names(case.mechanisms), 1):
             yield "a mechanism", name, ("mechanisms", number), ()

@@ -1,4 +1,4 @@
-"""The keys of springs, of converters, and of devices that are rigid but for vibration."""
+"""Keys of springs and converters, and of the stiffness of shift elements and mechanisms."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ DAMPING = Either(
     ),
     written=True,
 )
-"""Of what is elastic."""
+"""Shape of a damping, viscous or relative to the elastic torque."""
 ABOVE_0: Limits = {"exclusiveMinimum": 0}
 _DAMPING = KeyShape("damping", DAMPING, "Damping beside its stiffness, in N*m*s/rad.")
 
@@ -68,7 +68,7 @@ ELASTIC = (
     ),
     _DAMPING,
 )
-"""Of devices that are rigid but for vibration."""
+"""Keys of components that are rigid except in vibration."""
 
 LIMIT = Either(
     Leaf("si_torque", straight=True),

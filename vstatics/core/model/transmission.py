@@ -1,4 +1,4 @@
-"""The transmission as its kinematic scheme shows it: links, devices, gears."""
+"""The class `Transmission`: a case with its links, components and gears, checked and completed."""
 
 from __future__ import annotations
 
@@ -40,61 +40,61 @@ __all__ = [
 ]
 
 _CLASSES = {"Converter": "vstatics.core.model.converters"}
-"""The modules of parts that few cases have."""
+"""Modules of types that few cases need, for messages about arguments."""
 
 
 class Transmission(TransmissionFields):
-    """A whole transmission, checked when it is made.
+    """Vehicle transmission, checked at construction.
 
     Parameters
     ----------
     links : int
         Number of main links, without the housing.
     shift_elements, mechanisms, gears : sequence
-        In order of their numbers.
+        Parts in the order of their numbers.
     input, output : int
-        Link numbers; the output is the last link when not given.
+        Link numbers; by default the output is the last link.
     idle : {"exact", "published"}
         Convention for the sign of idle mechanisms.
     coast : bool, optional
-        Power enters at the output (engine braking): the torque of the load is turned against
-        the speed of the input, or along it if false. When not given the sign of its power says it.
+        Whether power enters at the output (engine braking): the input torque then acts against
+        the input speed, or along it if false. By default the sign of the input power decides.
     link_names : sequence of str
-        The link numbers when not given.
+        By default the link numbers.
     load : Load, optional
-        Speed and torque of the input, for results in rpm, N*m and kW.
+        Operating point at the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
-        The elements that links and mechanisms are made from; so with another drawing, by
-        `dataclasses.replace` say, they are others. Mechanisms that are replaced alone are
-        taken as they are.
+        Gear sets from which links and mechanisms are derived; replacing the drawing, by
+        `dataclasses.replace` for example, derives them anew. Mechanisms that are replaced
+        without the drawing are used unchanged.
     outputs : sequence of int
-        All output links, where there are several: `output` is the first. The others are ports
-        with a given speed or torque.
+        Output links if there are several, the first of which is `output`. The others have a
+        given speed or torque.
     inertias : mapping of int to float
-        Of links; those that are left out have none. [kg*m^2]
+        Moments of inertia of links, 0 by default. [kg*m^2]
     springs : sequence of Spring
-        Elastic devices; with them a case may go without mechanisms, and without gears it has
-        one with nothing engaged, as a case without shift elements has.
+        Elastic components; with springs a case needs no mechanisms. A case without gears has a
+        single gear with nothing engaged.
     converters : sequence of Converter
-        Torque converters, for vibration and motion; for all else they are open.
+        Torque converters for vibration and simulation; they are open in statics.
     dump : ClutchDump, optional
-        A clutch that is dumped.
+        Clutch dump to be calculated.
     vehicle : Vehicle, optional
-        What the box is in.
+        Vehicle with this transmission.
     fatigue : mapping of str to Fatigue
-        By names of devices: what they bear.
+        Fatigue strength of components, by their names.
     masses : mapping of int to float
-        Of links that move straight; what is told of the others in rad is in m. [kg]
+        Masses of links that move along a straight line, so that their motion is in m. [kg]
     cylinders : int, optional
-        Of the engine at the input, of four strokes: half of them fire in a revolution.
+        Cylinders of the four-stroke engine at the input, half of which fire per revolution.
     drag : mapping of int to float
         Torque of bearings and oil on links, against their rotation, relative to the input
-        torque, in all gears that give none of that link. [-]
+        torque; a gear can override it for each link. [-]
 
     Raises
     ------
     CaseError
-        With every `Problem` of the model, each with the path of the value.
+        With every `Problem` of the model and the path of the faulty value.
 
     Examples
     --------
@@ -109,7 +109,7 @@ class Transmission(TransmissionFields):
     """
 
     def __repr__(self) -> str:
-        """What it has, in numbers."""
+        """Return the name and the numbers of links, elements, mechanisms and gears."""
         parts = {
             "link": self.own_links,
             "shift element": len(self.shift_elements),
@@ -123,7 +123,7 @@ class Transmission(TransmissionFields):
         return f"<Transmission{name}: {', '.join(counts)}>"
 
     def replace(self, **changes: Any) -> Transmission:
-        """The same transmission but for some of its parameters; it is checked as any other.
+        """Return the transmission with some parameters replaced, checked again.
 
         Examples
         --------
@@ -138,24 +138,24 @@ class Transmission(TransmissionFields):
         return replace(self, **changes)
 
     def with_coast(self, coast: bool | None) -> Transmission:  # noqa: FBT001
-        """The same where power enters at the output of all gears, or of none; as it is for None."""
+        """Return the transmission with `coast` set for all gears; unchanged for None."""
         gears = [gear._replace(coast=None) for gear in self.gears]
         unlike = coast is not None and (coast != self.coast or gears != list(self.gears))
         return replace(self, coast=coast, gears=gears) if unlike else self
 
     def with_torque(self, torque: float | None) -> Transmission:
-        """The same with a torque of the load that is one of all gears [N*m]; as it is for None."""
+        """Return the transmission with an input torque for all gears [N*m]; unchanged for None."""
         if torque is None:
             return self
-        own = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
-        gears = [gear._replace(load=load) for gear, load in zip(self.gears, own, strict=True)]
+        loads = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
+        gears = [gear._replace(load=load) for gear, load in zip(self.gears, loads, strict=True)]
         return replace(self, load=Load(torque=torque).or_else(self.load or Load()), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
-        """The case whose variators are pairs of the ratios that they have in a gear.
+        """Return the case with variators replaced by gear pairs of equal ratios in a gear.
 
-        None where that cannot be: of a converter that is not bypassed, or of a variator at a
-        speed ratio of 0.
+        Return None if the gear has a converter that is not bypassed, or a variator with a speed
+        ratio of 0.
 
         Examples
         --------
@@ -166,96 +166,99 @@ class Transmission(TransmissionFields):
         """
         ratios = self.gear_ratios(gear)
         pairs, bypassed = list[Mechanism](), self.bypassed(gear)
-        for place, (one, ratio) in enumerate(zip(self.mechanisms, ratios, strict=True)):
+        for place, (mechanism, ratio) in enumerate(zip(self.mechanisms, ratios, strict=True)):
             if place in bypassed:
-                pairs.append(one._replace(ratio=ratio))
+                pairs.append(mechanism._replace(ratio=ratio))
                 continue
-            if one.kind == "converter" or (one.kind and not ratio):
+            if mechanism.kind == "converter" or (mechanism.kind and not ratio):
                 return None
-            pairs.append(one._replace(kind="", ratio=1 / ratio, points=()) if one.kind else one)
+            pairs.append(
+                mechanism._replace(kind="", ratio=1 / ratio, points=())
+                if mechanism.kind
+                else mechanism
+            )
         gears = [each._replace(speed_ratios={}) for each in self.gears]
         return replace(self, mechanisms=pairs, gears=gears)
 
     def with_numbers(self, mechanisms: Iterable[Mechanism]) -> Transmission:
-        """The same transmission with other ratios, efficiencies and planet ratios.
+        """Return the transmission with other ratios, efficiencies and planet ratios.
 
-        Nothing else of its mechanisms may change, so nothing else is checked again.
+        Only the mechanisms are checked again; nothing else about them may change.
 
         Raises
         ------
         CaseError
-            If these are no such numbers.
+            If a number is not valid.
         """
         others = tuple(mechanisms)
         parts = enumerate(others, 1)
-        errors = [e for n, one in parts for e in of_mechanism(one, ("mechanisms", n), self.links)]
+        errors = [
+            e
+            for n, mechanism in parts
+            for e in of_mechanism(mechanism, ("mechanisms", n), self.links)
+        ]
         if errors:
             raise CaseError(errors)
-        made = object.__new__(type(self))
+        case = object.__new__(type(self))
         fields = {field: getattr(self, field) for field in self.__dataclass_fields__}
-        made._set(**fields | {"mechanisms": others})
-        return made
+        case._set(**fields | {"mechanisms": others})
+        return case
 
     @staticmethod
     def from_dict(data: Mapping[str, Any]) -> Transmission:
-        """The transmission of plain data, with the keys of YAML and JSON.
+        """Return the transmission described by plain data, with the keys of YAML and JSON.
 
         Raises
         ------
         ReadError
-            With all that is wrong with it, by its keys.
+            With every fault and its keys.
         """
         case: Transmission = higher("from_dict")(data)
         return case
 
     def part_numbers(self) -> Mapping[str, Any]:
-        """Numbers of its parts by their paths: `P1.teeth.sun`, `C1.capacity`."""
-        found: Mapping[str, Any] = higher("part_numbers")(self)
-        return found
+        """Return the numbers of all parts by path, such as `P1.teeth.sun`."""
+        numbers: Mapping[str, Any] = higher("part_numbers")(self)
+        return numbers
 
     def with_part_numbers(self, numbers: Sequence[Any], values: Sequence[float]) -> Transmission:
-        """The case with other values of such numbers, in SI."""
+        """Return the transmission with other values of numbers from `part_numbers`, in SI."""
         case: Transmission = higher("with_part_numbers")(self, numbers, values)
         return case
 
     def __post_init__(self) -> None:
-        """Check everything, then fill in the defaults."""
+        """Check all parameters, then fill in the defaults."""
         try:
-            self._complete()
+            if self.drawing is not None and self.drawing != self._lowered:
+                self._follow(self.drawing)
+            if errors := list(problems(self)):
+                raise CaseError(errors)
+            self._set(**_completed(self))
         except (AttributeError, TypeError):
             types = {key.shape.name: key.type for key in carried_keys(self)}
             refuse_fields("Transmission", self, types, **_CLASSES)
             raise
 
-    def _complete(self) -> None:
-        if self.drawing is not None and self.drawing != self._lowered:
-            self._follow(self.drawing)
-        errors = list(problems(self))
-        if errors:
-            raise CaseError(errors)
-        self._set(**_completed(self))
-
     def _follow(self, drawing: AnyDrawing) -> None:
-        """Take links and mechanisms of a drawing; names of former planets are left out."""
-        errors = list(drawing.problems())
-        if errors:
+        """Adopt links and mechanisms of a drawing; drop planets' names of the previous drawing."""
+        if errors := list(drawing.problems()):
             raise CaseError(errors)
         before, names = self._lowered, list(self.link_names)
         if before is not None:
-            own = names[: before.links]
-            if names == before.lowered(own)["link_names"]:
-                names = own[: drawing.links]
+            names_before = names[: before.links]
+            if names == before.lowered(names_before)["link_names"]:
+                names = names_before[: drawing.links]
         output = self.output or (0 if self.outputs else drawing.links)
         self._set(**drawing.lowered(names), output=output)
 
     def _set(self, **attributes: object) -> None:
-        """Set attributes while the case is made."""
+        """Set attributes of the frozen case during construction."""
         for attribute, value in attributes.items():
             object.__setattr__(self, attribute, value)
 
 
 def _completed(case: Transmission) -> dict[str, object]:
-    """The attributes of a checked case with names and defaults filled in."""
+    """Return the attributes of a checked case, with default names and with numbers as floats."""
     return {
         "output": case.main_output,
         "outputs": tuple(case.outputs) if len(case.outputs) > 1 else (),
@@ -272,10 +275,10 @@ def _completed(case: Transmission) -> dict[str, object]:
         "inertias": {link: float(inertia) for link, inertia in case.inertias.items()},
         "masses": {link: float(mass) for link, mass in case.masses.items()},
         "springs": tuple(map(_spring, case.springs, count(1))),
-        "converters": tuple(one.completed() for one in case.converters),
+        "converters": tuple(converter.completed() for converter in case.converters),
         "dump": case.dump and case.dump.completed(),
         "vehicle": case.vehicle and case.vehicle.completed(),
-        "fatigue": {name: one.completed() for name, one in case.fatigue.items()},
+        "fatigue": {name: strength.completed() for name, strength in case.fatigue.items()},
     }
 
 
@@ -319,9 +322,8 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
-    """A gear with its numbers as parts of its load's, where they were given with a unit."""
-    load = case.gear_load(gear) if case.load or gear.load else Load()
-    torque = case.torque_unit(gear) if case.load or gear.load else 0.0
+    """Complete a gear, relating numbers with a unit to the operating point."""
+    load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),
         speeds={link: _speed(speed, load.speed) for link, speed in gear.speeds.items()},

@@ -310,7 +310,6 @@ class _CaseAtPoints:
 
 @lru_cache(maxsize=REMEMBERED_STATES)
 def _state_of(calculated: _CaseAtPoints, index: int) -> GearState:
-    """Calculate the state of a gear by the index of the gear."""
     case, points = calculated.case, calculated.points
     gear = points.gears[index] if points else case.gears[index]
     efficiencies: Sequence[Any] = [mechanism.efficiency for mechanism in case.mechanisms]

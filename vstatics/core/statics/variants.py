@@ -269,7 +269,6 @@ def _case_key(case: Transmission) -> tuple[Hashable, ...]:
 
 
 def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """Return the part of the key that belongs to a gear."""
     fields_of_gear = (tuple(v.items()) if isinstance(v, dict) else v for v in _OF_GEAR(gear))
     turned = case.input_turns(gear) == "backward"
     ends = case.gear_input(gear), case.gear_output(gear)

@@ -1,7 +1,6 @@
-"""What a designer asks of a gearbox first: design table, shifts, largest values.
+"""Summary of a gearbox for its designer: ratios and steps, shifts, largest values and margins.
 
-`summarize` calculates a `Summary` of results; `tables` shows it in tables, which
-`vstatics.core.tables` writes.
+`summarize` calculates a `Summary` from results, and `tables` lays it out in tables.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> from vstatics.core.summary.tables import summary_grids
@@ -50,37 +49,37 @@ __all__ = ["Summary", "summarize"]
 
 
 class Summary(NamedTuple):
-    """Everything that `vstatics summary` tells of one case."""
+    """Summary of a case, as reported by `vstatics summary`."""
 
     results: Results
     design: Design
     transitions: Sequence[Transition]
     largest: Mapping[str, Sequence[Largest]]
-    """By the name of the table that they are the largest values of."""
+    """Largest values over all gears, by the name of the table."""
     sensitivities: Floats
-    """(gears, mechanisms), ``(u/i) di/du``. [-]"""
+    """Sensitivities ``(u/i) di/du`` of ratios, shape (gears, mechanisms). [-]"""
     efficiency_sensitivities: Floats
-    """(gears, mechanisms), ``(n/ETA) dETA/dn``. [-]"""
+    """Sensitivities ``(n/ETA) dETA/dn`` of efficiencies, shape (gears, mechanisms). [-]"""
     margins: Sequence[Margin]
-    """Of the shift elements that have a capacity."""
+    """Margins of the shift elements with a given capacity."""
     combinations: Sequence[Combination] | None = None
-    """If they were asked for."""
+    """Further combinations of shift elements, if requested."""
     cycle: CycleSection | None = None
-    """If there is a duty cycle."""
+    """Results over a duty cycle, if given."""
     inertias: Sequence[GearInertia] = ()
-    """If anything has an inertia."""
+    """Reduced inertias; empty if the case has no inertia."""
     vehicle: Section | None = None
-    """If the case has a vehicle with an engine."""
+    """Performance of the vehicle, if the case has a vehicle with an engine."""
     needed: Sequence[Needed] = ()
-    """What shift elements must carry, if a reserve is asked for."""
+    """Needed torque capacities of shift elements, if a reserve is given."""
 
     def __repr__(self) -> str:
-        """Of which case, how many gears, their spread; not all numbers."""
+        """Return the name of the case, the number of gears and the spread."""
         counts = f"{len(self.design.gears)} gears, spread {self.design.spread:.4g}"
         return f"<Summary of {self.results.case.name!r}: {counts}>"
 
     def _repr_html_(self) -> str:
-        """All its tables, for a notebook."""
+        """Return all tables, for a notebook."""
         return shown(higher("summary_grids")(self))
 
 
@@ -92,36 +91,36 @@ def summarize(
     output_torque: float = 0.0,
     reserve: float | None = None,
 ) -> Summary:
-    """The summary of a case.
+    """Summarize the results of a case.
 
     Parameters
     ----------
     results : Results
-        Of one case, not of arrays of variants.
+        Results of a single case, without arrays of variants.
     at_most : int, optional
-        So many further combinations of shift elements may be tried; none when not given.
+        Largest number of further combinations of shift elements to try; by default none is tried.
     output_torque : float
-        Outside torque on the output, for accelerations; below 0 it resists. [N*m]
+        External torque on the output, for accelerations; a load is below 0. [N*m]
     reserve : float, optional
-        By so much capacities shall be above the largest torques. [-]
+        Ratio of needed torque capacity to largest torque. [-]
 
     Returns
     -------
     Summary
-        Ratios, steps and spread [-], transitions, largest values, margins, what a vehicle does.
+        Ratios, steps and spread [-], transitions, largest values, margins, vehicle performance.
 
     Raises
     ------
     CaseError
-        If there are more.
+        If there are more than `at_most` combinations.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([1]), Gear([2])])
-    >>> made = summarize(solve(case))
-    >>> made.design.spread, [line.ratio for line in made.design.gears]
+    >>> summary = summarize(solve(case))
+    >>> summary.design.spread, [line.ratio for line in summary.design.gears]
     (3.5, [1.0, 3.5])
     """
     expect_one_case(results, "summarize")

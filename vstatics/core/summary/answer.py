@@ -1,4 +1,4 @@
-"""What `vstatics summary` answers."""
+"""Answer of `vstatics summary` as data, for JSON."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.core.tables.ports import PortTable, port_tables
 
 @document("vstatics-summary")
 class SummaryAnswer(NamedTuple):
-    """The summary of a case, by its name."""
+    """Summary of a case."""
 
     name: str
     design: Flat[Design]
@@ -32,12 +32,12 @@ class SummaryAnswer(NamedTuple):
     vehicle: Sometimes[Annotated[object, Provided("Performance")]]
     duty: Sometimes[Annotated[object, Provided("DutyResults")]]
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """By a duty cycle of points."""
+    """Damage of components over a duty cycle of points."""
     combinations: Sometimes[Sequence[Combination]]
 
 
 def summary_answer(summary: Summary) -> SummaryAnswer:
-    """What is answered of a summary."""
+    """Return a summary as data."""
     case = summary.results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     return SummaryAnswer(

@@ -1,4 +1,4 @@
-"""Summaries beside one another."""
+"""Comparison of summaries of several cases, side by side."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ LARGEST = {
     TORQUES: "largest torque",
     LOSSY_TORQUES: "largest torque with losses",
 }
-"""Tables, and how their largest values are called."""
+"""Names of the largest values, by table."""
 
 
 def letters(count: int) -> list[str]:
-    """What cases side by side are called: A to Z, then AA and so on.
+    """Return labels of cases side by side: A to Z, then AA and so on.
 
     >>> letters(28)[-3:]
     ['Z', 'AA', 'AB']
@@ -45,10 +45,7 @@ def letters(count: int) -> list[str]:
 
 
 def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
-    """The tables of cases, called A, B, C, side by side.
-
-    Gears of one name stand on one line.
-    """
+    """Yield tables of cases side by side, labelled A, B, C; gears of equal name share a row."""
     yield _gears(summaries)
     headings = [part for letter in letters(len(summaries)) for part in (letter, "where")]
     if any(summary.inertias for summary in summaries):
@@ -62,48 +59,51 @@ def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
 
 def _gears(summaries: Sequence[Summary]) -> Grid:
     lines = [{line.gear: line for line in summary.design.gears} for summary in summaries]
-    called = letters(len(summaries))
-    fields = "ratio", "step", "efficiency"
-    headings = (f"{tr(field)} {letter}" for field in fields for letter in called)
-    rows = (
-        [name, *(getattr(by_name.get(name), field, None) for field in fields for by_name in lines)]
-        for name in _names(summaries)
-    )
-    return grid_of("Gears", ["gear", *headings], rows, key="gears")
+    fields = {tr(field): field for field in ("ratio", "step", "efficiency")}
+    return _by_gear("Gears", "gears", summaries, lines, fields)
 
 
-def _names(summaries: Sequence[Summary]) -> Sequence[str]:
-    """The names of all gears."""
-    own = ([line.gear for line in summary.design.gears] for summary in summaries)
-    names: list[str] = reduce(_in_order, own, [])
-    return names
-
-
-def _inertias(summaries: Sequence[Summary]) -> Grid:
-    lines = [{one.gear: one for one in summary.inertias} for summary in summaries]
-    shown = {INERTIA: "inertia", ACCELERATION: "acceleration"}
-    if all(math.isnan(one.acceleration) for by_name in lines for one in by_name.values()):
-        del shown[ACCELERATION]
-    headings = [
-        f"{headed_in(heading)} {letter}" for heading in shown for letter in letters(len(summaries))
-    ]
+def _by_gear(
+    title: str,
+    key: str,
+    summaries: Sequence[Summary],
+    lines: Sequence[Mapping[str, object]],
+    fields: Mapping[str, str],
+) -> Grid:
+    """Return a table of fields, by their headings, with a line of each case for each gear."""
+    labels = letters(len(summaries))
+    headings = [f"{heading} {label}" for heading in fields for label in labels]
     rows = (
         [
             name,
             *(
                 getattr(by_name.get(name), field, None)
-                for field in shown.values()
+                for field in fields.values()
                 for by_name in lines
             ),
         ]
         for name in _names(summaries)
     )
+    return grid_of(title, ["gear", *headings], rows, key=key)
+
+
+def _names(summaries: Sequence[Summary]) -> Sequence[str]:
+    in_cases = ([line.gear for line in summary.design.gears] for summary in summaries)
+    names: list[str] = reduce(_in_order, in_cases, [])
+    return names
+
+
+def _inertias(summaries: Sequence[Summary]) -> Grid:
+    lines = [{line.gear: line for line in summary.inertias} for summary in summaries]
+    fields = {headed_in(INERTIA): "inertia", headed_in(ACCELERATION): "acceleration"}
+    if all(math.isnan(line.acceleration) for by_name in lines for line in by_name.values()):
+        del fields[headed_in(ACCELERATION)]
     title = "Inertia at the input, acceleration of the input"
-    return grid_of(title, ["gear", *headings], rows, key="inertia")
+    return _by_gear(title, "inertia", summaries, lines, fields)
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
-    """The gears of both; one that only the second case has stands after the one before it.
+    """Merge two lists of gears; gears of the second list alone follow their predecessor there.
 
     >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
     ['1', '2', '3', 'R']
@@ -122,11 +122,11 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
 
 
 Fact = tuple[Value, str]
-"""A number, and where it is found."""
+"""Value, and the shift element, gear or shift with the value."""
 
 
 def _mean_efficiency(summary: Summary) -> float:
-    """Of all forward gears, NaN where one has none."""
+    """Return the mean efficiency of the forward gears, NaN if any is undefined."""
     forward = [
         line.efficiency for line in summary.design.gears if line.gear in summary.design.forward
     ]
@@ -134,62 +134,64 @@ def _mean_efficiency(summary: Summary) -> float:
 
 
 def _least_margin(summary: Summary) -> Fact:
-    known = [one for one in summary.margins if one.gear]
+    known = [margin for margin in summary.margins if margin.gear]
     if not known:
         return math.nan if summary.margins else None, ""
-    least = min(known, key=lambda one: one.least)
+    least = min(known, key=lambda margin: margin.least)
     return least.least, f"{least.element}, {least.gear}"
 
 
 def _most_needed(summary: Summary) -> Fact:
-    most = max(summary.needed, key=lambda one: one.capacity, default=None)
+    most = max(summary.needed, key=lambda element: element.capacity, default=None)
     return (most.capacity, f"{most.element}, {most.gear}") if most and most.gear else (None, "")
 
 
 def _most_slip_power(summary: Summary) -> Fact:
     powers = (
-        (power, f"{name}, {one.start}-{one.end}")
-        for one in summary.transitions
-        for name, power in one.slip_power.items()
-        if not one.skipped and power > 0
+        (power, f"{name}, {shift.start}-{shift.end}")
+        for shift in summary.transitions
+        for name, power in shift.slip_power.items()
+        if not shift.skipped and power > 0
     )
     return max(powers, default=(None, ""), key=lambda fact: fact[0] or 0.0)
 
 
 FACTS: Mapping[str, Callable[[Summary], Fact]] = {
-    "forward gears": lambda one: (len(one.design.forward), ""),
-    "shift elements": lambda one: (len(one.results.case.shift_elements), ""),
-    "of them between two links": lambda one: (
-        sum(HOUSING not in each.links for each in one.results.case.shift_elements),
+    "forward gears": lambda summary: (len(summary.design.forward), ""),
+    "shift elements": lambda summary: (len(summary.results.case.shift_elements), ""),
+    "of them between two links": lambda summary: (
+        sum(HOUSING not in element.links for element in summary.results.case.shift_elements),
         "",
     ),
-    "most that change in a shift": lambda one: (
-        max((each.changes for each in one.transitions if not each.skipped), default=0),
+    "most that change in a shift": lambda summary: (
+        max((shift.changes for shift in summary.transitions if not shift.skipped), default=0),
         "",
     ),
-    "spread": lambda one: (one.design.spread, ""),
-    "mean forward efficiency": lambda one: (_mean_efficiency(one), ""),
-    "efficiency of the duty cycle": lambda one: (one.cycle.efficiency if one.cycle else None, ""),
+    "spread": lambda summary: (summary.design.spread, ""),
+    "mean forward efficiency": lambda summary: (_mean_efficiency(summary), ""),
+    "efficiency of the duty cycle": lambda summary: (
+        summary.cycle.efficiency if summary.cycle else None,
+        "",
+    ),
     "least margin": _least_margin,
     "largest slip power": _most_slip_power,
     "largest needed capacity": _most_needed,
 }
-"""What is told of a case as a whole, where it is known of any."""
+"""Overall values of a case; a row is omitted if no case has the value."""
 
 
 def _in_all(summaries: Sequence[Summary]) -> Iterator[Values]:
-    """Rows of what is told of a case as a whole."""
     for name, fact in FACTS.items():
-        facts = [fact(one) for one in summaries]
+        facts = [fact(summary) for summary in summaries]
         if any(value is not None for value, _ in facts):
             yield [word(name), *chain(*facts)]
     for loaded in (False, True):
         for key, name in LARGEST.items():
             shown = quantity(key, loaded=loaded)
-            lines = [overall(one.largest.get(shown.key, ())) for one in summaries]
+            lines = [overall(summary.largest.get(shown.key, ())) for summary in summaries]
             if any(lines):
-                found = [_largest(line, shown.decimals) for line in lines]
-                yield [word(headed(name, shown.unit)), *chain(*found)]
+                largest = [_largest(line, shown.decimals) for line in lines]
+                yield [word(headed(name, shown.unit)), *chain(*largest)]
 
 
 def _largest(line: Largest | None, decimals: int) -> Fact:

@@ -1,4 +1,8 @@
-"""The design table: ratios, steps, spread, efficiencies, and which gears are neighbours."""
+"""Design table of a gearbox: ratios, step ratios, spread and efficiencies.
+
+Gears of one direction in descending order of their ratios are neighbours; their ratios divide into
+the step ratios. The order of gears in the case does not matter.
+"""
 
 from __future__ import annotations
 
@@ -13,46 +17,46 @@ from vstatics.core.statics.results import Results
 
 
 class GearLine(NamedTuple):
-    """A gear in the design table."""
+    """Row of a gear in the design table."""
 
     gear: str
     ratio: float
     next: str
-    """The gear of the same direction with the next smaller ratio, if there is one."""
+    """Gear of equal direction with the next smaller ratio; empty for the last gear."""
     step: float
-    """Ratio of the gear by that of the next. [-]"""
+    """Step ratio: ratio of the gear divided by the ratio of the next gear. [-]"""
     efficiency: float
     state: str
-    """Why something does not exist; empty for a gear of which all is known."""
+    """Reason why values are missing; empty if the gear is completely determined."""
 
 
 class Design(NamedTuple):
-    """The design table of a transmission."""
+    """Design table of a transmission."""
 
     gears: Sequence[GearLine]
-    """In the order of the case."""
+    """Gears in the order of the case."""
     forward: Sequence[str]
-    """From the largest ratio to the smallest."""
+    """Names of the forward gears from the largest ratio to the smallest."""
     spread: float
-    """Largest by smallest forward ratio [-]; NaN without gears."""
+    """Largest forward ratio divided by the smallest [-]; NaN without forward gears."""
 
 
 def design(results: Results) -> Design:
-    """Ratios, steps and efficiencies of all gears of one case.
+    """Return ratios, step ratios and efficiencies of all gears of a case.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2)],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
-    >>> made = design(solve(case))
-    >>> made.spread, [line.step for line in made.gears]
+    >>> table = design(solve(case))
+    >>> table.spread, [line.step for line in table.gears]
     (3.5, [3.5, nan])
     """
     names = [gear.name for gear in results.case.gears]
     ratios = results.ratio.tolist()
     comparable = ranges(results)
-    following = {one: other for indices in comparable for one, other in pairwise(indices)}
+    following = {gear: after for indices in comparable for gear, after in pairwise(indices)}
     lines = [
         GearLine(
             name,
@@ -69,21 +73,20 @@ def design(results: Results) -> Design:
     return Design(lines, [names[index] for index in forward], spread)
 
 
-def is_same(one: float, other: float) -> bool:
-    """Whether two numbers differ by rounding only.
+def is_same(first: float, second: float) -> bool:
+    """Return whether two ratios differ only by rounding.
 
     >>> is_same(1.0, 1 + 1e-15), is_same(1.0, 1.001), is_same(math.nan, math.nan)
     (True, False, False)
     """
-    return math.isclose(one, other, rel_tol=SAME_RATIO)
+    return math.isclose(first, second, rel_tol=SAME_RATIO)
 
 
 def ranges(results: Results) -> list[list[int]]:
-    """The gears of one case that can be compared, by their indices.
+    """Group the gears of a case by input, output and direction, as lists of indices.
 
-    A range has gears of one input, one output and one direction, from the largest ratio
-    to the smallest, both without sign. The first range is taken as forward, as
-    `ranges_of` does. Gears without a ratio and operating points are in none.
+    Each range is ordered by the magnitude of the ratio, largest first. The first range is assumed
+    to be forward; see `ranges_of`. Gears without a ratio and operating points are left out.
 
     Examples
     --------
@@ -104,11 +107,11 @@ def ranges(results: Results) -> list[list[int]]:
 def ranges_of(
     ratios: Sequence[float], kinds: Sequence[Hashable | None], names: Sequence[str]
 ) -> list[list[int]]:
-    """As `ranges`, of ratios that are told by whatever else makes gears comparable.
+    """Group ratios by sign and by kind, such as input and output, as lists of indices.
 
-    The first range is the longest: a final drive may turn the sign of all gears. One whose gears
-    all have names of reverse gears is behind others; of several of one length the first has the
-    fewest such names, else it is written first.
+    The first range is taken as forward. It is the longest one, since a final drive can reverse the
+    sign of all gears. Ranges with names of reverse gears only come last. Among ranges of equal
+    length the one with the fewest such names is first, and then the one written first.
 
     >>> ranges_of([-3.3, 1.0, 4.7, math.nan], ["a", "a", "a", "a"], ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -121,18 +124,18 @@ def ranges_of(
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
         if math.isfinite(ratio) and kind is not None:
             alike.setdefault((kind, ratio > 0), []).append(index)
-    for indices in alike.values():  # those of one ratio stay as they are, whatever rounding says
+    for indices in alike.values():  # rounding errors must not reorder gears of equal ratio
         indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))
-    return sorted(alike.values(), key=lambda one: _likeness_of_reverse(one, names))
+    return sorted(alike.values(), key=lambda indices: _likeness_of_reverse(indices, names))
 
 
 def is_guess(ranges_: Sequence[Sequence[int]], names: Sequence[str]) -> bool:
-    """Whether nothing but the order of gears tells that the first range is forward.
+    """Return whether only the order of gears decides that the first range is forward.
 
     >>> is_guess([[0, 1], [2, 3]], ["F1", "F2", "R1", "R2"]), is_guess([[0], [1]], ["a", "b"])
     (False, True)
     """
-    return len({_likeness_of_reverse(one, names) for one in ranges_[:2]}) < len(ranges_[:2])
+    return len({_likeness_of_reverse(gears, names) for gears in ranges_[:2]}) < len(ranges_[:2])
 
 
 def _likeness_of_reverse(indices: Sequence[int], names: Sequence[str]) -> tuple[bool, int, int]:
@@ -145,4 +148,4 @@ _REVERSE = re.compile(
     r"|.*([\W_]r[\W\d_]*$|revers|rückw|rueckw|backw|задн)",
     re.IGNORECASE,
 )
-"""Names of reverse gears: -1, R, R1, RL, 1R, low R, low reverse, Rückwärts, ЗХ; not road, range."""
+"""Pattern of reverse gears' names: -1, R, R1, RL, 1R, low R, Rückwärts, ЗХ; not road, range."""

@@ -1,4 +1,4 @@
-"""The largest values over all gears and the least margins of capacity, each with its gear."""
+"""Largest values over all gears and least margins of torque capacity, each with its gear."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.carried import carried_torques
 from vstatics.core.statics.results import Results
@@ -19,36 +19,36 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = "WSAT", "WFRI", "AMLG", "AMLGP"
 
 
 def quantity(key: str, *, loaded: bool) -> Quantity:
-    """One of these four, or what it is with a load."""
+    """Return the quantity of a key, in rpm or N*m if `loaded`."""
     return in_unit(BY_NAME[key]) if loaded else BY_NAME[key]
 
 
 class Largest(NamedTuple):
-    """The value of a row that is the largest one without its sign."""
+    """Value of largest magnitude in a row of a table."""
 
     row: str
     value: float
-    """With its sign; NaN where there is none in any gear."""
+    """Signed value; NaN if the row has no value in any gear."""
     gear: str
-    """The first gear with it; empty where the value is 0 or there is none."""
+    """First gear with the value; empty if the value is 0 or NaN."""
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """The largest values over all gears of one case, by the name of the table.
+    """Return the largest values over all gears of a case, by the name of the table.
 
-    Speeds of planets, slip speeds of open shift elements, torques of engaged ones without
-    and with losses where the gear can run; with a load all of them in rpm and N*m, too.
-    Rows are those of the tables, so what the case draws has its own.
+    The tables are speeds of planets, slip speeds of disengaged shift elements, and torques on
+    engaged elements without and with losses, if the gear can run. With an operating point
+    there are also tables in rpm and N*m. Rows are the rows of the result tables.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
-    >>> found = largest(solve(case))
-    >>> found["AMLG"][1]
+    >>> values = largest(solve(case))
+    >>> values["AMLG"][1]
     Largest(row='B', value=-2.5, gear='1')
-    >>> list(found)
+    >>> list(values)
     ['WSAT', 'WFRI', 'AMLG', 'AMLGP']
     """
     by_key = {}
@@ -60,14 +60,14 @@ def largest(results: Results) -> dict[str, list[Largest]]:
         elif kind == SLIPS:
             by_key[key] = _of(table, np.where(results.holds.T, np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
-            own = table.values[: len(results.case.shift_elements)]
+            elements = table.values[: len(results.case.shift_elements)]
             loaded = results.holds.T & results.calculable  # a gear that is tied up has no flow
-            by_key[key] = _of(table, np.where(loaded, own, np.nan))
+            by_key[key] = _of(table, np.where(loaded, elements, np.nan))
     return by_key
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
-    """The largest of all rows."""
+    """Return the largest value of all rows; None without values."""
     known = [line for line in lines if not math.isnan(line.value)]
     return max(known, key=lambda line: abs(line.value)) if known else None
 
@@ -84,28 +84,28 @@ def _largest(name: str, row: Floats, gears: Sequence[str]) -> Largest:
     if np.isnan(sizes).all():
         return Largest(name, math.nan, "")
     top = np.nanmax(sizes)
-    first = int(np.argmax(sizes >= top * (1 - SAME_RATIO)))  # a comparison with NaN is false
+    first = int(np.argmax(sizes >= top * (1 - SAME_RATIO)))  # comparisons with NaN are false
     return Largest(name, float(row[first]), gears[first] if top > 0 else "")
 
 
 class Margin(NamedTuple):
-    """The margins of a shift element that has a capacity."""
+    """Margins of a shift element with a given torque capacity."""
 
     element: str
     capacity: float
-    """Relative to the input torque of the case. [-]"""
+    """Torque capacity relative to the input torque of the case. [-]"""
     by_gear: Sequence[float]
-    """Capacity by torque; NaN where the element is open or carries nothing. [-]"""
+    """Capacity divided by torque in each gear; NaN if disengaged or without torque. [-]"""
     least: float
     gear: str
-    """The first gear with the least; empty if there is none."""
+    """First gear with the least margin; empty if the element carries no torque."""
 
 
 def margins(results: Results) -> list[Margin]:
-    """Capacity by torque, ``capacity/|M|``, in the gears of one case where an element is engaged.
+    """Return the margins ``capacity/|M|`` of engaged shift elements in the gears of a case.
 
-    M is the larger of the torques without and with losses, to be on the safe side. In
-    a gear with a load of its own, M is that of this load.
+    M is the larger of the torques without and with losses, to be on the safe side, at the
+    operating point of the gear.
 
     Examples
     --------
@@ -117,28 +117,36 @@ def margins(results: Results) -> list[Margin]:
     """
     case = results.case
     torques, carrying = carried_torques(results, case.load.torque_size if case.load else 0.0)
-    return [
-        _margin(results, element.name, element.capacity, torques[:, number], carrying[:, number])
-        for number, element in enumerate(case.shift_elements)
-        if element.capacity  # one with a unit, without a load, is 0 of it
-    ]
+    lines = []
+    for number, element in enumerate(case.shift_elements):
+        if not element.capacity:  # a capacity in N*m is 0 in a case without operating point
+            continue
+        with np.errstate(all="ignore"):
+            ratios = element.capacity / torques[:, number]
+        by_gear = np.where(carrying[:, number], ratios, np.nan).tolist()
+        least = min((margin for margin in by_gear if math.isfinite(margin)), default=math.nan)
+        first = [n for n, margin in enumerate(by_gear) if margin <= least * (1 + SAME_RATIO)]
+        gear = case.gears[first[0]].name if first else ""
+        margin = by_gear[first[0]] if first else math.nan
+        lines.append(Margin(element.name, element.capacity, by_gear, margin, gear))
+    return lines
 
 
 class Needed(NamedTuple):
-    """What a shift element must be able to carry."""
+    """Torque capacity that a shift element needs."""
 
     element: str
     capacity: float
-    """Its largest torque with the reserve, relative to the input torque of the case, or the
-    largest of the gears if they alone have one. [-]"""
+    """Largest torque times reserve, relative to the input torque of the case, or to the largest
+    input torque of the gears if the case has none. [-]"""
     gear: str
-    """The first gear with the largest torque; empty if it carries nothing."""
+    """First gear with the largest torque; empty if the element carries no torque."""
     capacity_Nm: float  # noqa: N815
-    """The same with the load [N*m]; NaN where a gear has none."""
+    """Needed capacity [N*m]; NaN if a gear has no input torque."""
 
 
 def needed_capacities(results: Results, reserve: float) -> list[Needed]:
-    """The largest torque of each shift element, times a reserve; torques as of `margins`.
+    """Return the largest torque of each shift element times a reserve; torques as in `margins`.
 
     Examples
     --------
@@ -149,27 +157,14 @@ def needed_capacities(results: Results, reserve: float) -> list[Needed]:
     Needed(element='B', capacity=3.0, gear='low', capacity_Nm=nan)
     """
     case = results.case
-    own = [case.gear_load(gear).torque_size for gear in case.gears]
-    common = (case.load and case.load.torque_size) or (max(own) if all(own) else 0.0)
+    by_gear = [case.gear_load(gear).torque_size for gear in case.gears]
+    common = (case.load and case.load.torque_size) or (max(by_gear) if all(by_gear) else 0.0)
     torques, carrying = carried_torques(results, common)
     sizes, unit = np.where(carrying, torques, 0.0), common or math.nan
-    found = []
+    capacities = []
     for element, column in zip(case.shift_elements, sizes.T, strict=True):
         top = float(column.max(initial=0.0))
         first = int(np.argmax(column >= top * (1 - SAME_RATIO)))
         gear = case.gears[first].name if top > 0 else ""
-        found.append(Needed(element.name, top * reserve, gear, top * reserve * unit))
-    return found
-
-
-def _margin(
-    results: Results, name: str, capacity: float, torques: Floats, carrying: Booleans
-) -> Margin:
-    with np.errstate(all="ignore"):
-        margins = np.where(carrying, capacity / torques, np.nan).tolist()
-    known = [number for number, margin in enumerate(margins) if math.isfinite(margin)]
-    if not known:
-        return Margin(name, capacity, margins, math.nan, "")
-    least = min(margins[number] for number in known)
-    first = next(number for number in known if margins[number] <= least * (1 + SAME_RATIO))
-    return Margin(name, capacity, margins, margins[first], results.case.gears[first].name)
+        capacities.append(Needed(element.name, top * reserve, gear, top * reserve * unit))
+    return capacities

@@ -1,4 +1,4 @@
-"""What a gear is to its engine: one inertia at the input, and how fast a torque moves it."""
+"""Inertia of each gear reduced to the input, and the acceleration of the input by the torques."""
 
 from __future__ import annotations
 
@@ -16,30 +16,29 @@ from vstatics.core.statics.results import Results
 
 
 class GearInertia(NamedTuple):
-    """The inertia of all that turns in a gear, reduced to the input."""
+    """Inertia of all rotating parts of a gear, reduced to the input."""
 
     gear: str
     inertia: float
-    """``sum J (w/w_input)^2``; NaN where a speed is not determined. [kg*m^2]"""
+    """Reduced inertia ``sum J (w/w_input)^2``; NaN if a speed is indeterminate. [kg*m^2]"""
     acceleration: float
-    """Of the input, without losses and drag; NaN without a load. [rad/s^2]"""
+    """Acceleration of the input without losses and drag; NaN without input torque. [rad/s^2]"""
 
 
 def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[GearInertia]:
-    """The reduced inertias of one case, planets included; none if nothing has an inertia.
+    """Return the reduced inertias of a case, planets included; empty without any inertia.
 
-    Springs do not wind up, as at mean speeds. Outside torques are that of the load at the input,
-    those that a gear gives or its balance finds, and that on the output; the acceleration is
-    their power by the speed of the input and the reduced inertia. Where a link other than the
-    housing is driven at a given speed, its torque follows from the acceleration, which is then
-    not told.
+    Springs count as rigid. The acceleration is the power of the external torques divided by input
+    speed and reduced inertia. External torques are the input torque, the torques given by the gear
+    or calculated by its balance, and the output torque. If a link is driven at a given speed other
+    than 0, its torque depends on the acceleration, so that the acceleration is NaN.
 
     Parameters
     ----------
     results : Results
     output_torque : float
-        Outside torque on the output, positive like the input's: below 0 for a load that
-        resists. [N*m]
+        External torque on the output, positive in the direction of the input torque, so that a
+        load is below 0. [N*m]
 
     Examples
     --------
@@ -53,7 +52,7 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
     moving = _moving(case)
     if not moving:
         return []
-    found = []
+    inertias = []
     torques = scales(case)["Nm"].tolist()
     gears = results.points.gears if results.points else case.gears
     for gear, speeds, torque in zip(gears, results.speeds.tolist(), torques, strict=True):
@@ -63,24 +62,24 @@ def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[G
         )
         power = _power(case, gear, speeds, torque, output_torque)
         possible = inertia > 0 and math.isfinite(power)
-        found.append(GearInertia(gear.name, inertia, power / inertia if possible else math.nan))
-    return found
+        inertias.append(GearInertia(gear.name, inertia, power / inertia if possible else math.nan))
+    return inertias
 
 
 def _moving(case: Transmission) -> list[tuple[float, dict[int, float]]]:
-    """Inertias, each with its speed by those of links."""
+    """List the inertias, each with its speed as a linear form of link speeds."""
     drawing = drawing_of(case)
     planets = planet_inertias(drawing) if drawing else ()
     return [
         *((inertia, {link: 1.0}) for link, inertia in case.heavy.items() if inertia),
-        *((one.inertia, dict(one.speed)) for one in planets),
+        *((planet.inertia, dict(planet.speed)) for planet in planets),
     ]
 
 
 def _power(
     case: Transmission, gear: Gear, speeds: Sequence[float], torque: float, output_torque: float
 ) -> float:
-    """Of all outside torques, by the speed of the input; NaN where one is unknown; in N*m."""
+    """Return the power of external torques divided by the input speed [N*m]; NaN if unknown."""
     if any(isinstance(speed, SpeedOf) or speed for speed in gear.speeds.values()):
         return math.nan
     power = 0.0

@@ -1,7 +1,4 @@
-"""A view of the gears for a person at a terminal: one table, coloured.
-
-Results as a notebook shows them: the table of the gears.
-"""
+"""Coloured table of all gears for a terminal, and as HTML for a notebook."""
 
 from __future__ import annotations
 
@@ -28,40 +25,40 @@ from vstatics.core.tables.values import tables
 from vstatics.core.texts import tr
 
 POOR, BAD = 0.95, 0.9
-"""An efficiency below is yellow, or red."""
+"""Efficiencies below which a gear is yellow or red. [-]"""
 
 NEEDS_DECIMALS = 10
-"""A speed in rpm or a torque in N*m below has a digit after the point."""
+"""Speed [rpm] or torque [N*m] below which numbers have a decimal."""
 
 NAMES_IN_HEADS = 12
-"""So many characters of names of shift elements head columns; more are numbered."""
+"""Most characters of shift elements' names as headings; longer names are replaced by numbers."""
 
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
-"""Signs for a terminal that knows no others."""
+"""Marks for a terminal without Unicode."""
 
 
 def view(
     results: Results, marks: Marks = DOTS, digits: int | None = None, width: int = 80
 ) -> Group:
-    """One table of the gears of one case, and what its marks mean.
+    """Return a table of the gears of a case, with a legend.
 
-    In little width it becomes several, in much the names of shift elements head columns.
+    A table wider than the terminal is split, and names of shift elements become numbers.
 
     Parameters
     ----------
     marks : Marks, optional
-        `ASCII` for a terminal that knows no others.
+        Marks of engaged elements, such as `ASCII`.
     digits : int, optional
-        After the point, where they are not those that suit a number.
+        Number of decimals, by default chosen for each number.
     width : int, optional
-        Of the terminal, in characters.
+        Width of the terminal in characters.
 
     Returns
     -------
     rich.console.Group
-        Speeds and torques are the largest of their gear: in rpm and N*m where the case
-        has a load, else relative to the input [-].
+        Table with the largest speed and torque of each gear, in rpm and N*m if the case has an
+        operating point, else relative to the input [-].
 
     Examples
     --------
@@ -88,15 +85,15 @@ def view(
 def gears_grid(
     results: Results, marks: Marks = DOTS, digits: int | None = None, *, numbered: bool = False
 ) -> Grid:
-    """What each gear engages, its ratio and efficiency, its largest speed and torque.
+    """Return the table of gears: engaged elements, ratio, efficiency, largest speed and torque.
 
     Parameters
     ----------
     marks : Marks, optional
     digits : int, optional
-        After the point; four significant ones of small numbers when not given.
+        Number of decimals, by default chosen for each number.
     numbered : bool, optional
-        Whether numbers of shift elements head columns, not their names.
+        Whether columns are headed by numbers of shift elements, not by names.
     """
     names = [element.name for element in results.case.shift_elements]
     headings = list(map(str, range(1, len(names) + 1))) if numbered else names
@@ -129,7 +126,7 @@ def gears_grid(
 
 
 def _ports(results: Results) -> Grid:
-    """The table of ports, with the name of a gear in its first row alone."""
+    """Return the table of ports, with the name of each gear in a single row."""
     grid = ports_grid(port_tables(results))
     names = [row[0].text for row in grid.cells]
     rows = [
@@ -140,7 +137,7 @@ def _ports(results: Results) -> Grid:
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:
-    """Ratio, step to the next gear of the same direction, and efficiency."""
+    """Return the cells of ratio, step ratio and efficiency of a gear."""
     good = line.efficiency
     colour = "red" if good < BAD else "yellow" if good < POOR else "green"
     return [
@@ -151,24 +148,24 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
 
 
 def _speeds(by_key: dict[str, Table], number: int, *, rpm: bool) -> Iterator[tuple[str, float]]:
-    """The speeds of links, planets and open elements."""
+    """Yield names and speeds of links, planets and disengaged elements."""
     unit = "_rpm" if rpm else ""
     for key, kind in (("W", ""), ("WSAT", tr("planet")), ("WFRI", tr("slip"))):
         if key + unit in by_key:
             for name, value in _column(by_key[key + unit], number):
-                # P1.planet tells by itself what it is, 1 does not
+                # A planet's name such as `P1.planet` needs no prefix, a number does.
                 front = "" if "." in name else kind or tr("link") * name.isdigit()
                 yield f"{front} {name}".lstrip(), value
 
 
 def _torques(by_key: dict[str, Table], number: int) -> list[tuple[str, float]]:
-    """The torques of shift elements, mechanisms and members, with losses if they exist.
+    """List the torques of shift elements, mechanisms and members, with losses if calculated.
 
-    None where one of them is not determined: it may be larger than all others.
+    The list is empty if any torque is indeterminate, since that one can be the largest.
     """
     names = ("AMLGP_Nm", "AMLG_Nm") if "AMLGP_Nm" in by_key else ("AMLGP", "AMLG")
     for name in names:
-        column = [one for one in _column(by_key[name], number) if one[0] != OUTPUT]
+        column = [torque for torque in _column(by_key[name], number) if torque[0] != OUTPUT]
         if not any(math.isnan(value) for _, value in column):
             return column
     return []
@@ -179,24 +176,26 @@ def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
 
 
 def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
-    """The largest number without its sign, and its name; nothing where there is no number."""
+    """Return a cell with the largest magnitude and the name there; empty without numbers."""
     known = [(abs(value), name) for name, value in values if not math.isnan(value)]
     if not known:
         return Cell("")
-    value, name = max(known, key=lambda one: one[0])
+    value, name = max(known, key=lambda pair: pair[0])
     decimals = decimals or int(ROUNDED_NUMBER < value < NEEDS_DECIMALS)
     return Cell(f"{exact(value, decimals, digits=digits).text} {name}", value)
 
 
 def _resting(results: Results, number: int, *, bracketed: bool) -> Cell:
-    """What is one piece, what is idle, the latter in brackets or alone; or why no numbers are."""
+    """Return a cell with locked-up gear sets and, in brackets, idle ones; or the gear's fault."""
     status = results.status(number + 1)
     if status.name:
         colour = "red" if status.is_fault else "yellow"
         return state(status.name)._replace(style=colour)
     names = [device.name for device in results.case.own_devices]
-    found = list(zip(names, roles(results, number), strict=True))
-    whole, idle = (" ".join(n for n, role in found if role == one) for one in (ONE_PIECE, IDLE))
+    by_name = list(zip(names, roles(results, number), strict=True))
+    whole, idle = (
+        " ".join(n for n, role in by_name if role == wanted) for wanted in (ONE_PIECE, IDLE)
+    )
     return Cell(f"{whole} ({idle})".strip() if idle and bracketed else whole or idle)
 
 
@@ -206,7 +205,7 @@ def _all_roles(results: Results) -> set[Role]:
 
 
 def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iterator[str]:
-    """What the marks that occur mean."""
+    """Yield lines that explain the marks in the table."""
     case = results.case
     if names:
         elements = enumerate(case.shift_elements, 1)
@@ -222,18 +221,18 @@ def _legend(results: Results, gears: Grid, marks: Marks, *, names: bool) -> Iter
     of_first = tr("; of a mechanism the torque on its first link") * (case.drawing is None)
     by_input = "" if text("speed, rpm") in gears.columns else tr(", by the input's")
     yield f"{tr('speed, torque: the largest')}{by_input}{of_first}"
-    found = _all_roles(results)
-    said = [f"{tr(role)}: {tr(meaning)}" for role, meaning in MEANINGS.items() if role in found]
+    occurring = _all_roles(results)
+    said = [f"{tr(role)}: {tr(meaning)}" for role, meaning in MEANINGS.items() if role in occurring]
     if said:
         yield "; ".join(said)
     states = {results.status(number + 1) for number in range(len(case.gears))}
-    for one in STATUSES:
-        if one in states:
-            yield f"{state(one.name).spoken.text}: {tr(one.meaning)}"
+    for status in STATUSES:
+        if status in states:
+            yield f"{state(status.name).spoken.text}: {tr(status.meaning)}"
 
 
 def _inverses(results: Results, digits: int | None) -> Iterator[str]:
-    """Output speed by input speed of the gears whose output is faster, as hubs are sold by it."""
+    """Yield 1/i of gears with a faster output, as bicycle hubs are specified."""
     fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
     if fast:
         words = tr("1/i = output speed / input speed")
@@ -245,7 +244,7 @@ def _inverses(results: Results, digits: int | None) -> Iterator[str]:
 
 
 def results_html(results: Results) -> str:
-    """The gears of one case as a table; arrays of variants as a line.
+    """Return the gears of a case as an HTML table; arrays of variants as a line.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Sections of a summary that annexes calculate, as far as the core knows them."""
+"""Interfaces of the sections of a summary that annexes calculate."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ class CycleSection(Section, Protocol):
 
     @property
     def damage(self) -> Mapping[str, object]:
-        """Damage of devices by their names."""
+        """Damage of components by name."""
 
     @property
     def messages(self) -> Sequence[Message]:
-        """Doubts about the cycle."""
+        """Warnings about the cycle."""
 
 
 class GivenCycle(Protocol):
-    """A duty cycle that was read."""
+    """Duty cycle from a file."""
 
     def of(self, results: Results) -> CycleSection:
         """Return the results of a case over the cycle."""
@@ -46,12 +46,14 @@ class CycleOptions(Protocol):
 
     @property
     def files(self) -> list[str]:
-        """Files that are read."""
+        """Names of the files to read."""
 
     def read(self) -> GivenCycle | None:
-        """Return the duty cycle, if one is given."""
+        """Return the given duty cycle, or None."""
 
 
 def doubts(cycle: CycleSection | None, file: str) -> list[Problem]:
     """Return the warnings about the duty cycle of a case."""
-    return [of_file(one.id, file, one.text) for one in (cycle.messages if cycle else ())]
+    return [
+        of_file(message.id, file, message.text) for message in (cycle.messages if cycle else ())
+    ]

@@ -1,4 +1,8 @@
-"""How much ratio and efficiency of each gear change with those of each mechanism."""
+"""Sensitivity of each gear's ratio and efficiency to the ratio and efficiency of each mechanism.
+
+Ratios are differentiated exactly by the adjoint of the speed equations, efficiencies by finite
+differences.
+"""
 
 from __future__ import annotations
 
@@ -21,16 +25,15 @@ from vstatics.core.statics.torques import times
 
 
 def sensitivities(results: Results) -> Floats:
-    """Relative sensitivities ``(u/i) di/du``: per cent of ratio per cent of internal ratio.
+    """Return relative sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u.
 
-    Of a variator or converter u is its speed ratio x. Given speeds stay as they are, relative
-    to the input or to the link that they follow; torques take no part. The results are of one
-    case.
+    The u of a variator or converter is its speed ratio. Given speeds are constant, relative to the
+    input or to the link that they follow. The results are those of a single case.
 
     Returns
     -------
     ndarray, shape (gears, mechanisms)
-        NaN where the ratio, or the sensitivity, is not determined. [-]
+        Sensitivities [-]; NaN if the ratio or the sensitivity is indeterminate.
 
     Source
     ------
@@ -47,12 +50,16 @@ def sensitivities(results: Results) -> Floats:
     """
     with np.errstate(all="ignore"):
         of_gears = [_of_speeds(results.gear_at(index)) for index in range(len(results.case.gears))]
-    found: Floats = np.array(of_gears).reshape(len(of_gears), len(results.case.mechanisms))
-    return np.where(np.isfinite(found), found + 0.0, np.nan)
+    by_gear: Floats = np.array(of_gears).reshape(len(of_gears), len(results.case.mechanisms))
+    return np.where(np.isfinite(by_gear), by_gear + 0.0, np.nan)
 
 
 def _of_speeds(state: GearState) -> list[float]:
-    """Of a gear, by how much each equation for its speeds moves the output."""
+    """Return the sensitivities of a gear's ratio.
+
+    For speed equations ``A w = b`` the solution v of ``A^T v = e_output`` is the change of output
+    speed per unit of each right-hand side; a change of row k gives ``dw_output = -v_k dA_k w``.
+    """
     case, output = state.case, state.case.gear_output(state.gear)
     by_link: list[dict[int, Coefficient]] = [{} for _ in range(case.links)]
     equations = speed_rows(case, state.gear, state.ideal.variant.rows)
@@ -65,40 +72,40 @@ def _of_speeds(state: GearState) -> list[float]:
     by_device = dict(
         zip(always_loaded(case, state.gear), weights, strict=False)
     )  # they stand first
-    found = []
-    for place, (one, u, motion) in enumerate(
+    changes = []
+    for place, (mechanism, u, motion) in enumerate(
         zip(case.mechanisms, state.ideal.variant.ratios, state.relative_speeds, strict=True),
         len(case.shift_elements),
     ):
-        by_ratio = u * motion if one.kind else -motion
+        by_ratio = u * motion if mechanism.kind else -motion
         weight = by_device.get(place, 0.0)
-        found.append(float(plain(times(weight, by_ratio) * state.ratio)))
-    return found
+        changes.append(float(plain(times(weight, by_ratio) * state.ratio)))
+    return changes
 
 
 EFFICIENCY_DIFFERENCE = 1e-3
-"""Of an efficiency, as a part of it: differences of fourth order then have ten digits."""
+"""Relative step of an efficiency, for which fourth-order differences have about ten digits. [-]"""
 NEARLY_LOSSLESS = 1 - 1e-13
-"""In place of 1, which is a special case: variants with it, each of a structure of its own, would
-be calculated one by one."""
+"""Substitute for an efficiency of 1, whose variants would differ in structure and could not be
+calculated at once. [-]"""
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
-"""The first derivative by numbers at 0, -1, -2, -3, -4 differences (Fornberg 1988, table 3)."""
+"""Weights of values at 0, -1, -2, -3, -4 steps in the first derivative (Fornberg 1988, table 3)."""
 
 
 def efficiency_sensitivities(results: Results) -> Floats:
-    """By how many per cent the efficiency of a gear changes by one per cent of a mechanism's.
+    """Return relative sensitivities ``(n/ETA) dETA/dn`` to the efficiencies n of mechanisms.
 
-    Differences to lower efficiencies, as none is above 1. Laws count as the numbers that they
-    come to in each gear. The results are of one case.
+    Backward differences are used, because efficiencies cannot be above 1. Laws count as their
+    values in each gear. The results are those of a single case.
 
     Returns
     -------
     ndarray, shape (gears, mechanisms)
-        ``(n/ETA) dETA/dn``; NaN where a gear has no efficiency. [-]
+        Sensitivities [-]; NaN if a gear has no efficiency.
 
     Examples
     --------
-    In a set whose ring is held the part ``-u n/(1 - u n)`` of the power goes through the teeth.
+    In a gear set with its ring held, ``-u n/(1 - u n)`` of the power is transmitted by the teeth.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5, 0.96)], [Gear([1])])
@@ -106,8 +113,11 @@ def efficiency_sensitivities(results: Results) -> Floats:
     (array([[0.70588235]]), 0.705882353)
     """
     by_gear = _at_load(results)
-    slopes = {own: _efficiency_slopes(results.case, own) for own in dict.fromkeys(by_gear)}
-    of_gears = np.array([slopes[own][:, index] for index, own in enumerate(by_gear)])
+    slopes = {
+        mechanisms: _efficiency_slopes(results.case, mechanisms)
+        for mechanisms in dict.fromkeys(by_gear)
+    }
+    of_gears = np.array([slopes[mechanisms][:, index] for index, mechanisms in enumerate(by_gear)])
     with np.errstate(all="ignore"):
         relative: Floats = of_gears / results.efficiency[:, np.newaxis]
     relative[np.abs(relative) < NO_SENSITIVITY] = 0.0
@@ -115,33 +125,35 @@ def efficiency_sensitivities(results: Results) -> Floats:
 
 
 def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
-    """The mechanisms as they are in each gear, with numbers in place of laws."""
+    """Return the mechanisms of each gear with laws replaced by numbers."""
     case, points = results.case, results.points
 
-    def plain(own: Any, there: float) -> Any:
-        return there if isinstance(own, Law) else own
+    def plain(given: Any, there: float) -> Any:
+        return there if isinstance(given, Law) else given
 
     if points is None or not points.efficiencies:
         return [tuple(case.mechanisms)] * len(case.gears)
     return [
         tuple(
-            one._replace(
-                efficiency=plain(one.efficiency, there.forward),
-                back_efficiency=plain(one.back_efficiency, there.back),
+            mechanism._replace(
+                efficiency=plain(mechanism.efficiency, there.forward),
+                back_efficiency=plain(mechanism.back_efficiency, there.back),
             )
-            for one, there in zip(case.mechanisms, of_gear, strict=True)
+            for mechanism, there in zip(case.mechanisms, of_gear, strict=True)
         )
         for of_gear in points.efficiencies
     ]
 
 
 def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) -> Floats:
-    """``n dETA/dn`` of other mechanisms in a case, (mechanisms, gears)."""
-    own = np.minimum([one.efficiency for one in mechanisms], NEARLY_LOSSLESS)
-    count, steps = len(own), len(BACKWARD)
-    efficiencies = np.tile(own, (count, steps, 1))
+    """Return ``n dETA/dn`` of a case with other mechanisms, shape (mechanisms, gears)."""
+    given = np.minimum([mechanism.efficiency for mechanism in mechanisms], NEARLY_LOSSLESS)
+    count, steps = len(given), len(BACKWARD)
+    efficiencies = np.tile(given, (count, steps, 1))
     lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)
-    efficiencies[range(count), :, range(count)] = own[:, np.newaxis] * lower
-    efficiencies[[one.kind == "converter" for one in mechanisms]] = own  # loses by its points
-    found = solve(case.with_numbers(mechanisms), efficiencies=efficiencies).efficiency
-    return np.tensordot(found, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE
+    efficiencies[range(count), :, range(count)] = given[:, np.newaxis] * lower
+    efficiencies[[mechanism.kind == "converter" for mechanism in mechanisms]] = (
+        given  # loses by its points
+    )
+    totals = solve(case.with_numbers(mechanisms), efficiencies=efficiencies).efficiency
+    return np.tensordot(totals, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE

@@ -1,4 +1,4 @@
-"""Transitions: which shift elements change from gear to gear."""
+"""Transitions between gears: the shift elements that change, and their slip power."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ WORDS = ("none", "single", "double", "triple")
     kind="word",
 )
 class Transition(NamedTuple):
-    """A shift from one gear to another, upward; downward the two lists change places."""
+    """Upshift between two gears; for the downshift the two lists change places."""
 
     start: str
     end: str
     skipped: str
-    """The gear between the two, if one is skipped."""
+    """Gear between start and end; empty unless a gear is skipped."""
     released: Sequence[str]
     engaged: Sequence[str]
     slip_power: Mapping[str, float]
-    """Of each element that is engaged upward, its torque after by its slip before, and of those
-    released, which engage downward, the other way; by the input power. [-]"""
+    """Slip power of each oncoming element: torque after the shift times slip before, relative to
+    the input power. Elements in `released` are oncoming in the downshift. [-]"""
     slip_power_kW: Mapping[str, float]  # noqa: N815
-    """The same with the load of the gear before, upward or downward; NaN without one [kW]."""
+    """Slip power at the operating point before the shift; NaN without operating point. [kW]"""
 
     @property
     def changes(self) -> int:
-        """How many elements change at once: the longer of the two lists."""
+        """Number of simultaneous changes: the length of the longer list."""
         return max(len(self.released), len(self.engaged))
 
     @property
     def word(self) -> str:
-        """Of a single transition one element goes out and one in, of a double one two.
+        """Kind of transition: single if one element is replaced, double for two, and so on.
 
         >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'
@@ -51,9 +51,9 @@ class Transition(NamedTuple):
 
 
 def transitions(results: Results) -> list[Transition]:
-    """The shifts between neighbours of one case, then those that skip one gear.
+    """Return the shifts between neighbouring gears of a case, then the shifts that skip a gear.
 
-    A freewheel counts as engaged where it holds, so what it does by itself is told, too.
+    Freewheels that hold count as engaged.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def transitions(results: Results) -> list[Transition]:
 
 
 def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[Transition]:
-    """The shifts over so many steps."""
+    """Yield the shifts from each gear of a range to the gear `distance` places further."""
     case = results.case
     names = [element.name for element in case.shift_elements]
     for place, start in enumerate(indices[:-distance]):
@@ -94,15 +94,15 @@ def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[T
 def _slip_powers(
     results: Results, start: int, end: int
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Of the elements that change: by the input power, and in kW."""
+    """Return the slip power of oncoming elements, relative to the input power and in kW."""
     case = results.case
     count = len(case.shift_elements)
     torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])
-    slips, units = np.abs(results.slip_speeds), [one["kW"] for one in gear_scales(case)]
+    slips, units = np.abs(results.slip_speeds), [scale["kW"] for scale in gear_scales(case)]
     relative, loaded = {}, {}
     for place, element in enumerate(case.shift_elements):
         was, holds = results.holds[start, place], results.holds[end, place]
-        if was != holds and element.kind != "dog_clutch":  # which does not slip
+        if was != holds and element.kind != "dog_clutch":  # dog clutches do not slip
             after, before = (end, start) if holds else (start, end)
             power = float(torques[after, place] * slips[before, place])
             has_torque = case.input_torque(case.gears[after]) != 0

@@ -1,4 +1,4 @@
-"""The tables of a summary, each cell as text: what every format for people shows."""
+"""Tables of a summary, for text, HTML and other formats."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vstatics.core.tables.quantities import UNITS, Quantity, headed
 
 INERTIA, ACCELERATION = "inertia, kg*m^2", "acceleration, rad/s^2"
 WITH_LOAD = " with load"
-"""Ends the key of a table in units."""
+"""End of the key of a table in units, not relative to the input."""
 
 
 class Marks(NamedTuple):
-    """Signs for what a shift element does in a gear."""
+    """Marks for the states of a shift element in a gear."""
 
     engaged: str = YES
     holds: str = YES
@@ -28,14 +28,14 @@ class Marks(NamedTuple):
 
 
 def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
-    """All tables of a summary; those that would be empty are left out.
+    """Yield all tables of a summary that are not empty.
 
-    What was asked for and gave nothing stays, without rows and columns.
+    The table of further combinations is yielded without rows if none was found.
 
     Parameters
     ----------
     ports : sequence of PortTable, optional
-        Of its gears, where they are known already.
+        Ports of the gears, if already calculated.
     """
     tables = (
         _design(summary),
@@ -43,14 +43,17 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
         _transitions(summary),
         _slip_powers(summary),
         ports_grid(port_tables(summary.results) if ports is None else ports),
-        *_largest(summary),
+        *(
+            table(summary, loaded=loaded)
+            for loaded in (False, True)
+            for table in (_planets, _elements)
+        ),
         *_margins(summary),
         _needed(summary),
         *(summary.cycle.grids() if summary.cycle else ()),
         _inertias(summary),
         *(summary.vehicle.grids() if summary.vehicle else ()),
-        _sensitivities(summary),
-        _efficiency_sensitivities(summary),
+        *_sensitivities(summary),
     )
     yield from (grid for grid in tables if grid.rows)
     if summary.combinations is not None:
@@ -65,7 +68,7 @@ def _design(summary: Summary) -> Grid:
 
 
 def state(name: str) -> Cell:
-    """Why a gear lacks something; what data call `open` is neutral to readers.
+    """Return the cell of a gear's state; the name `open` in data is printed as `neutral`.
 
     >>> state("open").text, state("open").datum, state("tied up").text
     ('neutral', 'open', 'tied up')
@@ -76,7 +79,7 @@ def state(name: str) -> Cell:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Of each shift element: whether it is engaged in the gear of an index, or holds."""
+    """Yield a cell for each shift element: engaged, holding freewheel or neither."""
     engaged = results.case.gears[index].engaged
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in engaged:
@@ -97,21 +100,27 @@ def _spread(summary: Summary) -> Grid:
 
 def _transitions(summary: Summary) -> Grid:
     rows = [
-        (one.start, one.end, one.skipped, word(one.word), one.released, one.engaged)
-        for one in summary.transitions
+        (shift.start, shift.end, shift.skipped, word(shift.word), shift.released, shift.engaged)
+        for shift in summary.transitions
     ]
     headings = "from", "to", "skips", "kind", "released", "engaged"
     return grid_of("Transitions", headings, rows, key="transitions")
 
 
 def _slip_powers(summary: Summary) -> Grid:
-    """Of the shifts that skip no gear, and of elements that have any."""
-    shifts = [one for one in summary.transitions if not one.skipped]
-    loaded = any(math.isfinite(power) for one in shifts for power in one.slip_power_kW.values())
+    """Return the slip powers of shifts between neighbouring gears."""
+    shifts = [shift for shift in summary.transitions if not shift.skipped]
+    loaded = any(math.isfinite(power) for shift in shifts for power in shift.slip_power_kW.values())
     rows = [
-        (one.start, one.end, name, word("up" if name in one.engaged else "down"), exact(power, 3))
-        for one in shifts
-        for name, power in (one.slip_power_kW if loaded else one.slip_power).items()
+        (
+            shift.start,
+            shift.end,
+            name,
+            word("up" if name in shift.engaged else "down"),
+            exact(power, 3),
+        )
+        for shift in shifts
+        for name, power in (shift.slip_power_kW if loaded else shift.slip_power).items()
         if power > 0
     ]
     headings = "from", "to", "element", "shift", headed("power", "kW" if loaded else "")
@@ -119,35 +128,30 @@ def _slip_powers(summary: Summary) -> Grid:
     return grid_of(title, headings, rows, key="slip power")
 
 
-def _largest(summary: Summary) -> Iterator[Grid]:
-    for loaded in (False, True):
-        yield _planets(summary, loaded=loaded)
-        yield _elements(summary, loaded=loaded)
-
-
 def _planets(summary: Summary, *, loaded: bool) -> Grid:
     shown = quantity(PLANETS, loaded=loaded)
     headings = "planet", headed("speed", shown.unit), "gear"
-    lines = summary.largest.get(shown.key, ())  # those of gear pairs, say, are none
+    lines = summary.largest.get(shown.key, ())
     devices = summary.results.case.own_devices
     planets = [planet for device in devices for planet in device.planets]
-    without_teeth = {one.name for one in planets if math.isnan(one.speed)}
-    told = (one for one in lines if one.row in without_teeth or not math.isnan(one.value))
-    rows = [[one.row, *_cells(shown, one)] for one in told]
+    without_teeth = {planet.name for planet in planets if math.isnan(planet.speed)}
+    # Gear pairs have rows without a planet, which are left out.
+    known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
+    rows = [[line.row, *_cells(shown, line)] for line in known]
     title = "Largest speeds of planets against their carriers"
     return grid_of(title, headings, rows, key="planets" + WITH_LOAD * loaded)
 
 
 def _elements(summary: Summary, *, loaded: bool) -> Grid:
-    """Slip and torques of shift elements side by side."""
+    """Return slip and torques of shift elements side by side."""
     named = {SLIPS: "slip", TORQUES: "torque", LOSSY_TORQUES: "with losses"}
     shown = [(quantity(key, loaded=loaded), name) for key, name in named.items()]
-    shown = [(one, name) for one, name in shown if summary.largest.get(one.key)]
-    headings = [heading for one, name in shown for heading in (headed(name, one.unit), "gear")]
-    found = [[(one, line) for line in summary.largest[one.key]] for one, _ in shown]
+    shown = [(item, name) for item, name in shown if summary.largest.get(item.key)]
+    headings = [heading for item, name in shown for heading in (headed(name, item.unit), "gear")]
+    columns = [[(item, line) for line in summary.largest[item.key]] for item, _ in shown]
     rows = [
         [pairs[0][1].row, *(cell for pair in pairs for cell in _cells(*pair))]
-        for pairs in zip(*found, strict=True)
+        for pairs in zip(*columns, strict=True)
     ]
     title = "Largest slip when open, largest torque when engaged"
     key = "shift elements" + WITH_LOAD * loaded
@@ -158,24 +162,20 @@ def _cells(shown: Quantity, line: Largest) -> Row:
     return [exact(line.value, shown.decimals), line.gear]
 
 
-def _sensitivities(summary: Summary) -> Grid:
+def _sensitivities(summary: Summary) -> Iterator[Grid]:
     mechanisms = summary.results.case.mechanisms
-    names = [one.name for one in mechanisms]
-    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
+    names = [mechanism.name for mechanism in mechanisms]
     title = "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u"
-    if any(one.kind for one in mechanisms):
+    if any(mechanism.kind for mechanism in mechanisms):
         title = (
             "Sensitivity (u/i) di/du of the ratio i of each gear to each internal ratio u, of "
             "variators and converters to their speed ratio"
         )
-    return _by_gear(summary, title, "sensitivity", "mechanism", by_name)
-
-
-def _efficiency_sensitivities(summary: Summary) -> Grid:
-    names = [mechanism.name for mechanism in summary.results.case.mechanisms]
-    by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
+    by_name = zip(names, summary.sensitivities.T.tolist(), strict=True)
+    yield _by_gear(summary, title, "sensitivity", "mechanism", by_name)
     title = "Sensitivity (n/ETA) dETA/dn of efficiencies ETA to each efficiency n"
-    return _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
+    by_name = zip(names, summary.efficiency_sensitivities.T.tolist(), strict=True)
+    yield _by_gear(summary, title, "efficiency sensitivity", "mechanism", by_name)
 
 
 def _by_gear(
@@ -185,52 +185,64 @@ def _by_gear(
     heading: str,
     rows: Iterable[tuple[str, Sequence[float]]],
 ) -> Grid:
-    """A row for each name with a number for each gear."""
+    """Return a table with a row for each name and a column for each gear."""
     gears = summary.results.case.gears
     columns = (Column(gear.name, over="gear") for gear in gears)
     return grid_of(title, (heading, *columns), ((name, *values) for name, values in rows), key=key)
 
 
 def other_combinations(summary: Summary) -> Grid:
-    """Combinations of shift elements that are no gear yet."""
+    """Return the table of combinations of shift elements that are not gears yet."""
     others = summary.combinations or ()
     title = "Other combinations of shift elements"
     if not others:
         return Grid(f"{title}: none", (), (), key="combinations")
-    rows = [(one.ratio, one.efficiency, one.gear, one.engaged, one.holding) for one in others]
+    rows = [
+        (
+            combination.ratio,
+            combination.efficiency,
+            combination.gear,
+            combination.engaged,
+            combination.holding,
+        )
+        for combination in others
+    ]
     headings = "ratio", "efficiency", "same as", "engaged", "holding"
     return grid_of(title, headings, rows, key="combinations", optional=["holding"])
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
-    """The least margins, then those of all gears."""
+    """Yield the table of least margins, then the margins of all gears."""
     load = summary.results.case.load
     torque = None if load is None else load.torque_size
     unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)
     decimals = UNITS[unit].decimals if unit else 3
     rows = [
-        (one.element, exact(one.capacity * size, decimals), one.least, one.gear)
-        for one in summary.margins
+        (margin.element, exact(margin.capacity * size, decimals), margin.least, margin.gear)
+        for margin in summary.margins
     ]
     headings = "element", headed("capacity", unit), "least", "gear"
     yield grid_of("Least margin, capacity by torque", headings, rows, key="margins")
-    by_element = [(one.element, one.by_gear) for one in summary.margins]
+    by_element = [(margin.element, margin.by_gear) for margin in summary.margins]
     yield _by_gear(summary, "Margins by gear", "margins by gear", "element", by_element)
 
 
 def _needed(summary: Summary) -> Grid:
-    loaded = any(math.isfinite(one.capacity_Nm) for one in summary.needed)
+    loaded = any(math.isfinite(element.capacity_Nm) for element in summary.needed)
     unit, decimals = ("Nm", UNITS["Nm"].decimals) if loaded else ("", 3)
     rows = [
-        (one.element, exact(one.capacity_Nm if loaded else one.capacity, decimals), one.gear)
-        for one in summary.needed
+        (
+            element.element,
+            exact(element.capacity_Nm if loaded else element.capacity, decimals),
+            element.gear,
+        )
+        for element in summary.needed
     ]
     headings = "element", headed("capacity", unit), "gear"
     return grid_of("Needed capacity, with the reserve", headings, rows, key="needed capacity")
 
 
 def _inertias(summary: Summary) -> Grid:
-    """Accelerations only where a load gives one."""
     title = "Inertia at the input, acceleration of the input"
     headings = ["gear", INERTIA, ACCELERATION]
     return grid_of(title, headings, summary.inertias, key="inertia", optional=[ACCELERATION])

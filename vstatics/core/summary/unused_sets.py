@@ -1,4 +1,4 @@
-"""What else the shift elements could give: combinations that no gear of the case engages."""
+"""Further gears of a transmission: combinations of shift elements that no gear of the case uses."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_same
 
 MOST_UNUSED_SETS = 10_000
-"""So many combinations are tried unless more are asked for: some seconds."""
+"""Default largest number of combinations to try, which takes some seconds."""
 
 Key = TypeVar("Key")
 
 
 class Combination(NamedTuple):
-    """Shift elements that give a ratio when they are engaged together."""
+    """Combination of engaged shift elements that yields a ratio."""
 
     engaged: Sequence[str]
     holding: Sequence[str]
-    """Freewheels that hold besides."""
+    """Freewheels that hold."""
     ratio: float
     efficiency: float
     gear: str
-    """A gear of the case with the same ratio, if there is one."""
+    """Gear of the case with equal ratio, if any."""
     state: str
-    """As in the design table."""
+    """State as in the design table."""
 
 
 def needed(case: Transmission) -> int:
-    """How many engaged elements the speeds need: the degrees of freedom less the input.
+    """Return the number of engaged elements that a gear needs: degrees of freedom minus 1.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> needed(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -46,30 +46,30 @@ def needed(case: Transmission) -> int:
 
 
 def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Combination]:
-    """All other combinations of shift elements that give one case a gear, largest ratio first.
+    """Find all unused combinations of shift elements that give a gear, largest ratio first.
 
-    Tried are all sets of as many elements as the speeds need, with the input and the
-    output of the case and no given speeds; freewheels find by themselves whether they
-    hold, so where there are any, sets that are smaller by these are tried, too. A gear is
-    what has a ratio and is not tied up. Drag that all gears share is kept.
+    All sets with the needed number of elements are tried, with input and output of the case and
+    without given speeds. Freewheels can hold instead of engaged elements, so sets that are smaller
+    by the number of freewheels are tried, too. A set gives a gear if it has a ratio and is not tied
+    up. Drag torques common to all gears apply.
 
     Parameters
     ----------
     at_most : int
-        So many sets may be tried.
+        Largest number of sets to try.
 
     Raises
     ------
     CaseError
-        If there are more.
+        If there are more sets than `at_most`.
 
     Examples
     --------
     >>> from vstatics import Mechanism, ShiftElement, solve
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5)], [Gear([2])])
-    >>> [found] = combinations(solve(case))
-    >>> found.engaged, found.ratio
+    >>> [combination] = combinations(solve(case))
+    >>> combination.engaged, combination.ratio
     (['C'], 1.0)
     """
     case = results.case
@@ -85,13 +85,13 @@ def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Comb
         for gear, ratio in zip(case.gears, results.ratio.tolist(), strict=True)
         if is_plain(case, gear)
     }
-    return sorted(_usable(tried, ratios), key=lambda one: -one.ratio)
+    return sorted(_usable(tried, ratios), key=lambda combination: -combination.ratio)
 
 
 def _sizes(case: Transmission) -> range:
-    """How many elements are engaged: fewer, where freewheels may hold; more, with lock-ups."""
+    """Return numbers of engaged elements: fewer if freewheels hold, more with lock-up clutches."""
     most = needed(case)
-    converters = [one for one in case.mechanisms if one.kind == "converter"]
+    converters = [mechanism for mechanism in case.mechanisms if mechanism.kind == "converter"]
     return range(max(most - len(case.freewheels), 0), most + len(converters) + 1)
 
 
@@ -107,18 +107,18 @@ def _check(case: Transmission, at_most: int) -> None:
 
 
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
-    """The sets that no gear engages, as numbers of elements."""
-    numbers = [n for n, one in enumerate(case.shift_elements, 1) if not one.is_freewheel]
-    own = {frozenset(gear.engaged) for gear in case.gears if is_plain(case, gear)}
+    """Yield the sets of element numbers that no gear engages."""
+    numbers = [n for n, element in enumerate(case.shift_elements, 1) if not element.is_freewheel]
+    used = {frozenset(gear.engaged) for gear in case.gears if is_plain(case, gear)}
     most = needed(case)
     for size in _sizes(case):
         for chosen in subsets(numbers, size):
-            if frozenset(chosen) not in own and size <= most + len(case.bypassed(Gear(chosen))):
+            if frozenset(chosen) not in used and size <= most + len(case.bypassed(Gear(chosen))):
                 yield chosen
 
 
 def is_plain(case: Transmission, gear: Gear) -> bool:
-    """Whether a gear has the ports of the case, and no given speeds.
+    """Return whether a gear has input and output of the case and no given speeds.
 
     >>> from vstatics.core.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(), Gear(input=2, output=1)])
@@ -130,7 +130,7 @@ def is_plain(case: Transmission, gear: Gear) -> bool:
 
 
 def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
-    """What all gears give alike.
+    """Return the entries that all gears have in common.
 
     >>> shared([{"F1": 0.5, "F2": 0.1}, {"F1": 0.5, "F2": 0.2}])
     {'F1': 0.5}

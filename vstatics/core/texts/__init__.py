@@ -1,8 +1,8 @@
-"""The texts of this program in other languages; English ones stand where they are said.
+"""Translation of the program's texts; English texts are written in the code.
 
-`tr` gives a text in the language that is spoken just then, which `speaking` chooses. The English
-text is the key of `table.txt`, which has it in every other language. Numbers and names stand in
-named places, so that each language orders its words itself. What has no row stays English.
+`tr` returns a text in the current language, which `speaking` selects. The English text is the key
+of a row in `table.txt`, which contains the translations. Numbers and names are inserted into named
+fields, because word order depends on the language. A text without a row stays English.
 
 >>> with speaking("ru"):
 ...     tr("efficiency"), tr("Gear {gear}", gear="R")
@@ -25,12 +25,12 @@ Language = Literal["en", "ru"]
 
 _SPOKEN: ContextVar[Language] = ContextVar("language", default="en")
 FORMS = "|"
-"""Stands between the forms of a text for one, for several, and in Russian for many."""
+"""Separator between the singular, plural and, in Russian, second plural of a text."""
 
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Texts that are made within are in a language; those made later are not."""
+    """Select the language of all texts translated within the context."""
     before = _SPOKEN.set(language)
     try:
         yield
@@ -39,19 +39,19 @@ def speaking(language: Language) -> Iterator[None]:
 
 
 def spoken() -> Language:
-    """The language of `tr`."""
+    """Return the current language."""
     return _SPOKEN.get()
 
 
 def tr(text: str, /, **places: object) -> str:
-    """A text in the language that is spoken.
+    """Translate a text into the current language.
 
     Parameters
     ----------
     text : str
-        In English. One that depends on a number has its forms, by `count`.
+        English text, with several forms if it depends on a number `count`.
     **places
-        What stands in its places.
+        Values of the named fields.
 
     Examples
     --------
@@ -65,23 +65,23 @@ def tr(text: str, /, **places: object) -> str:
 
 
 def translated(text: str, /, language: Language, **places: object) -> str:
-    """A text in a language; see `tr`.
+    """Translate a text into a given language; see `tr`.
 
     >>> translated("efficiency", "ru")
     'КПД'
     """
-    found = text if language == "en" else table(language).get(text, text)
+    chosen = text if language == "en" else table(language).get(text, text)
     if not places:
-        return found
+        return chosen
     count = places.get("count")
     if isinstance(count, int):
-        forms = found.split(FORMS)
-        found = forms[min(_form(count, language), len(forms) - 1)]
-    return found.format(**places)
+        forms = chosen.split(FORMS)
+        chosen = forms[min(_form(count, language), len(forms) - 1)]
+    return chosen.format(**places)
 
 
 def _form(count: int, language: Language) -> int:
-    """Which form of a text suits a number."""
+    """Return the index of the grammatical form for a number."""
     if language != "ru":
         return int(count != 1)
     if count % 10 == 1 and count % 100 != 11:
@@ -93,7 +93,7 @@ _IN_BRACKETS = re.compile(r"(.+) \[(.+)\]")
 
 
 def heading(text: str) -> str:
-    """What heads a column, whose unit stands behind it.
+    """Translate the heading of a column, which can end with a unit.
 
     >>> with speaking("ru"):
     ...     heading("speed, rpm"), heading("time [s]"), heading("efficiency")
@@ -102,27 +102,27 @@ def heading(text: str) -> str:
     language = _SPOKEN.get()
     if language == "en" or text in table(language):
         return tr(text)
-    if found := _IN_BRACKETS.fullmatch(text):
-        return f"{heading(found[1])} [{tr(found[2])}]"
+    if parts := _IN_BRACKETS.fullmatch(text):
+        return f"{heading(parts[1])} [{tr(parts[2])}]"
     name, comma, unit = text.rpartition(", ")
     return f"{heading(name)}, {tr(unit)}" if comma else tr(text)
 
 
 def title(text: str) -> str:
-    """What stands over a table; a key behind it, as JSON has it, is of no language.
+    """Translate the title of a table, except a key of JSON in brackets at the end.
 
     >>> with speaking("ru"):
     ...     title("Power lost in the mechanisms [losses]")
     'Потери мощности в механизмах [losses]'
     """
-    found = _IN_BRACKETS.fullmatch(text)
-    if found is None or text in table(_SPOKEN.get()):
+    parts = _IN_BRACKETS.fullmatch(text)
+    if parts is None or text in table(_SPOKEN.get()):
         return heading(text)
-    return f"{heading(found[1])} [{found[2]}]"
+    return f"{heading(parts[1])} [{parts[2]}]"
 
 
 def labelled(text: str) -> str:
-    """A text, or one before a name: only what stands before the colon is of the language.
+    """Translate a text, or only the label before a colon.
 
     >>> with speaking("ru"):
     ...     labelled("sun: ring"), labelled("lost: meshes")
@@ -130,22 +130,22 @@ def labelled(text: str) -> str:
     """
     if _SPOKEN.get() == "en" or text in table(_SPOKEN.get()):
         return tr(text)
-    label, colon, rest = text.partition(": ")
-    return f"{tr(label)}{colon}{rest}"
+    label, colon, name = text.partition(": ")
+    return f"{tr(label)}{colon}{name}"
 
 
 @cache
 def table(language: Language) -> Mapping[str, str]:
-    """All texts in a language, by the English ones."""
+    """Return all texts in a language by English text."""
     return {row["en"]: row[language] for row in rows()}
 
 
 @cache
 def rows() -> list[dict[str, str]]:
-    """The rows of the table, each a text in every language; a new line in one is told by \\n."""
+    """Return the rows of the table, each a text in every language; \\n stands for a new line."""
     source = resources.files(__package__).joinpath("table.txt").read_text(encoding="utf-8")
-    kept = "\n".join(line for line in source.splitlines() if not line.startswith("#"))
-    return [_row(block) for block in kept.split("\n\n") if block.strip()]
+    text = "\n".join(line for line in source.splitlines() if not line.startswith("#"))
+    return [_row(block) for block in text.split("\n\n") if block.strip()]
 
 
 def _row(block: str) -> dict[str, str]:

@@ -1,9 +1,9 @@
-"""Operating points: any number of a case varied, in SI, with all that follows from a load.
+"""Results at many operating points: any numbers of a case varied, in SI units.
 
-`paths` tells which numbers a path names, `parts` which points are of a case of their own,
-`relative` what numbers are relative to the load, and which points go alike; `laws` follows drags
-and efficiencies that depend on speed or torque, `balance` looks for the torque that balances a
-battery.
+`paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
+case, such as tooth numbers, and `relative` by the signs of loads, and relates numbers to the loads.
+`laws` calculates drag torques and efficiencies that depend on speed or torque, and `balance` finds
+the torque that balances a battery.
 """
 
 from __future__ import annotations
@@ -38,13 +38,13 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-SAID = frozenset({"W418", "W420", "W423", "W424"})
-"""What is said of torques that do not exist, where a message of laws or balances says why."""
+CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
+"""Ids of messages about missing torques, which are omitted if W426 or W427 states the cause."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
-    """Every gear of a case at many points; see `vstatics.solve`."""
-    vary = dict(vary)  # a table of pandas has keys, too
+    """Calculate every gear of a case at many points; see `vstatics.solve`."""
+    vary = dict(vary)  # also from a table of pandas
     arrays, variants = together(vary)
     known = case.part_numbers() if vary.keys() - numbers_of(case).keys() else {}
     parts = {path: arrays.pop(path) for path in vary if path in known}
@@ -52,9 +52,9 @@ def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     with np.errstate(all="ignore"):
         if not parts:
             return _at_points(case, columns, variants)
-        made = [*cases_of_points(case, parts)]
-        found = [_at_points(one.case, one.columns(columns), one.chosen.size) for one in made]
-    return joined(case, [one.chosen for one in made], found)
+        cases = [*cases_of_points(case, parts)]
+        results = [_at_points(part.case, part.columns(columns), part.chosen.size) for part in cases]
+    return joined(case, [part.chosen for part in cases], results)
 
 
 def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
@@ -70,7 +70,6 @@ def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
 
 
 def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
-    """All that depends on load and speed, with the torques of balances."""
     if not any(gear.balance for gear in case.gears):
         return follow_laws(case, columns, variants)
     plain, balances = without_balances(case)
@@ -80,35 +79,34 @@ def _followed(case: Transmission, columns: Columns, variants: int) -> Followed:
 def solve_laws(
     case: Transmission, axes: tuple[int, ...], ratios: Floats | None, efficiencies: Floats | None
 ) -> Results:
-    """A case with laws, or variants of its numbers, of shape (variants, mechanisms).
+    """Calculate a case with laws, or variants of ratios and efficiencies.
 
-    An efficiency that is its law's number is left to the law.
+    Both arrays have the shape (variants, mechanisms). Numbers equal to those of the case are not
+    varied, so that efficiencies by laws stay laws.
     """
     columns: dict[CaseNumber, Floats] = {}
     for owner, mechanism in enumerate(case.mechanisms):
         for quantity, given in (("ratio", ratios), ("efficiency", efficiencies)):
-            own = float(getattr(mechanism, quantity))
-            if given is None or np.allclose(given[:, owner], own, 0, 0, equal_nan=True):
+            fixed = float(getattr(mechanism, quantity))
+            if given is None or np.allclose(given[:, owner], fixed, 0, 0, equal_nan=True):
                 continue
             for index in range(len(case.gears)):
                 columns[CaseNumber(index, quantity, owner)] = given[:, owner]  # type: ignore[arg-type] # one of the two
     with np.errstate(all="ignore"):
         if axes:
-            found = _at_points(case, columns, int(np.prod(axes)))
-            arrays = {name: found.in_own_unit(name) for name in ARRAYS}
+            results = _at_points(case, columns, int(np.prod(axes)))
+            arrays = {name: results.in_own_unit(name) for name in ARRAYS}
             shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
-            return found._replace(**shaped, points=_shaped(found.points, axes))
-        return _alone(case, _followed(case, columns, 1))
+            return results._replace(**shaped, points=_shaped(results.points, axes))
+        return _single(case, _followed(case, columns, 1))
 
 
 def _shaped(points: Any, axes: tuple[int, ...]) -> OperatingPoints:
-    """Points of one axis as those of several."""
-
     def turned(array: Any) -> Any:
         return array.reshape(*axes, *array.shape[1:])
 
     gears = [
-        gear._replace(torques={link: turned(one) for link, one in gear.torques.items()})
+        gear._replace(torques={link: turned(torque) for link, torque in gear.torques.items()})
         for gear in points.gears
     ]
     scales = {unit: turned(scale) for unit, scale in points.scales.items()}
@@ -117,8 +115,8 @@ def _shaped(points: Any, axes: tuple[int, ...]) -> OperatingPoints:
     return points._replace(scales=scales, loaded=loaded, gears=gears, open=is_open, outside=outside)  # type: ignore[no-any-return] # a named tuple
 
 
-def _alone(case: Transmission, answer: Followed) -> Results:
-    """The results of one case, with its messages."""
+def _single(case: Transmission, answer: Followed) -> Results:
+    """Return the results of a single point without the axis of points, with messages."""
     results, points = answer.results, answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     settled = with_numbers(results.case, answer.columns)
@@ -133,26 +131,30 @@ def _alone(case: Transmission, answer: Followed) -> Results:
         outside={name: where[0] for name, where in answer.outside.items()},
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
-    own = results._replace(case=settled, points=points, **arrays)
+    at_point = results._replace(case=settled, points=points, **arrays)
     unknown = [gear.name for gear, state in zip(case.gears, answer.open[0], strict=True) if state]
-    said = [one for one in diagnosis.messages(own) if not (one.gear in unknown and one.id in SAID)]
+    said = [
+        message
+        for message in diagnosis.messages(at_point)
+        if not (message.gear in unknown and message.id in CONSEQUENCES)
+    ]
     said += not_allowed(_messages(case, points), case.untold)
-    return own._replace(case=case, messages=tuple(said))
+    return at_point._replace(case=case, messages=tuple(said))
 
 
 def _efficiencies(case: Transmission, columns: Columns, index: int) -> list[Any]:
-    """Of each mechanism in a gear, as its laws say."""
-    found: list[Any] = []
+    efficiencies: list[Any] = []
     for owner, mechanism in enumerate(case.mechanisms):
         forward = columns.get(CaseNumber(index, "efficiency", owner), [mechanism.efficiency])[0]
         back = columns.get(CaseNumber(index, "back_efficiency", owner), [mechanism.back_efficiency])
-        own = forward if back[0] is None else back[0]
-        found.append(Efficiency(float(forward), float(own), mechanism.kind == "variator"))
-    return found
+        backward = forward if back[0] is None else back[0]
+        efficiencies.append(
+            Efficiency(float(forward), float(backward), mechanism.kind == "variator")
+        )
+    return efficiencies
 
 
 def _messages(case: Transmission, points: Any) -> Iterator[Message]:
-    """Where no single torque agrees with efficiencies, or balances a battery."""
     for gear, settled, state in zip(case.gears, points.gears, points.open.tolist(), strict=True):
         if state in (NONE, SEVERAL):
             words = "no torques agree" if state == NONE else "more than one torque agrees"

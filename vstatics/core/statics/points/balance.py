@@ -1,9 +1,11 @@
-"""The torque that balances machines and a battery: one unknown of a gear, looked for everywhere.
+"""Search for the torque on a link that balances the powers of electric machines and a battery.
 
-The power that a link gives to its machine is ``P = -external torque x speed``; the battery gets
-``P efficiency`` of it, or gives ``P/efficiency`` where P is below 0. What all of them give it, less
-what it is to have, is piecewise nearly linear in the torque of the open link: it is calculated at
-torques of both signs and of all sizes, and wherever it changes its sign a solution is looked for.
+A link gives its machine the power ``P = -external torque x speed``; the battery receives ``P
+efficiency``, or gives ``P/efficiency`` if P is below 0. The surplus is the sum over all machines
+minus the charging power that the case demands. It is a piecewise nearly linear function of the
+unknown torque. It is calculated on a grid of torques of both signs and all sizes, and between
+every change of sign a root is searched for by the Illinois rule (Dowell, Jarratt 1971) and
+bisection.
 """
 
 from __future__ import annotations
@@ -25,46 +27,47 @@ from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.results import Results
 
-TRIED = 65
-"""Torques at which the battery is calculated."""
-WIDEST = 100.0
-"""The largest of them, by that which the powers of the gear would need."""
-FINEST = 1000.0
-"""The larger, the closer they stand at 0."""
+GRID_SIZE = 65
+"""Number of torques in the grid."""
+GRID_WIDTH = 100.0
+"""Largest torque of the grid, relative to the torque expected from the powers of the gear. [-]"""
+GRID_REFINEMENT = 1000.0
+"""Value of sinh at the end of the grid; a larger value concentrates the grid at 0. [-]"""
 EDGE_STEPS = 50
-"""Halves to a torque at which friction begins to lock."""
-MOST_STEPS = 100
-"""Steps to a solution."""
+"""Bisections to find the torque at which friction begins to lock the gear."""
+MOST_ROOT_STEPS = 100
+"""Largest number of iterations for a root."""
 MOST_SOLUTIONS = 3
-"""Changes of sign that are followed."""
-MOST_AT_ONCE = 100_000
-"""Points that are calculated at once."""
-TRIED_PART = 0.37
-"""Part of the load's torque at which it is tried whether the other torques follow. [-]"""
+"""Largest number of sign changes searched for roots."""
+MOST_POINTS_AT_ONCE = 100_000
+"""Largest number of points calculated at once, to limit memory."""
+PROBE_PART = 0.37
+"""Arbitrary torque, relative to the input torque, to probe if other torques are determinate. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
+"""States of a gear without, or with several torques that balance the battery."""
 
 Follow = Callable[[Columns, int], Followed]
-"""Results of points, whatever else depends there."""
+"""Function that solves points, including laws."""
 
 
 @dataclass(frozen=True, eq=False)
 class OpenBalance:
-    """The balance of a gear."""
+    """Battery balance of a gear with the unknown torque of a link."""
 
     gear: int
     link: int
-    """The link whose torque is sought."""
+    """Link with the unknown torque."""
     efficiencies: tuple[tuple[int, float], ...]
     battery: Floats
-    """(points,) [W]"""
+    """Charging power of the battery, shape (points,). [W]"""
 
     @property
     def number(self) -> CaseNumber:
-        """The torque."""
+        """Number of the case for the unknown torque."""
         return CaseNumber(self.gear, "torques", self.link)
 
     def surplus(self, results: Results) -> Floats:
-        """What the battery gets above what it is to have, at each point [W]."""
+        """Return the surplus of charging power at each point [W]."""
         entering = results.port_powers_kW[:, self.gear]
         total = -self.battery
         for link, efficiency in self.efficiencies:
@@ -74,7 +77,7 @@ class OpenBalance:
 
 
 def battery_power(power: Any, efficiency: float) -> Any:
-    """What a battery gets of the power that a link gives its machine; in its unit.
+    """Return the charging power of a battery for the power given to a machine, in equal units.
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
     [1.6, -2.5]
@@ -89,46 +92,66 @@ def balanced(
     variants: int,
     follow: Follow,
 ) -> Followed:
-    """Return the results of all points, each balance with the torque that it needs.
+    """Solve all points, with the torques that satisfy the balances.
 
     Parameters
     ----------
     case : Transmission
-        Without its balances.
+        Case without balances.
+    balances : sequence of OpenBalance
+        Balances of the gears.
+    given : mapping
+        Columns of varied numbers.
+    variants : int
+        Number of points.
     follow : callable
-        Calculates points whose torques are all given.
+        Function that solves points with given torques.
     """
-    asked = [_at_points(balance, given, variants) for balance in balances]
+    open_balances = []
+    for balance in balances:
+        constant = np.repeat(balance.battery, variants)
+        battery = given.get(CaseNumber(balance.gear, "battery"), constant)
+        open_balances.append(replace(balance, battery=battery))
     columns = {number: column for number, column in given.items() if number.quantity != "battery"}
-    columns |= {one.number: np.zeros(variants) for one in asked}
-    scales = _scales(case, asked, follow(columns, variants).results, columns)
-    grid = np.sinh(np.linspace(-1, 1, TRIED) * np.arcsinh(FINEST)) / FINEST * WIDEST
-    surplus = _tried(asked, columns, scales, grid, follow)
+    columns |= {balance.number: np.zeros(variants) for balance in open_balances}
+    scales = _scales(case, open_balances, follow(columns, variants).results, columns)
+    grid = (
+        np.sinh(np.linspace(-1, 1, GRID_SIZE) * np.arcsinh(GRID_REFINEMENT))
+        / GRID_REFINEMENT
+        * GRID_WIDTH
+    )
+    surplus = _surpluses(open_balances, columns, scales, grid, follow)
     tried = {
-        one: _with_edges(one, columns, np.outer(grid, scales[one]), surplus[one], follow)
-        for one in asked
+        balance: _with_edges(
+            balance, columns, np.outer(grid, scales[balance]), surplus[balance], follow
+        )
+        for balance in open_balances
     }
     unknown = np.zeros((variants, len(case.gears)), np.int8)
-    counts = {one: np.zeros(variants, np.int64) for one in asked}
+    counts = {balance: np.zeros(variants, np.int64) for balance in open_balances}
     for turn in range(MOST_SOLUTIONS):
-        searches = {one: _Between(*_ends(*tried[one], turn)) for one in asked}
+        searches = {
+            balance: _RootSearch(*_ends(*tried[balance], turn)) for balance in open_balances
+        }
         while any(search.is_there.any() for search in searches.values()):
-            _solve(searches, columns, follow)
-            for one, search in searches.items():
-                first = search.stands & (counts[one] == 0)
-                columns[one.number] = np.where(first, search.best, columns[one.number])
-                counts[one] += search.stands
-            searches = {one: search.beyond_gap() for one, search in searches.items()}
-    for one, count in counts.items():
-        unknown[count == 0, one.gear] = NO_BALANCE
-        unknown[count > 1, one.gear] = TWO_BALANCES
-    found = follow(columns, variants)
-    results = _told(found.results, asked, columns, unknown)
-    return Followed(results, found.columns, np.where(unknown, unknown, found.open), found.outside)
+            _iterate(searches, columns, follow)
+            for balance, search in searches.items():
+                first = search.stands & (counts[balance] == 0)
+                columns[balance.number] = np.where(first, search.best, columns[balance.number])
+                counts[balance] += search.stands
+            searches = {balance: search.beyond_gap() for balance, search in searches.items()}
+    for balance, count in counts.items():
+        unknown[count == 0, balance.gear] = NO_BALANCE
+        unknown[count > 1, balance.gear] = TWO_BALANCES
+    solution = follow(columns, variants)
+    results = _with_torques(solution.results, open_balances, columns, unknown)
+    return Followed(
+        results, solution.columns, np.where(unknown, unknown, solution.open), solution.outside
+    )
 
 
 def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
-    """Return a gear whose sought torque is NaN where none balances it, or two do."""
+    """Return a gear with NaN for the unknown torque if there is no single solution."""
     if state not in (NO_BALANCE, TWO_BALANCES):
         return gear
     link = sought_link(case.gears[case.gear_number(gear.name) - 1], gear)
@@ -136,18 +159,18 @@ def settled_gear(case: Transmission, gear: Gear, state: int) -> Gear:
 
 
 def sought_link(gear: Gear, settled: Gear) -> int:
-    """Return the link whose torque balances a gear: only in the settled gear is it given."""
+    """Return the link with the unknown torque, which only the settled gear contains."""
     return next(link for link in settled.torques if link not in gear.torques)
 
 
 def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance]]:
-    """Return the case to be solved at given torques, and the balances that these have to meet.
+    """Separate a case into a case without balances and the balances with unknown torques.
 
     Raises
     ------
     CaseError
-        If several links have neither a speed nor a torque, and equilibrium does not determine all
-        of them but one.
+        If several links have neither speed nor torque, and equilibrium does not determine the
+        torques from a single one of them.
     """
     gears, balances = list(case.gears), []
     for index, gear in enumerate(case.gears):
@@ -160,10 +183,10 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
 
 
 def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
-    """Return the link whose torque is sought in a gear, and those whose torques then follow.
+    """Return the link with the unknown torque in a gear, and links whose torques follow.
 
-    The torque of a machine on a separate train follows from that train alone. So the torque of
-    another machine is sought, although its speed is given.
+    If a machine is on a separate gear train, that train determines its torque. The unknown is then
+    the torque of another machine, although its speed is given.
     """
     gear = case.gears[index]
     output = case.gear_output(gear)
@@ -172,7 +195,7 @@ def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None
     candidates = [*free, *(link for link in machines if link in gear.speeds and link != output)]
     for link in candidates:
         holding = tuple(held for held in (*gear.speeds, *free) if held not in (link, output))
-        if _follow(case, index, link, holding):
+        if _is_determined(case, index, link, holding):
             return link, holding
     if len(free) > 1:
         names = spoken(map(case.link_name, free))
@@ -184,76 +207,74 @@ def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None
     return free[0], None
 
 
-def _follow(case: Transmission, index: int, link: int, holding: tuple[int, ...]) -> bool:
-    """Whether all torques of a gear follow from equilibrium, once that on a link is given."""
+def _is_determined(case: Transmission, index: int, link: int, holding: tuple[int, ...]) -> bool:
+    """Return whether a given torque on a link determines all other torques of a gear."""
     gear = case.gears[index]._replace(balance=None, holding=holding)
     alone = without_laws(case.replace(gears=[gear]))
     load: Any = loads_of(alone, {}, 1)[0].torque
-    torque = TRIED_PART * np.concatenate([load, -load]) + TRIED_PART
+    torque = PROBE_PART * np.concatenate([load, -load]) + PROBE_PART
     results = solve_points(alone, {CaseNumber(0, "torques", link): torque}, len(torque))
     held = results.in_own_unit("holding_torques")[:, 0, [other - 1 for other in holding]]
     known = np.isfinite(held).all(axis=-1) & np.isfinite(results.in_own_unit("output_torque")[:, 0])
     return bool((results.balanced[:, 0] & known).any() or results.tied_up.any())
 
 
-def _at_points(balance: OpenBalance, given: Columns, variants: int) -> OpenBalance:
-    battery = given.get(CaseNumber(balance.gear, "battery"), np.repeat(balance.battery, variants))
-    return replace(balance, battery=battery)
-
-
 def _scales(
-    case: Transmission, asked: list[OpenBalance], results: Results, columns: Columns
+    case: Transmission, balances: list[OpenBalance], results: Results, columns: Columns
 ) -> dict[OpenBalance, Floats]:
-    """A torque of the size that a balance may need [N*m]."""
+    """Estimate the magnitude of the unknown torque of each balance [N*m], shape (points,)."""
     loads = loads_of(case, columns, len(results.speeds))
-    found = {}
-    for one in asked:
-        load: Any = loads[one.gear]
-        speed = np.abs(results.speeds[:, one.gear, one.link - 1] * load.speed)
-        entering = np.nan_to_num(np.abs(results.port_powers_kW[:, one.gear])).sum(axis=-1)
-        needed = (1000 * entering + np.abs(one.battery)) / np.where(speed > 0, speed, np.inf)
-        found[one] = np.nan_to_num(np.maximum(np.abs(load.torque), needed)) + 1.0
-    return found
+    scales = {}
+    for balance in balances:
+        load: Any = loads[balance.gear]
+        speed = np.abs(results.speeds[:, balance.gear, balance.link - 1] * load.speed)
+        entering = np.nan_to_num(np.abs(results.port_powers_kW[:, balance.gear])).sum(axis=-1)
+        needed = (1000 * entering + np.abs(balance.battery)) / np.where(speed > 0, speed, np.inf)
+        scales[balance] = np.nan_to_num(np.maximum(np.abs(load.torque), needed)) + 1.0
+    return scales
 
 
-def _tried(
-    asked: list[OpenBalance], columns: Columns, scales: Any, grid: Floats, follow: Follow
+def _surpluses(
+    balances: list[OpenBalance], columns: Columns, scales: Any, grid: Floats, follow: Follow
 ) -> dict[OpenBalance, Floats]:
-    """By balance the surplus at all torques of the grid, (torques, points)."""
+    """Return the surplus of each balance at all torques of the grid, shape (torques, points)."""
     variants = len(next(iter(scales.values())))
-    at_once = max(1, MOST_AT_ONCE // variants)
-    found: dict[OpenBalance, list[Floats]] = {one: [] for one in asked}
+    at_once = max(1, MOST_POINTS_AT_ONCE // variants)
+    surpluses: dict[OpenBalance, list[Floats]] = {balance: [] for balance in balances}
     for start in range(0, len(grid), at_once):
         part = grid[start : start + at_once]
         many = {number: np.tile(column, len(part)) for number, column in columns.items()}
-        many |= {one.number: np.outer(part, scales[one]).ravel() for one in asked}
+        many |= {balance.number: np.outer(part, scales[balance]).ravel() for balance in balances}
         results = follow(many, variants * len(part)).results
-        for one in asked:
-            again = replace(one, battery=np.tile(one.battery, len(part)))
-            found[one].append(again.surplus(results).reshape(len(part), variants))
-    return {one: np.concatenate(parts) for one, parts in found.items()}
+        for balance in balances:
+            again = replace(balance, battery=np.tile(balance.battery, len(part)))
+            surpluses[balance].append(again.surplus(results).reshape(len(part), variants))
+    return {balance: np.concatenate(parts) for balance, parts in surpluses.items()}
 
 
 def _with_edges(
-    one: OpenBalance, columns: Columns, torques: Floats, surplus: Floats, follow: Follow
+    balance: OpenBalance, columns: Columns, torques: Floats, surplus: Floats, follow: Follow
 ) -> tuple[Floats, Floats]:
-    """Torques and surplus, both (torques, points), with one more row between each two.
+    """Insert a row between all rows of torques and surplus, both of shape (torques, points).
 
-    Where friction locks the gear at one of the two, it is the last torque at which it does not:
-    what changes its sign before it locks is seen so. Else it is the first of the two again.
+    If friction locks the gear at one of two neighbouring torques only, the new row has the last
+    torque before it locks, found by bisection, so that a sign change before that torque is not
+    missed. Otherwise the new row repeats the first of the two.
     """
     lacks = np.isnan(surplus)
     cell, point = np.nonzero(lacks[1:] != lacks[:-1])
     is_second = lacks[cell, point]
     known, beyond = torques[cell + is_second, point], torques[cell + ~is_second, point]
     last = surplus[cell + is_second, point]
-    own = {number: column[point] for number, column in columns.items()}
-    there = replace(one, battery=one.battery[point])
+    at_points = {number: column[point] for number, column in columns.items()}
+    there = replace(balance, battery=balance.battery[point])
     for _ in range(EDGE_STEPS if len(cell) else 0):
         middle = (known + beyond) / 2
-        found = there.surplus(follow({**own, one.number: middle}, len(cell)).results)
-        known, last = np.where(np.isnan(found), (known, last), (middle, found))
-        beyond = np.where(np.isnan(found), middle, beyond)
+        surplus_there = there.surplus(
+            follow({**at_points, balance.number: middle}, len(cell)).results
+        )
+        known, last = np.where(np.isnan(surplus_there), (known, last), (middle, surplus_there))
+        beyond = np.where(np.isnan(surplus_there), middle, beyond)
     torques, surplus = (np.repeat(array, 2, axis=0)[:-1] for array in (torques, surplus))
     torques[2 * cell + 1, point], surplus[2 * cell + 1, point] = known, last
     return torques, surplus
@@ -262,7 +283,10 @@ def _with_edges(
 def _ends(
     torques: Floats, surplus: Floats, turn: int
 ) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
-    """The ends of one change of sign, with the surplus there; and where there is that change."""
+    """Return torques and surplus at both ends of a sign change, and flags of existence.
+
+    `turn` counts the sign changes of each point from 0.
+    """
     signs = np.sign(surplus)
     change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
     change[0] |= signs[0] == 0
@@ -273,23 +297,26 @@ def _ends(
     return low, high, surplus[place, at], surplus[place + 1, at], is_there
 
 
-def _solve(searches: Mapping[OpenBalance, _Between], columns: Columns, follow: Follow) -> None:
-    """Search for all torques at once."""
-    for step in range(MOST_STEPS):
-        guess = {one: search.guess(halve=step % 4 == 3) for one, search in searches.items()}
-        tried = {**columns, **{one.number: torque for one, torque in guess.items()}}
+def _iterate(searches: Mapping[OpenBalance, _RootSearch], columns: Columns, follow: Follow) -> None:
+    for step in range(MOST_ROOT_STEPS):
+        guess = {balance: search.guess(halve=step % 4 == 3) for balance, search in searches.items()}
+        tried = {**columns, **{balance.number: torque for balance, torque in guess.items()}}
         results = follow(tried, len(next(iter(guess.values())))).results
-        for one, torque in guess.items():
-            powers = 1000 * np.abs(results.port_powers_kW[:, one.gear]).sum(axis=-1)
-            searches[one].take(torque, one.surplus(results), powers + np.abs(one.battery))
+        for balance, torque in guess.items():
+            powers = 1000 * np.abs(results.port_powers_kW[:, balance.gear]).sum(axis=-1)
+            searches[balance].take(
+                torque, balance.surplus(results), powers + np.abs(balance.battery)
+            )
         if all(search.done for search in searches.values()):
             break
 
 
-class _Between:
-    """The zeros between ends, of all points at once, by the rule of Illinois and by halves.
+class _RootSearch:
+    """Search for roots between two ends, at all points at once.
 
-    What friction locks between them counts as beyond the zero, or as before it.
+    The Illinois rule (regula falsi with halved values of an end that stays) alternates with
+    bisection. Torques at which friction locks the gear have no surplus: they count as beyond the
+    root if `beyond`, else as before the root.
     """
 
     def __init__(  # noqa: PLR0913
@@ -310,20 +337,20 @@ class _Between:
         self.best, self.left = low, np.full(low.shape, np.inf)
         self.sign = np.sign(at_low)
         self.side = np.zeros(low.shape, np.int8)
-        """The end that was moved last."""
+        """End that was moved last: 1 low, -1 high."""
 
     def guess(self, *, halve: bool) -> Floats:
-        """A torque between the ends."""
+        """Return a torque between the ends."""
         halves: Floats = (self.low + self.high) / 2
         if halve:
             return halves
         straight = self.low - self.at_low * (self.high - self.low) / (self.at_high - self.at_low)
         inside = (straight >= self.low) & (straight <= self.high)
-        found: Floats = np.where(inside, straight, halves)
-        return found
+        torque: Floats = np.where(inside, straight, halves)
+        return torque
 
     def take(self, torque: Floats, surplus: Floats, powers: Floats) -> None:
-        """Move an end; of an end that stays twice the value counts half."""
+        """Move an end to a torque; halve the value of an end that stays twice."""
         left = np.nan_to_num(np.abs(surplus / powers), nan=np.inf)
         self.best = np.where(left < self.left, torque, self.best)
         self.left = np.minimum(left, self.left)
@@ -337,31 +364,33 @@ class _Between:
 
     @property
     def done(self) -> bool:
-        """Whether nothing can come nearer."""
+        """True if no root can be approached further."""
         width = np.abs(self.high - self.low)
         narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
         return bool((~self.is_there | narrow | (self.left <= 2 * EPSILON)).all())
 
-    def beyond_gap(self) -> _Between:
-        """The search on the other side of what is locked, where something was."""
-        return _Between(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
+    def beyond_gap(self) -> _RootSearch:
+        """Return the search on the other side of locked torques, if any."""
+        return _RootSearch(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
 
     @property
     def stands(self) -> Booleans:
-        """Where it is a zero, not a jump."""
-        found: Booleans = self.is_there & (self.left <= BALANCED)
-        return found
+        """Flags of points with a root, not a jump, at `best`."""
+        is_root: Booleans = self.is_there & (self.left <= BALANCED)
+        return is_root
 
 
-def _told(results: Results, asked: list[OpenBalance], columns: Columns, unknown: Any) -> Results:
-    """Results with the torques that were found among those that hold; none where there is none."""
+def _with_torques(
+    results: Results, balances: list[OpenBalance], columns: Columns, unknown: Any
+) -> Results:
+    """Return results with the torques found, and NaN at points with no or several solutions."""
     changed: dict[str, Any] = {}
     points: Any = results.points
     for name in ("holding_torques", "lossy_holding_torques"):
         changed[name] = np.array(results.in_own_unit(name))
-        for one in asked:
-            unit = points.scales["Nm"][:, one.gear]
-            changed[name][:, one.gear, one.link - 1] = columns[one.number] / unit
+        for balance in balances:
+            unit = points.scales["Nm"][:, balance.gear]
+            changed[name][:, balance.gear, balance.link - 1] = columns[balance.number] / unit
     for name in RELATIVE_TO_INPUT:
         array = changed.get(name, results.in_own_unit(name))
         where = unknown.astype(bool).reshape(*unknown.shape, *[1] * (array.ndim - unknown.ndim))

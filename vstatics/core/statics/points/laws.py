@@ -1,9 +1,10 @@
-"""Drags and efficiencies that depend: a fixed point over arrays.
+"""Drag torques and efficiencies that depend on speed or torque, solved for all points at once.
 
-Speeds come first; from them follow drags, and efficiencies over speed, for all points at once.
-Where freewheels change with that, it is done again until they stay. Efficiencies over torque are
-looked for from the least and from the largest that they can be, and where only one of a gear is
-unknown between them, too: one solution is wanted.
+Speeds do not depend on losses, so they determine drag torques and efficiencies over speed. If drag
+changes the state of freewheels, this is repeated until the states settle. Efficiencies over torque
+are the solution of a fixed-point iteration, started from the smallest and from the largest values;
+if a gear has a single one, all roots between the two are searched for. Only a single solution is
+accepted.
 """
 
 from __future__ import annotations
@@ -23,38 +24,41 @@ from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.result_arrays import ARRAYS, Outside, first_rows, row_names
 from vstatics.core.statics.results import Results
 
-MOST_PASSES = 100
-"""Passes in which numbers have to stand still."""
-MOST_STATES = 8
-"""Passes in which freewheels have to stand still."""
-SCANNED = 17
-"""Efficiencies between the least and the largest, at which a single unknown is tried."""
-MOST_FOUND = 3
-"""Solutions that are followed."""
-HALVES = 60
-"""Steps to one of them."""
+MOST_FIXED_POINT_STEPS = 100
+"""Largest number of fixed-point iterations."""
+MOST_FREEWHEEL_PASSES = 8
+"""Largest number of passes until the states of freewheels settle."""
+SCAN_POINTS = 17
+"""Number of efficiencies between smallest and largest at which a single unknown is evaluated."""
+MOST_ROOTS = 3
+"""Largest number of sign changes searched for roots."""
+ROOT_BISECTIONS = 60
+"""Bisections for a root, enough for the precision of a float."""
 NONE, SEVERAL = 1, 2
+"""States of a gear: no solution, or several solutions for the efficiencies."""
 WITH_LOSSES = (
     *("lossy_torques", "lossy_holding_torques", "efficiency", "losses", "power_balance"),
     *("drag_losses", "lossy_mesh_torques", "mesh_losses", "power_sign"),
 )
-"""Arrays of which nothing is known where no single torque agrees with an efficiency."""
+"""Names of arrays that are undefined if the efficiencies have no single solution."""
 
 Laws = Mapping[CaseNumber, Law]
 
 
 class Followed(NamedTuple):
-    """What a case with laws, or with balances, comes to at its points."""
+    """Solution of a case with laws or balances at all points."""
 
     results: Results
     columns: Columns
-    """With all numbers that follow from laws."""
+    """Varied numbers, completed with the values of laws."""
     open: Any
+    """State of each point and gear, shape (points, gears): 0 if there is a single solution."""
     outside: Outside
+    """Points outside the range of laws, by the name of the part."""
 
 
 def laws_of(case: Transmission) -> Laws:
-    """All laws of a case, by the numbers that they give."""
+    """Return all laws of a case, by the number that each determines."""
     numbers: dict[CaseNumber, Any] = {}
     for index, gear in enumerate(case.gears):
         for n, torque in case.gear_open_drag(gear).items():
@@ -68,7 +72,7 @@ def laws_of(case: Transmission) -> Laws:
 
 
 def without_laws(case: Transmission) -> Transmission:
-    """The case with plain numbers in place of laws: no drag, efficiencies as at 0."""
+    """Return the case with numbers instead of laws: no drag, and the efficiencies at 0."""
 
     def plain(number: Any, instead: float) -> Any:
         return instead if isinstance(number, Law) else number
@@ -77,11 +81,13 @@ def without_laws(case: Transmission) -> Transmission:
         drag={link: plain(torque, 0.0) for link, torque in case.drag.items()},
         shift_elements=[e._replace(drag=plain(e.drag, 0.0)) for e in case.shift_elements],
         mechanisms=[
-            one._replace(
-                efficiency=plain(one.efficiency, float(one.efficiency)),
-                back_efficiency=plain(one.back_efficiency, float(one.back_efficiency or 0)),
+            mechanism._replace(
+                efficiency=plain(mechanism.efficiency, float(mechanism.efficiency)),
+                back_efficiency=plain(
+                    mechanism.back_efficiency, float(mechanism.back_efficiency or 0)
+                ),
             )
-            for one in case.mechanisms
+            for mechanism in case.mechanisms
         ],
         gears=[
             gear._replace(
@@ -94,7 +100,7 @@ def without_laws(case: Transmission) -> Transmission:
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
-    """The results of all points, with drags and efficiencies as they are there."""
+    """Solve all points with drag torques and efficiencies by laws."""
     laws = {number: law for number, law in laws_of(case).items() if number not in given}
     plain = without_laws(case)
     over_speed = {number: law for number, law in laws.items() if law.over == "speed"}
@@ -114,16 +120,15 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
 
 
 def _outside(case: Transmission, laws: Laws, sizes: Mapping[CaseNumber, Floats]) -> Outside:
-    """Where laws are asked outside their points."""
-    found: dict[str, Any] = {}
+    outside: dict[str, Any] = {}
     for number, law in laws.items():
         if not law.points:
             continue
         wrong = law.is_outside(sizes[number])  # type: ignore[attr-defined] # it has points
         if wrong.any():
             none = np.zeros((len(wrong), len(case.gears)), np.bool_)
-            found.setdefault(_called(case, number), none)[:, number.gear] |= wrong
-    return found
+            outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong
+    return outside
 
 
 def _with_speeds(
@@ -133,12 +138,12 @@ def _with_speeds(
     columns: dict[CaseNumber, Floats],
     variants: int,
 ) -> tuple[Results, dict[CaseNumber, Floats], Booleans]:
-    """Results with what depends on speed, the speeds that laws asked for, where they still move.
+    """Solve with laws over speed; return results, speeds of the laws, and flags of unsettled gears.
 
-    Drag may turn a freewheel, which changes the speeds.
+    Drag can release or lock a freewheel, which changes the speeds.
     """
     results = solve_points(plain, columns, variants)
-    for _ in range(MOST_STATES):
+    for _ in range(MOST_FREEWHEEL_PASSES):
         before = results.speeds
         sizes = {number: _speed(plain, results, columns, number) for number in laws}
         for number, law in laws.items():
@@ -151,14 +156,13 @@ def _with_speeds(
 
 
 def _differ(speeds: Floats, others: Floats) -> Booleans:
-    """By point and gear: whether a speed is another one, or is no longer determined."""
     same: Booleans = np.isclose(speeds, others, rtol=TIE, atol=TIE, equal_nan=True)
     differ: Any = (~same).any(axis=-1)
     return differ  # type: ignore[no-any-return] # an array
 
 
 def _speed(case: Transmission, results: Results, columns: Columns, number: CaseNumber) -> Floats:
-    """The magnitude of the speed that a law asks for [rad/s]; 0 where it is not determined."""
+    """Return the magnitude of the speed for a law [rad/s]; 0 if indeterminate."""
     index, quantity, owner = number
     if quantity == "drag":
         speed = results.speeds[:, index, owner - 1]
@@ -170,16 +174,16 @@ def _speed(case: Transmission, results: Results, columns: Columns, number: CaseN
         for link, sign in ((first, 1), (third, -1)):
             if link != HOUSING:
                 speed = speed + sign * results.speeds[:, index, link - 1]
-    own: Any = loads_of(case, columns, len(results.speeds))[index or 0].speed
-    size: Floats = np.nan_to_num(np.abs(speed * own))
+    input_speed: Any = loads_of(case, columns, len(results.speeds))[index or 0].speed
+    size: Floats = np.nan_to_num(np.abs(speed * input_speed))
     return size
 
 
-def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
-    """What a law gives; else the first value that can't be."""
+def _checked(case: Transmission, number: CaseNumber, values: Floats) -> Floats:
+    """Return the values of a law; raise CaseError for the first value that is not valid."""
     wrong = ~(np.isfinite(values) & (values >= 0))
     if wrong.any():
-        what = f"the drag of {_called(case, number)}"
+        what = f"the drag of {_name(case, number)}"
         message = (
             f"{what}: read {values[wrong][0]:g}, expected a torque of 0 or more at every speed"
         )
@@ -192,12 +196,10 @@ def _checked(case: Transmission, number: CaseNumber, values: Any) -> Floats:
             }
             path = of_case[quantity]
         raise CaseError([Problem("E268", message, path)])
-    found: Floats = values
-    return found
+    return values
 
 
-def _called(case: Transmission, number: CaseNumber) -> str:
-    """The name of what has a law."""
+def _name(case: Transmission, number: CaseNumber) -> str:
     if number.quantity == "drag":
         return case.link_name(number.owner)
     if number.quantity == "open_drag":
@@ -206,7 +208,7 @@ def _called(case: Transmission, number: CaseNumber) -> str:
 
 
 class _Search:
-    """Efficiencies over torque, that agree with the torques that they make."""
+    """Search for efficiencies over torque, consistent with the resulting torques."""
 
     def __init__(self, case: Transmission, columns: Columns, laws: Laws, variants: int) -> None:
         self.case, self.columns, self.laws = case, columns, laws
@@ -219,29 +221,35 @@ class _Search:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
     def sizes(self, results: Results) -> dict[CaseNumber, Floats]:
-        """The magnitude of the torque that each law asks for [N*m]; NaN where there is none."""
+        """Return the magnitude of the torque for each law [N*m]; NaN if undefined."""
         torques = results.lossy_torques_Nm
         return {number: np.abs(torques[:, number.gear, row]) for number, row in self.rows.items()}
 
     def _tried(
         self, guess: Mapping[CaseNumber, Floats]
     ) -> tuple[Results, dict[CaseNumber, Floats]]:
-        """Results with guessed efficiencies, and the efficiencies that their torques have."""
+        """Solve with guessed efficiencies; return results and the efficiencies by the laws."""
         results = solve_points(self.case, {**self.columns, **guess}, self.variants)
         sizes = self.sizes(results)
         return results, {number: law.at(sizes[number]) for number, law in self.laws.items()}
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """The numbers that stand still from one end on; by gear where they do, where none is."""
+        """Iterate from efficiencies given by `end`, such as min, to a fixed point.
+
+        Returns
+        -------
+        guess, is_fixed, is_lacking
+            Efficiencies, and flags (points, gears) of convergence and of missing torques.
+        """
         guess = {
             number: np.full(self.variants, float(end(y for _, y in law.points)))
             for number, law in self.laws.items()
         }
         still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
-        for _ in range(MOST_PASSES):
-            _, found = self._tried(guess)
+        for _ in range(MOST_FIXED_POINT_STEPS):
+            _, efficiencies = self._tried(guess)
             still[:], lacking[:] = True, False
-            for number, values in found.items():
+            for number, values in efficiencies.items():
                 moved = np.abs(values - guess[number]) > STANDS_STILL
                 still[:, number.gear or 0] &= ~moved
                 lacking[:, number.gear or 0] |= np.isnan(values)
@@ -251,7 +259,7 @@ class _Search:
         return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Any]:
-        """Results with the one solution, its numbers, and where there is none or another."""
+        """Return results of the single solution, all numbers, and the states of gears."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
         best, still, lacking = starts[0]
@@ -266,47 +274,47 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
-        state[lacking & (state == NONE)] = 0  # no torque to agree with: the gear says why
+        state[lacking & (state == NONE)] = 0  # missing torques have a message of their own
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Any) -> None:
-        """Look between the ends where a gear has one unknown: how many solutions there are."""
+        """Search between the ends for all solutions of gears with a single unknown efficiency."""
         single = [numbers[0] for numbers in self.of_gear.values() if len(numbers) == 1]
         if not single:
             return
         values = {n: [y for _, y in self.laws[n].points] for n in single}
-        grid = {n: np.linspace(min(y), max(y), SCANNED) for n, y in values.items()}
-        left = {n: np.empty((SCANNED, self.variants)) for n in single}
-        for place in range(SCANNED):
+        grid = {n: np.linspace(min(y), max(y), SCAN_POINTS) for n, y in values.items()}
+        left = {n: np.empty((SCAN_POINTS, self.variants)) for n in single}
+        for place in range(SCAN_POINTS):
             guess = {**best, **{n: np.full(self.variants, grid[n][place]) for n in single}}
-            _, found = self._tried(guess)
+            _, efficiencies = self._tried(guess)
             for n in single:
-                left[n][place] = found[n] - guess[n]
+                left[n][place] = efficiencies[n] - guess[n]
         for n in single:
             self._count(n, best, state, grid[n], left[n])
 
     def _count(
         self, number: CaseNumber, best: dict[CaseNumber, Floats], state: Any, grid: Any, left: Any
     ) -> None:
-        """Follow the changes of sign where there are several, or nothing stood still."""
+        """Count the roots of an efficiency, unless the only sign change is the known solution."""
         turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
-        turns |= (left[1:] == 0) & (np.arange(1, SCANNED) < SCANNED - 1)[:, None]
-        own, order = state[:, number.gear], np.cumsum(turns, axis=0)
+        turns |= (left[1:] == 0) & (np.arange(1, SCAN_POINTS) < SCAN_POINTS - 1)[:, None]
+        gear_state, order = state[:, number.gear], np.cumsum(turns, axis=0)
         beyond = np.abs(best[number] - (grid[1:] + grid[:-1])[:, None] / 2) - SAME_SOLUTION
         among = (turns & (beyond <= (grid[1:] - grid[:-1])[:, None] / 2)).any(axis=0)
-        asked = (order[-1] > 1) | (((own == NONE) | ~among) & (order[-1] > 0))
-        solutions = ((own == 0) & ~among).astype(np.int64)
-        for turn in range(min(int(order[-1].max()), MOST_FOUND) if asked.any() else 0):
+        asked = (order[-1] > 1) | (((gear_state == NONE) | ~among) & (order[-1] > 0))
+        solutions = ((gear_state == 0) & ~among).astype(np.int64)
+        for turn in range(min(int(order[-1].max()), MOST_ROOTS) if asked.any() else 0):
             place = np.argmax(turns & (order == turn + 1), axis=0)
             root, stands = self._between(number, best, grid, left, place)
             stands &= asked & (order[-1] > turn)
-            first = stands & (own == NONE) & (solutions == 0)
+            first = stands & (gear_state == NONE) & (solutions == 0)
             best[number] = np.where(first, root, best[number])
             solutions += stands
-        own[asked & (own == NONE) & (solutions == 1)] = 0
-        own[asked & (solutions > 1)] = SEVERAL
+        gear_state[asked & (gear_state == NONE) & (solutions == 1)] = 0
+        gear_state[asked & (solutions > 1)] = SEVERAL
 
     def _between(
         self,
@@ -316,13 +324,16 @@ class _Search:
         left: Floats,
         place: Any,
     ) -> tuple[Floats, Booleans]:
-        """The solution behind a place of the grid, by halves; and where it is one, not a jump."""
+        """Bisect for the root after a place of the grid; return root and flags of success.
+
+        At a jump there is no root.
+        """
         low, high = grid[place], grid[place + 1]
         at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
-        for _ in range(HALVES):
+        for _ in range(ROOT_BISECTIONS):
             middle = (low + high) / 2
-            _, found = self._tried({**best, number: middle})
-            values = found[number] - middle
+            _, efficiencies = self._tried({**best, number: middle})
+            values = efficiencies[number] - middle
             above = np.sign(values) == at_low
             low, high = np.where(above, middle, low), np.where(above, high, middle)
         stands: Booleans = np.abs(values) <= SAME_SOLUTION
@@ -330,13 +341,12 @@ class _Search:
 
 
 def _middle(values: Iterable[float]) -> float:
-    """Between the least and the largest."""
     known = [*values]
     return (min(known) + max(known)) / 2
 
 
 def _without_values(results: Results, state: Any) -> Results:
-    """Results that say nothing of losses where there is no single solution."""
+    """Return results with undefined losses at points and gears without a single solution."""
     wrong = state != 0
     if not wrong.any():
         return results

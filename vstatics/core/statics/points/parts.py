@@ -1,7 +1,7 @@
-"""Numbers of parts that vary at operating points: each set of them is a case of its own.
+"""Points grouped by numbers of parts, such as tooth numbers; each set of numbers needs a new case.
 
-`elements.part_numbers` lists the numbers of parts and creates the cases; `Transmission` has both as
-methods.
+`elements.part_numbers` lists the numbers of parts and creates the cases, through methods of
+`Transmission`.
 """
 
 from __future__ import annotations
@@ -20,24 +20,24 @@ from vstatics.core.statics.results import Results
 
 
 class CaseOfPoints(NamedTuple):
-    """A case with numbers of its parts that some points have."""
+    """Case for the points with equal numbers of parts."""
 
     chosen: Integers
-    """Their places."""
+    """Indices of the points."""
     case: Transmission
 
     def columns(self, columns: Columns) -> Columns:
-        """Of columns of all points those of these."""
+        """Select the points of the case from columns of all points."""
         return {number: column[self.chosen] for number, column in columns.items()}
 
 
 def cases_of_points(case: Transmission, columns: Mapping[str, Floats]) -> Iterator[CaseOfPoints]:
-    """The cases that columns of numbers of parts make, in SI, by their paths.
+    """Yield the cases for columns of numbers of parts, in SI, by path.
 
     Raises
     ------
     CaseError
-        For the first point whose numbers can't be.
+        If the numbers of a point are not valid.
     """
     known = case.part_numbers()
     for path, column in columns.items():
@@ -52,12 +52,12 @@ def cases_of_points(case: Transmission, columns: Mapping[str, Floats]) -> Iterat
         except CaseError as error:
             said = f"in variant {chosen[0]}: "
             raise CaseError(
-                one._replace(message=said + one.message) for one in error.problems
+                problem._replace(message=said + problem.message) for problem in error.problems
             ) from None
 
 
 def alike_rows(values: Floats) -> Iterator[tuple[Integers, list[float]]]:
-    """Rows that are the same: their places, and their numbers.
+    """Group equal rows; yield the indices of the rows and the common values.
 
     >>> [(places.tolist(), row) for places, row in alike_rows(np.array([[2.0], [1.0], [2.0]]))]
     [([1], [1.0]), ([0, 2], [2.0])]
@@ -68,31 +68,32 @@ def alike_rows(values: Floats) -> Iterator[tuple[Integers, list[float]]]:
 
 
 def joined(case: Transmission, places: Sequence[Integers], parts: Sequence[Results]) -> Results:
-    """One answer of several cases, its points in their own order."""
+    """Join the results of several cases, with the points in the original order."""
     order = np.argsort(np.concatenate(places))
 
     def whole(arrays: Sequence[Any]) -> Any:
         return np.concatenate(arrays)[order]
 
-    told: list[Any] = [part.points for part in parts]
-    first: OperatingPoints = told[0]
+    points_of: list[Any] = [part.points for part in parts]
+    first: OperatingPoints = points_of[0]
     gears: list[Any] = [
         gear._replace(
             torques={
-                link: whole([one.gears[n].torques[link] for one in told]) for link in gear.torques
+                link: whole([part.gears[n].torques[link] for part in points_of])
+                for link in gear.torques
             }
         )
         for n, gear in enumerate(first.gears)
     ]
     points = first._replace(
-        scales={unit: whole([one.scales[unit] for one in told]) for unit in first.scales},
-        loaded=whole([one.loaded for one in told]),
+        scales={unit: whole([part.scales[unit] for part in points_of]) for unit in first.scales},
+        loaded=whole([part.loaded for part in points_of]),
         gears=gears,
         outside={
-            name: whole([one.outside.get(name, np.zeros_like(one.loaded)) for one in told])
-            for name in dict.fromkeys(name for one in told for name in one.outside)
+            name: whole([part.outside.get(name, np.zeros_like(part.loaded)) for part in points_of])
+            for name in dict.fromkeys(name for part in points_of for name in part.outside)
         },
-        open=None if first.open is None else whole([one.open for one in told]),
+        open=None if first.open is None else whole([part.open for part in points_of]),
     )
     arrays = {name: whole([part.in_own_unit(name) for part in parts]) for name in ARRAYS}
     return Results(case=case, **arrays, points=points)

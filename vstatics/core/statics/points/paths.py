@@ -1,6 +1,7 @@
-"""Which numbers of a case a path names, "load.torque", "gears.low.drag.out", and what they may be.
+"""Paths to the numbers of a case that can vary, such as ``load.torque`` or ``gears.low.drag.out``.
 
-Names stand as the case has them; the power of a battery is in W. Gears may be `*`, all of them.
+Paths contain the names of the case; `*` stands for all gears. Numbers are in SI units, so that the
+power of a battery is in W. Values are checked against the range of their quantity.
 """
 
 from __future__ import annotations
@@ -30,30 +31,30 @@ _OF_LOADS: Mapping[Keys, OfLoads] = {
 
 
 class CaseNumber(NamedTuple):
-    """A number of a case that varies, in SI."""
+    """Number of a case that varies, in SI units."""
 
     gear: int | None
-    """Its index; None for a load that is the case's own."""
+    """Index of the gear; None for the operating point of the case."""
     quantity: OfLoads | OfGear | OfMechanism | Literal["battery"]
     owner: int = 0
-    """As that of a `GearNumber`; of a load nothing."""
+    """Link, shift element or mechanism, as in `GearNumber`; 0 for an operating point."""
 
 
 FREE_RATIOS = ("variator", "converter")
-"""Kinds of mechanisms whose speed ratio may differ from gear to gear."""
+"""Kinds of mechanisms whose speed ratio can differ from gear to gear."""
 Columns = Mapping[CaseNumber, Floats]
-"""Of shape (variants,): rad/s, N*m, or without a unit."""
+"""Values of varied numbers in SI units, each of shape (variants,)."""
 
 
 def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
-    """Arrays of one length, and that length.
+    """Broadcast arrays to a common length; return the arrays and the length.
 
     Raises
     ------
     CaseError
-        If one is no array of numbers.
+        If a value is not an array of numbers.
     ValueError
-        If the arrays do not go together, on one axis.
+        If the arrays cannot be broadcast to a single axis.
 
     Examples
     --------
@@ -74,20 +75,20 @@ def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
 def columns_of(
     case: Transmission, arrays: Mapping[str, Floats], others: Iterable[str] = ()
 ) -> Columns:
-    """The numbers that vary.
+    """Return the values of all varied numbers.
 
     Parameters
     ----------
     case : Transmission
     arrays : mapping of str to ndarray, shape (variants,)
-        By their paths.
+        Values by path.
     others : iterable of str
-        Paths that may be meant by one that names nothing.
+        Other valid paths, to suggest for an unknown path.
 
     Raises
     ------
     CaseError
-        If a path names nothing, or a number can't be.
+        If a path is unknown, or a value is not valid.
 
     Examples
     --------
@@ -113,7 +114,7 @@ def columns_of(
 
 
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
-    """All paths of a case, each with its numbers.
+    """Return the numbers of a case by path; a path can name several.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
@@ -124,7 +125,7 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
-    """What a quantity is measured in; None for a number without a unit.
+    """Return the measure of a quantity; None for a number without a unit.
 
     >>> measure_of("speeds"), measure_of("efficiency")
     ('si_speed', None)
@@ -137,12 +138,11 @@ def measure_of(quantity: str) -> Measure | Literal["power"] | None:
 
 
 def wrong_numbers(quantity: str, numbers: Floats) -> Booleans:
-    """Which numbers in SI can't be those of a quantity."""
-    return _wrong(quantity, numbers)[0]
+    """Return flags of invalid numbers of a quantity in SI units."""
+    return _check_quantity(quantity, numbers)[0]
 
 
 def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
-    """All paths of a case, each with its numbers."""
     for keys, quantity in _OF_LOADS.items():
         yield keys, [CaseNumber(None, quantity)]
     everywhere = range(len(case.gears))
@@ -150,7 +150,9 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     links = {name: number for number, name in enumerate(case.link_names[: case.own_links], 1)}
     elements = {element.name: n for n, element in enumerate(case.shift_elements, 1)}
     devices = case.mechanisms[case.own_mechanisms]
-    free = {one.name: n for n, one in enumerate(devices, 1) if one.kind in FREE_RATIOS}
+    free = {
+        mechanism.name: n for n, mechanism in enumerate(devices, 1) if mechanism.kind in FREE_RATIOS
+    }
     owners: dict[OfGear, dict[str, int]] = {
         "speed_ratios": free,
         "speeds": links,
@@ -163,9 +165,13 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
             yield ("gears", gear, *keys), [CaseNumber(n, quantity) for n in numbers]
         for of_gear, named in owners.items():
             for name, owner in named.items():
-                own = [CaseNumber(n, of_gear, owner) for n in numbers]
-                if own := own if of_gear != "speed_ratios" else _acting(case, own):
-                    yield ("gears", gear, of_gear, name), own
+                gear_numbers = [CaseNumber(n, of_gear, owner) for n in numbers]
+                if (
+                    gear_numbers := gear_numbers
+                    if of_gear != "speed_ratios"
+                    else _acting(case, gear_numbers)
+                ):
+                    yield ("gears", gear, of_gear, name), gear_numbers
     for name, link in links.items():
         yield ("drag", name), [CaseNumber(n, "drag", link) for n in everywhere]
     for name, number in elements.items():
@@ -175,39 +181,39 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Speed ratios without those of converters that are bypassed."""
+    """Select the speed ratios that act, without bypassed converters."""
     first = case.own_mechanisms.start - 1
     return [
-        one for one in numbers if first + one.owner not in case.bypassed(case.gears[one.gear or 0])
+        number
+        for number in numbers
+        if first + number.owner not in case.bypassed(case.gears[number.gear or 0])
     ]
 
 
 def _of_mechanisms(
     case: Transmission, free: Mapping[str, int]
 ) -> Iterator[tuple[Keys, list[CaseNumber]]]:
-    """Numbers of mechanisms and drawn elements, the same in all gears."""
     everywhere = range(len(case.gears))
     for name, number in free.items():
-        if own := _acting(case, [CaseNumber(n, "speed_ratios", number) for n in everywhere]):
-            yield (name, "speed_ratio"), own
+        if numbers := _acting(case, [CaseNumber(n, "speed_ratios", number) for n in everywhere]):
+            yield (name, "speed_ratio"), numbers
     indexed = enumerate(case.mechanisms)
-    mechanisms: dict[str, tuple[int, ...]] = {one.name: (n,) for n, one in indexed}
-    mechanisms |= {one.name: one.mechanisms for one in case.own_devices}
+    mechanisms: dict[str, tuple[int, ...]] = {mechanism.name: (n,) for n, mechanism in indexed}
+    mechanisms |= {device.name: device.mechanisms for device in case.own_devices}
     for name, indices in mechanisms.items():
         for of_mechanism in OF_MECHANISMS if len(indices) == 1 else ("efficiency",):
-            own = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
-            yield (name, of_mechanism), own
+            numbers = [CaseNumber(n, of_mechanism, index) for n in everywhere for index in indices]
+            yield (name, of_mechanism), numbers
 
 
 def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
     balanced = [n for n, gear in enumerate(case.gears) if gear.balance]
     for name, numbers in [("*", balanced), *((case.gears[n].name, [n]) for n in balanced)]:
-        own = [CaseNumber(n, "battery") for n in numbers]
-        yield ("gears", name, "balance", "battery"), own
+        batteries = [CaseNumber(n, "battery") for n in numbers]
+        yield ("gears", name, "balance", "battery"), batteries
 
 
 def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) -> None:
-    """Raise the first number that can't be."""
     if number.quantity == "ratio":
         between = case.ratio_range(number.owner)
         wrong, expected = (
@@ -215,15 +221,15 @@ def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) ->
             matrix.expected_ratio(between),
         )
     else:
-        wrong, expected = _wrong(number.quantity, column)
+        wrong, expected = _check_quantity(number.quantity, column)
     if wrong.any():
         variant = int(np.flatnonzero(wrong)[0])
         message = f"read {column[variant]:g} in variant {variant}, expected {expected}"
         raise CaseError([Problem("E415", message, ("vary", path))])
 
 
-def _wrong(quantity: str, column: Floats) -> tuple[Booleans, str]:
-    """Which numbers can't be, and what is expected."""
+def _check_quantity(quantity: str, column: Floats) -> tuple[Booleans, str]:
+    """Return flags of the numbers that are not valid, and the text of the expectation."""
     if quantity in ("ratio", "efficiency"):
         return matrix.impossible(quantity, column), matrix.EXPECTED[quantity]  # type: ignore[arg-type] # one of the two
     wrong = ~np.isfinite(column)

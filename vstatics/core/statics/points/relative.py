@@ -1,7 +1,7 @@
-"""Numbers in rad/s and N*m beside a load that varies -> relative numbers -> `Results`.
+"""Solution of points with numbers in SI units, relative to an operating point that can vary.
 
-Points go alike where no load changes its sign, nor any number to or from 0: these have the
-same equations, the same directions of drag, and a case that stands for all of them.
+Points are solved together if their loads have equal signs, and their numbers are 0 or not 0 alike.
+Their equations and the directions of drag are then equal, and a single case represents them all.
 """
 
 from __future__ import annotations
@@ -30,37 +30,37 @@ from vstatics.core.statics.variants import (
 )
 
 RPM = 30 / math.pi
-"""1 rad/s."""
+"""Speed of 1 rad/s. [rpm]"""
 
 
 class GearLoad(NamedTuple):
-    """The load of a gear at some points, of shape (points,); None where it is not told."""
+    """Operating points of a gear, arrays of shape (points,); None if not given."""
 
     speed: Floats | None
-    """[rad/s]"""
+    """Input speed. [rad/s]"""
     torque: Floats | None
-    """With the sign that `coast` gives it. [N*m]"""
+    """Input torque; `turned` gives it the sign required by `coast`. [N*m]"""
     coast: bool | None = None
 
     def turned(self) -> GearLoad:
-        """The same with the torque as `coast` turns it."""
+        """Return the operating points with the sign of the torque required by `coast`."""
         if self.coast is None or self.torque is None:
             return self
         return self._replace(torque=np.abs(self.torque) * self._way)
 
     @property
     def _way(self) -> Floats:
-        """The sign of a torque along the speed, or against it if it coasts."""
+        """Sign of the torque: along the speed, or against the speed when coasting."""
         way: Floats = np.sign(np.ones(1) if self.speed is None else self.speed)
         return -way if self.coast else way
 
     @property
     def torque_unit(self) -> Floats | None:
-        """What torques are related to [N*m], as `Transmission.torque_unit`."""
+        """Reference of torques, as in `Transmission.torque_unit` [N*m]."""
         return None if self.torque is None else np.where(self.torque == 0, self._way, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
-        """What a given speed, torque or drag is related to [rad/s, N*m]."""
+        """Return the reference of a given speed, torque or drag [rad/s, N*m]."""
         if quantity == "speeds":
             return self.speed
         if quantity == "speed_ratios":
@@ -70,48 +70,50 @@ class GearLoad(NamedTuple):
 
 
 def solve_points(case: Transmission, columns: Columns, variants: int) -> Results:
-    """Results of all points.
+    """Solve all points.
 
     Raises
     ------
     CaseError
-        If a number needs a load, or the numbers make no case.
+        If a number in SI units needs an operating point, or a case is not valid.
     """
     loads = loads_of(case, columns, variants)
     _expect_loads(case, columns, loads)
-    found: dict[str, Any] = {}
-    told = _Told(case, loads, variants)
+    whole: dict[str, Any] = {}
+    collected = _PointData(case, loads, variants)
     groups = list(alike(columns, loads, variants))
     for chosen in groups:
         part = {number: column[chosen] for number, column in columns.items()}
-        own = loads_of(case, part, chosen.size)
-        one = with_numbers(case, part)
-        by_gear = [_relative(one, n, part, own[n]) for n in range(len(case.gears))]
-        arrays = solve_variants(one, None, None, chosen.size, by_gear)
-        told.take(one, chosen, by_gear, own)
+        part_loads = loads_of(case, part, chosen.size)
+        part_case = with_numbers(case, part)
+        by_gear = [_relative(part_case, n, part, part_loads[n]) for n in range(len(case.gears))]
+        arrays = solve_variants(part_case, None, None, chosen.size, by_gear)
+        collected.take(part_case, chosen, by_gear, part_loads)
         if len(groups) == 1:
-            found = arrays
+            whole = arrays
             break
         for name, array in arrays.items():
-            if name not in found:
-                found[name] = np.empty((variants, *array.shape[1:]), array.dtype)
-            found[name][chosen] = array
-    return Results(case=case, **found, points=told.points)
+            if name not in whole:
+                whole[name] = np.empty((variants, *array.shape[1:]), array.dtype)
+            whole[name][chosen] = array
+    return Results(case=case, **whole, points=collected.points)
 
 
 def loads_of(case: Transmission, columns: Columns, variants: int) -> list[GearLoad]:
-    """The load of each gear: its own, filled up with that of the case."""
+    """Return the operating points of each gear, which inherits omitted values from the case."""
 
     def load(index: int, gear: Gear) -> GearLoad:
-        """The last of them counts; the torque of a power follows a later speed."""
+        """Apply the case's load, then the gear's; a power gives a new torque at a new speed."""
         speed: Floats | None = None
         torque: Floats | None = None
         power: float | None = None
-        for place, own in ((None, case.load), (index, gear.load)):
-            told = own or Load()
-            numbers = _filled(told.speed, RPM, variants), _filled(told.torque, 1, variants)
-            columns_here = [columns.get(CaseNumber(place, one)) for one in get_args(OfLoads)]
-            for (new_speed, new_torque), new_power in (numbers, told.power), (columns_here, None):
+        for place, given_load in ((None, case.load), (index, gear.load)):
+            known = given_load or Load()
+            numbers = _filled(known.speed, RPM, variants), _filled(known.torque, 1, variants)
+            columns_here = [
+                columns.get(CaseNumber(place, quantity)) for quantity in get_args(OfLoads)
+            ]
+            for (new_speed, new_torque), new_power in (numbers, known.power), (columns_here, None):
                 if new_torque is not None:
                     torque, power = new_torque, new_power
                 elif new_speed is not None and power is not None:
@@ -128,7 +130,7 @@ def _filled(number: float | None, by: float, variants: int) -> Floats | None:
 
 
 def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad]) -> None:
-    """Raise the first number that is related to a load that is not told."""
+    """Raise CaseError for a number relative to an operating point that is not given."""
     for index, quantity, owner in columns:
         if index is None or quantity not in OF_GEAR:
             continue
@@ -142,7 +144,7 @@ def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad
 
 
 def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterator[Integers]:
-    """The points in groups that go alike, by their places."""
+    """Group the points that can be solved together; yield the indices of each group."""
     code = np.zeros(variants, dtype=np.int64)
     seen = {id(half): half for load in loads for half in load[:2] if half is not None}
     kinds = [np.sign(half).astype(np.int64) for half in seen.values()]
@@ -158,18 +160,18 @@ def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterato
 
 
 def with_numbers(case: Transmission, columns: Columns) -> Transmission:
-    """The case of the first point, checked as any other."""
+    """Return the case with the numbers of the first point, checked."""
 
-    def load(index: int | None, own: Load | None) -> Load | None:
+    def load(index: int | None, given_load: Load | None) -> Load | None:
         speed = columns.get(CaseNumber(index, "load.speed"))
         torque = columns.get(CaseNumber(index, "load.torque"))
         if speed is None and torque is None:
-            return own
-        told = Load(
+            return given_load
+        varied = Load(
             None if speed is None else float(speed[0]) * RPM,
             None if torque is None else float(torque[0]),
         )
-        return told.or_else(own or Load())
+        return varied.or_else(given_load or Load())
 
     gears = [gear._replace(load=load(n, gear.load)) for n, gear in enumerate(case.gears)]
     for (index, quantity, owner), column in columns.items():
@@ -182,33 +184,29 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
 
 
 def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) -> GearNumbers:
-    """What varies in a gear, relative to its load; what has a unit varies with the load."""
-    found: dict[GearNumber, Floats] = {}
-    gear = case.gears[index]
+    """Return the varying numbers of a gear relative to the operating points.
+
+    Fixed numbers with a unit vary with the operating points.
+    """
+    numbers: dict[GearNumber, Floats] = {}
+    gear = case.with_all_drag(case.gears[index])
     for quantity in OF_GEAR:
         unit = load.unit_of(quantity)
-        for owner, number in _given(case, gear, quantity).items():
+        for owner, number in getattr(gear, quantity).items():
             column = columns.get(CaseNumber(index, quantity, owner))
             if column is None and isinstance(number, OfLoad) and unit is not None:
                 given = number.given / (RPM if quantity == "speeds" else 1.0)
                 column = np.full(unit.shape, given)
             if column is not None and unit is not None:
-                found[GearNumber(quantity, owner)] = column / unit
+                numbers[GearNumber(quantity, owner)] = column / unit
     for (place, of_mechanism, owner), column in columns.items():
         if place == index and of_mechanism in OF_MECHANISMS:
-            found[GearNumber(of_mechanism, owner)] = column
-    return found
+            numbers[GearNumber(of_mechanism, owner)] = column
+    return numbers
 
 
-def _given(case: Transmission, gear: Gear, quantity: OfGear) -> dict[int, Any]:
-    """The numbers of a gear, with the drag that it has from the case and shift elements."""
-    if quantity == "drag":
-        return case.gear_drag(gear)
-    return case.gear_open_drag(gear) if quantity == "open_drag" else dict(getattr(gear, quantity))
-
-
-class _Told:
-    """What results in units need of the points, group by group."""
+class _PointData:
+    """Collector of the data that results in units need, filled group by group."""
 
     def __init__(self, case: Transmission, loads: Sequence[GearLoad], variants: int) -> None:
         shape = variants, len(case.gears)
@@ -231,7 +229,7 @@ class _Told:
         by_gear: Sequence[GearNumbers],
         loads: Sequence[GearLoad],
     ) -> None:
-        """A group of points, for which a case stands."""
+        """Store the data of a group of points represented by a case."""
         for n, gear in enumerate(case.gears):
             unit = loads[n].torque_unit
             if unit is not None:
@@ -247,22 +245,21 @@ class _Told:
     def _take_converters(
         self, case: Transmission, chosen: Integers, index: int, numbers: GearNumbers
     ) -> None:
-        """Where converters are asked outside their points."""
         given, ratios = case.own_mechanisms, case.gear_ratios(case.gears[index])
         bypassed = case.bypassed(case.gears[index])
-        for owner, (one, own) in enumerate(
+        for owner, (mechanism, fixed_ratio) in enumerate(
             zip(case.mechanisms[given], ratios[given], strict=True), 1
         ):
-            ratio = numbers.get(GearNumber("speed_ratios", owner), own)
+            ratio = numbers.get(GearNumber("speed_ratios", owner), fixed_ratio)
             if given.start + owner - 1 in bypassed:
                 continue
-            if one.kind == "converter" and np.any(wrong := one.is_outside(ratio)):
+            if mechanism.kind == "converter" and np.any(wrong := mechanism.is_outside(ratio)):
                 nowhere = np.zeros_like(self.loaded)
-                self.outside.setdefault(one.name, nowhere)[chosen, index] = wrong
+                self.outside.setdefault(mechanism.name, nowhere)[chosen, index] = wrong
 
     @property
     def points(self) -> OperatingPoints:
-        """All of it."""
+        """Collected data of all points."""
         scales = {"rpm": self.rpm, "Nm": self.torque, "kW": self.rpm * self.torque * KW_OF_RPM_NM}
         both = zip(self.gears, self.torques, strict=True)
         gears: list[Any] = [gear._replace(torques=torques) for gear, torques in both]
