@@ -66,7 +66,7 @@ def read(data: bytes, file: str) -> WrittenSweep:
     Examples
     --------
     >>> data = b"variant,i,status,ratio\\n1,2.5,ok,3.5\\n"
-    >>> read(data, "sweep.csv").numbers
+    >>> read(data, "sweep.csv").columns
     {'i': [2.5], 'ratio': [3.5]}
     """
     table = columns(data, file)

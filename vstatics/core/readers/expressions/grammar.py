@@ -152,7 +152,7 @@ class _Parser:
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
-        """Operands with operators between them that bind at least so much."""
+        """Read operands and the operators between them that bind at least by `least`."""
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
