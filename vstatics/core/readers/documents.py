@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from vstatics.core.readers.named.nodes import Found, Node, decode
+from vstatics.core.readers.named.nodes import DocumentText, Node, decode
 from vstatics.core.readers.named.reader import case_tree, read_case_tree
 from vstatics.core.readers.reading import Reading, Source
 
@@ -26,7 +26,7 @@ class CaseDocument(NamedTuple):
         ReadError
             With every problem that does not follow from another.
         """
-        return read_case_tree(root, Found(self.source))
+        return read_case_tree(root, DocumentText(self.source))
 
 
 def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument | None:

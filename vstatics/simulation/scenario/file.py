@@ -21,7 +21,7 @@ from vstatics.core.readers import Stream
 from vstatics.core.readers.kinds import is_foreign, kind_of
 from vstatics.core.readers.named.csv_files import are_read
 from vstatics.core.readers.named.nodes import (
-    Found,
+    DocumentText,
     Mapping,
     Node,
     Scalar,
@@ -87,7 +87,7 @@ class ScenarioDocument(NamedTuple):
     """A scenario as a tree of nodes, before its case is known."""
 
     root: Mapping
-    found: Found
+    found: DocumentText
 
     @property
     def case_file(self) -> str:
@@ -164,7 +164,7 @@ class ScenarioDocument(NamedTuple):
 
     def _words(self, case: Transmission) -> Vocabulary:
         """What its formulas may speak of, as far as it can be read: faults are told later."""
-        quiet = Found(self.found.source)
+        quiet = DocumentText(self.found.source)
         walk = Walk(Spots(quiet))
         nodes = {key.text: value for key, value in self.root.entries}
 

@@ -53,8 +53,8 @@ def read(data: bytes, file: str) -> Reading:
 
     Examples
     --------
-    >>> text = "KJG=2 KL=0 KG=1 NP=1\nNZD(I,1): 1\nNZD(I,2): 2\nNZD(I,3): 0\nIAB: 3.5\n"
-    >>> read(f"{text}ETAI: 1\nKFRI: 0\n".encode(), "pair.dat").case
+    >>> text = "KJG=2 KL=0 KG=1 NP=1\nNZD(I,1): 1\nNZD(I,2): 2\nNZD(I,3): 0\nIAB= 3.5\n"
+    >>> read(f"{text}ETAI= 1\nKFRI= 0\n".encode(), "pair.dat").case
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
     best: Reading | ReadError | None = None

@@ -9,21 +9,22 @@ from vstatics.core.readers.named.csv_files import csv_rows
 from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
-MOST_BYTES = 1_000_000
-"""Of a file of points."""
+MOST_POINT_FILE_BYTES = 1_000_000
+"""Most bytes of a file of points."""
 _COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """The points of a file.
+    """Read the points of a file.
 
     Raises
     ------
     OSError
+        If the file cannot be read, or is too large.
     ValueError
-        With what was expected.
+        With the expected content.
     """
-    return _points(csv_rows(Path(name), MOST_BYTES, lambda cell: _name(cell) == "speed"))
+    return _points(csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) == "speed"))
 
 
 def _name(heading: str) -> str:
@@ -31,12 +32,12 @@ def _name(heading: str) -> str:
 
 
 def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
-    """Numbered rows of a CSV file with the columns `speed [unit],torque [unit]`.
+    """Read points from rows with the columns `speed [unit],torque [unit]`.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        With the expected content.
 
     Examples
     --------
@@ -61,12 +62,12 @@ def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
 
 
 def _units(heads: list[str]) -> list[str]:
-    """The units of the columns.
+    """Return the units in the headings of speed and torque.
 
     Raises
     ------
     ValueError
-        If a column is another one, or a unit none of its quantity.
+        If a heading is wrong, or its unit has another measure.
     """
     units = [unit for _, unit in map(with_unit, heads) if unit]
     if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
