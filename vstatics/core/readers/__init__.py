@@ -33,7 +33,7 @@ Format = Literal["deck", "yaml", "json", "xlsx"]
 
 @runtime_checkable
 class Stream(Protocol):
-    """Open file or another object with a method `read`."""
+    """Open file or a similar object with a method `read`."""
 
     def read(self, size: int, /) -> Any:
         """Read and return at most `size` characters or bytes."""
@@ -45,8 +45,7 @@ READERS: dict[Format, tuple[str, str]] = {
     "json": ("vstatics.core.readers.named.reader", "read_json"),
     "xlsx": ("vstatics.core.readers.workbook", "read"),
 }
-"""Module and function of each format. They are imported when needed, as YAML costs start-up
-time."""
+"""Module and function of each format, imported when needed, as YAML costs start-up time."""
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -63,13 +62,13 @@ _PACKED = b"PK\x03\x04"
 
 
 def format_of_name(file: str) -> Format | None:
-    """Return the format of a file by the suffix of its name, or None for an unknown suffix."""
+    """Return the format of a file by the suffix of the name, or `None` for an unknown suffix."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """Return the format of a case by the suffix of its file, or else by its content."""
+    """Return the format of a case by the suffix of the name, or else by the content."""
     by_name = format_of_name(file)
     if by_name is not None:
         return by_name
@@ -157,7 +156,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 def content(
     source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
 ) -> Iterator[tuple[bytes, str]]:
-    """Yield the content of a file or a stream, at most `most` bytes, and its name.
+    """Yield the name and the content, at most `most` bytes, of a file or a stream.
 
     If a stream has no name, the text in it cannot refer to other files within the block, as its
     origin is unknown.

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class CaseDocument(NamedTuple):
-    """Case as a tree of nodes, with the source that gives their places."""
+    """Case as a tree of nodes, with the text that contains the nodes."""
 
     root: Node
     source: Source
@@ -30,7 +30,7 @@ class CaseDocument(NamedTuple):
 
 
 def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument | None:
-    """Read a case as a tree of nodes; return None for a deck, which has no tree.
+    """Read a case as a tree of nodes; return `None` for a deck, which has no tree.
 
     Raises
     ------

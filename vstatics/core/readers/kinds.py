@@ -1,4 +1,4 @@
-"""Kinds of documents, recognised by their keys: case, scenario, sweep file."""
+"""Kinds of documents, recognised by keys: case, scenario, sweep file."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _KEYS: dict[Kind, str] = {
 
 
 def kind_of(root: Node) -> Kind | None:
-    """Return the kind of a document in YAML or JSON, or None if its keys match none."""
+    """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
     keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
     return next((kind for kind, words in _KEYS.items() if not keys.isdisjoint(words.split())), None)
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Check whether a text file has none of the keys of a case, such as `/etc/passwd`.
+    """Check whether a text file, such as `/etc/passwd`, lacks all keys of a case.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -58,7 +58,7 @@ def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function of an annex that handles a document, or None for other documents.
+    """Return the function of an annex that handles a document, or `None` for a case.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Common parts of all readers of cases: the text with its lines, and the final checks."""
+"""Common parts of all readers of cases: the text with line numbers, and the final checks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, for any line ending; readers of long tables delete them."""
+        """Lines of the text, for any line ending; readers of long tables delete the list."""
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
@@ -30,7 +30,7 @@ class Source:
 
 
 class Reading(NamedTuple):
-    """Result of reading: the case, its warnings, and the places of its parts."""
+    """Result of reading: the case, the warnings, and the places of all parts."""
 
     case: Transmission
     warnings: list[Problem]
@@ -38,7 +38,7 @@ class Reading(NamedTuple):
     """Function that adds the place and the field name to a problem of the model."""
 
     def allowing(self, ids: Sequence[str]) -> Reading:
-        """Return this reading with more suppressed message ids than the case itself lists."""
+        """Return a reading with more suppressed message ids than the case itself lists."""
         if not ids:
             return self
         case = self.case.replace(hushed=(*self.case.hushed, *ids))
@@ -51,7 +51,7 @@ def finish(
     unreadable: Iterable[Path],
     locate: Callable[[Problem], Problem],
 ) -> Reading:
-    """Build the case from its parts, and report all problems of text and model together.
+    """Build the case from parts, and report all problems of text and model together.
 
     Parameters
     ----------

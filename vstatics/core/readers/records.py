@@ -20,7 +20,7 @@ from vstatics.core.tables.csv import unguarded
 
 
 class RecordedColumns(NamedTuple):
-    """Wanted columns of a record, in SI units, by their names."""
+    """Wanted columns of a record, in SI units, by name."""
 
     columns: Mapping[str, Floats]
     headings: tuple[str, ...]
@@ -34,7 +34,7 @@ class RecordedColumns(NamedTuple):
         return self.source.place(self.lines[row])
 
     def lacks(self, identity: str, heading: str) -> Problem:
-        """Return the problem of a missing column; the message lists the columns of its kind."""
+        """Return the problem of a missing column; the message lists similar columns."""
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
@@ -108,7 +108,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
 def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
-    """Return the index of each wanted column, and the size of its unit in SI."""
+    """Return the index of each wanted column, and the size of the unit in SI."""
     places: dict[str, tuple[int, float]] = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
@@ -121,7 +121,7 @@ def _places(
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """Return the name in a heading, without its unit unless the full heading is wanted."""
+    """Return the name in a heading, without the unit unless the full heading is wanted."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading
 

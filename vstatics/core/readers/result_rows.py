@@ -1,4 +1,4 @@
-"""Readers of results written as rows with one number each: CSV, and Parquet of many cases."""
+"""Readers of results written as rows with a single number: CSV, and Parquet of many cases."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _finite(value: str | float) -> float:
 
 
 def is_parquet(data: bytes) -> bool:
-    """Check whether a file is Parquet with the columns of results, unlike those of a sweep."""
+    """Check whether a file is Parquet with the columns of results, not of a sweep."""
     footer = data[-8 - int.from_bytes(data[-8:-4], "little") :]
     return data.startswith(PARQUET) and all(name.encode() in footer for name in ("case", *COLUMNS))
 
@@ -141,7 +141,7 @@ def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
 
 
 def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a CSV file with their line numbers; a carriage return ends a line, too."""
+    """Yield the rows of a CSV file with line numbers; a carriage return ends a line, too."""
     lines = csv.reader(io.StringIO(text, newline=None))
     try:
         for row in lines:

@@ -40,7 +40,7 @@ OTHERS = {
 }
 """Descriptions of other documents without a format, by a key that results lack."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
-"""Line with the file name above each of several listings in one text."""
+"""Line with the file name above each of several listings in a text."""
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
@@ -87,7 +87,7 @@ def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
 
 
 def _read_lines(text: str, file: str) -> list[WrittenResult]:
-    """Read JSON lines with one result each, and skip empty lines."""
+    """Read JSON lines, each with a result, and skip empty lines."""
     results: list[WrittenResult] = []
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
@@ -131,7 +131,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
 
 
 def _no_tables(document: Mapping[str, Any], number: int) -> str:
-    """Return the message for a document without tables; it may belong to another command."""
+    """Return the message for a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
         kind = f"one of {form.removeprefix('vstatics-')}"
@@ -152,7 +152,7 @@ def _file(document: Mapping[str, Any]) -> str:
 
 
 def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """Return the row names of each table for which their number is right."""
+    """Return the row names of each table with a matching number of rows."""
     return {
         table: [str(name) for name in names]
         for table, names in (given.items() if isinstance(given, dict) else ())
@@ -170,7 +170,7 @@ def _from_json(value: Any) -> Figure:
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """Return the case contained in a result, or None."""
+    """Return the case contained in a result, or `None`."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -213,7 +213,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 
 def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """Add the case at its head to a listing, or only the names if the case has springs.
+    """Add the case in the head to a listing, or only the names if the case has springs.
 
     A deck cannot contain springs, so that such a case cannot be read back.
     """
@@ -232,7 +232,7 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """Return the numbers of a printed row, or None if the row contains anything else."""
+    """Return the numbers of a printed row, or `None` if the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     Column: TypeAlias = list[Any] | Floats
 
 MOST_TABLE_CELLS = 20_000_000
-"""Bound on the cells of a table; as Python numbers these cells take 640 MB."""
+"""Bound on the cells of a table; 20 million Python numbers take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 SHEET = "Variants"
@@ -192,7 +192,7 @@ def _expect_different(names: Sequence[str]) -> None:
 
 
 def _workbook(data: bytes, file: str) -> dict[str, Column]:
-    """Read the sheet of variants of a workbook, or its only sheet."""
+    """Read the sheet of variants of a workbook, or the only sheet."""
     from vstatics.core.readers.workbook.cells import read_sheets
 
     names = [sheet.name for sheet in read_sheets(data, file, ())]
@@ -245,7 +245,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
 
 
 def _expect_declared(packed: ZipFile) -> None:
-    """Check that arrays are small enough and complete, before they are unpacked.
+    """Check that arrays are small enough and complete, before unpacking.
 
     Raises
     ------
@@ -283,7 +283,7 @@ def _parquet(data: bytes, file: str) -> dict[str, Column]:
 
 
 def expect_parquet_size(opened: Any) -> None:
-    """Check the declared size of a Parquet file before it is read.
+    """Check the declared size of a Parquet file before reading.
 
     Raises
     ------
@@ -296,7 +296,7 @@ def expect_parquet_size(opened: Any) -> None:
 
 
 def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
-    """Build a sweep from the columns of its table.
+    """Build a sweep from the columns of a table.
 
     Raises
     ------

@@ -154,7 +154,7 @@ class _ColumnsRead:
         self._has_comments = all(place for place, _ in self._words)
 
     def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
-        """Add all rows, and yield each fault with its line, up to `MOST_PROBLEMS` faults."""
+        """Add all rows, and yield up to `MOST_PROBLEMS` faults, each with a line number."""
         faults = 0
         for start in range(first, len(lines) + 1, _BLOCK_LINES):
             block = lines[start - 1 : start - 1 + _BLOCK_LINES]

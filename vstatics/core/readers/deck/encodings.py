@@ -48,7 +48,7 @@ def in_each_encoding(data: bytes) -> list[str]:
 
 
 def _text_score(text: str) -> float:
-    """Return the score of a text: the sum over its different words."""
+    """Return the score of a text, the sum over all different words."""
     return sum(map(_word_score, set(_WORD.findall(text))))
 
 

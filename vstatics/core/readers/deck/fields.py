@@ -1,4 +1,4 @@
-"""Lists of values in the fields of a deck, with the lengths that its sizes prescribe."""
+"""Lists of values in the fields of a deck, with the prescribed lengths."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Fields:
         self.scan.error(f"{label}: {message}", *self.places.spots[label])
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
-        """Read a required size; return None if it is missing or wrong."""
+        """Read a required size; return `None` for a missing or wrong value."""
         if key not in self.scan.fields:
             self._missing(key, f"`{key}=` and the number of {what}")
             return None
@@ -52,7 +52,7 @@ class Fields:
         return size if size is not None and self._fits(key, size) else None
 
     def or_guess(self, size: int | None, key: str, part: str) -> int:
-        """Return a size or, if it is unknown, the number of values in a list of this size."""
+        """Return a size or, if unknown, the number of values in a list of this size."""
         if size is not None:
             return size
         guess = min(loose_count(self.scan, key), self.capacity)
@@ -61,7 +61,7 @@ class Fields:
         return guess
 
     def optional(self, key: str, default: int, allowed: range, expected: str) -> int | None:
-        """Read an optional field of one value; return None if the value is wrong."""
+        """Read an optional field with a single value; return `None` for a wrong value."""
         if key not in self.scan.fields:
             return default
         value = self._scalar(key)
@@ -77,7 +77,7 @@ class Fields:
         return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
-        """Read the number of values of each gear in another field; -1 for an unreadable number."""
+        """Read the number of values that each gear has in a field; -1 for an unreadable number."""
         if key not in self.scan.fields and not required:
             message = f"{key} is missing: taken as 0; a cut file looks the same"
             place = self.scan.source.place(*self._end())
@@ -102,7 +102,7 @@ class Fields:
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Callable[[str], Number]
     ) -> tuple[list[list[Number]], set[int]]:
-        """Read the values of each gear, and return them with the gears that contain stand-ins."""
+        """Read the values of each gear, and list the gears that contain stand-ins."""
         gears = len(counts)
         if min(counts, default=0) < 0:
             return [[] for _ in counts], set(range(1, gears + 1))
@@ -126,7 +126,7 @@ class Fields:
     def _list(
         self, key: str, need: int, why: str, parse: Callable[[str], Number]
     ) -> Values[Number]:
-        """Read a list; problems of the model at its stand-ins are hidden."""
+        """Read a list, and hide problems of the model at the stand-ins."""
         field = self.scan.fields.get(key)
 
         def label(position: int) -> str:
@@ -146,7 +146,7 @@ class Fields:
         return values
 
     def _scalar(self, key: str) -> int | None:
-        """Read a field of one value; return None if the value is unreadable."""
+        """Read a field with a single value; return `None` for an unreadable value."""
         field = self.scan.fields[key]
         values = take(self.scan, field, Wanted(key, lambda _: key, 1, ""), integer)
         self.places.named.append(([key], values.spots))

@@ -19,7 +19,7 @@ TOKEN = re.compile(
     rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
     re.IGNORECASE,
 )
-"""Pattern of a token: a number, a ratio, a percentage, a comma or another word."""
+"""Pattern of a token: a number, a ratio, a percentage, a comma or a word."""
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
@@ -30,7 +30,7 @@ LONGEST_DECK_NUMBER = 1000
 
 
 class Token(NamedTuple):
-    """Number, comma or another word in a line of values."""
+    """Number, comma or word on a line of values."""
 
     text: str
     line: int
@@ -48,7 +48,7 @@ class Token(NamedTuple):
 
 
 class NotANumberError(ValueError):
-    """Error of a token that is not a number; the message says what was expected."""
+    """Error about a token that is not a number, with the expected number in the message."""
 
 
 def integer(text: str) -> int:
@@ -67,7 +67,7 @@ def integer(text: str) -> int:
 
 
 def real(text: str) -> float:
-    """Read a number as Fortran does, a percentage, or a ratio of two such numbers.
+    """Read a percentage, a ratio, or a number as Fortran does.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ...] | None:
-    """Return the numbers of a text, separated by blanks; None if it contains anything else."""
+    """Return the numbers of a text, separated by blanks; `None` if the text contains words."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:
@@ -196,7 +196,7 @@ def starts_values(tokens: Sequence[Token]) -> bool:
 
 
 def loose_count(scan: Scan, key: str) -> int:
-    """Estimate how many numbers a field contains if its size is unknown."""
+    """Estimate the number of values in a field whose size is unknown."""
     total = 0
     for tokens in token_lines(scan, scan.fields[key]) if key in scan.fields else ():
         count = leading_numbers(tokens)

@@ -41,7 +41,7 @@ class Places:
 
     @property
     def spots(self) -> dict[str, Spot]:
-        """Place of each value that was read, by its label."""
+        """Place of each value by label."""
         for names, places in self.named:
             self._spots.update(zip(names, places(), strict=True))
         self.named.clear()

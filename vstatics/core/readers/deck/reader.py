@@ -86,7 +86,7 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
 
 
 def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
-    """Read a deck in full, and remember it."""
+    """Read a deck in full, and store the deck for the next call."""
     global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
     text, deck = source.text, scan(source)
     if not text.strip() or not deck.fields:
@@ -146,7 +146,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """Read the members of some parts from their lists and from the lines of names."""
+    """Read the members of some parts from the lists of a deck and the lines of names."""
     members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
@@ -161,7 +161,7 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """Return the planet ratio of each non-standard mechanism, by its number."""
+    """Return the planet ratio of each non-standard mechanism by number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -236,7 +236,7 @@ def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
 
 
 def _coast(fields: Fields) -> bool | None:
-    """Return whether power enters at the output, or None if the deck omits the field."""
+    """Return whether power enters at the output; `None` if the deck omits the field."""
     read = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
     return None if read == -1 else read == 1
 
@@ -296,7 +296,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and mechanisms (from 0) of each line that contains only their numbers."""
+        """Attribute and indices of mechanisms of each line that contains only these numbers."""
         every = range(len(self.case.mechanisms))
         known: dict[int, tuple[str, Sequence[int]]] = {}
         for key, part, owners in (
@@ -315,7 +315,7 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with these lines, or None.
+        """Return the case of a deck with these lines, or `None`.
 
         None means that the deck must be read in full, as other lines differ or there are warnings.
         """

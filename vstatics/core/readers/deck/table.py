@@ -39,4 +39,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""Lists in the order of the template, by their names in messages; those of gears are optional."""
+"""Lists by the names in messages, in the order of the template; lists of gears are optional."""

@@ -1,4 +1,4 @@
-"""Text of a deck: its encoding, and the places of its fields.
+"""Text of a deck: the encoding, and the places of the fields.
 
 A field is recognised only at the start of a line, before ``(`` or ``=``. Blanks inside its name
 and Cyrillic letters that look like Latin letters are accepted. All other text is prose.
@@ -22,7 +22,7 @@ SPRINGS = "KSPR"
 SPRING = "SPRING "
 """First word of the line of each spring, below `SPRINGS`."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
-"""Fields of one value; they have no index list, and several can share a line."""
+"""Fields of a single value, without an index list; several can share a line."""
 
 LISTS = {
     *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
@@ -32,7 +32,7 @@ GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
 """Lists with the name of a scalar, recognised only with an index list."""
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
-"""Fields that consist of several lists, distinguished by their second index."""
+"""Fields that consist of several lists, distinguished by the second index."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 
@@ -46,7 +46,7 @@ WORD = re.compile(r"[^\s,;()]+")
 
 
 class Field(NamedTuple):
-    """Field of a deck, and the place of its values."""
+    """Field of a deck, and the place of the values."""
 
     key: str
     line: int
@@ -54,7 +54,7 @@ class Field(NamedTuple):
     value: int
     """Offset of the first value in the line."""
     end: int | None = None
-    """Offset of the end of the values if another field follows in the line."""
+    """Offset of the end of the values if a second field follows on the line."""
 
 
 class Scan:
@@ -168,7 +168,7 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT_CHARACTERS = 200
-"""Longest text whose meaning is cached, since many decks share such lines."""
+"""Longest text whose meaning is cached, as many decks share short lines."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 
@@ -263,7 +263,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Return kind, number and name of a line such as ``NAME F3: C1``, or None."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``, or `None`."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None

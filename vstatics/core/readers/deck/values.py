@@ -1,4 +1,4 @@
-"""Values of the fields of a deck: the prescribed number of values, each with its place."""
+"""Values of the fields of a deck, in the prescribed number, each with a place."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Spot = tuple[int, int]
 """Line and column, from 1."""
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Operators of a calculation behind a number, with their signs in other formats."""
+"""Operators of a calculation behind a number, with the signs of YAML and JSON."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
@@ -54,7 +54,7 @@ class Wanted(NamedTuple):
 
     name: str
     label: Callable[[int], str]
-    """Function that returns the label of a value, such as ``IAB(1)``, by its position from 0."""
+    """Function that returns the label of a value, such as ``IAB(1)``, by position from 0."""
     need: int
     why: str
     """Field that gives the number of values, such as ``KG``."""
@@ -63,7 +63,7 @@ class Wanted(NamedTuple):
 def take(
     scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
-    """Read the values of a field, and add its errors to the scan."""
+    """Read the values of a field, and add errors to the scan."""
     plain = _plain(scan, field, wanted.need, parse)
     return _take_with_care(scan, field, wanted, parse) if plain is None else plain[0]
 
@@ -71,7 +71,7 @@ def take(
 def _take_with_care(
     scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
-    """Read the values of a field token by token, as it has faults or repeat counts."""
+    """Read a field with faults or repeat counts token by token."""
     ending = partial(_ending, scan, field)
     taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(scan, field))
@@ -84,7 +84,7 @@ def take_rows(
     counted: str,
     parse: Callable[[str], Number],
 ) -> Values[Number]:
-    """Read the values of all gears, on one line or on a line for each gear with values."""
+    """Read the values of all gears, on a single line or on a line for each gear with values."""
     plain = _plain(scan, field, sum(counts), parse)
     if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
         return plain[0]
@@ -184,7 +184,7 @@ def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """Describe the values on the line of one gear."""
+    """Describe the values of a gear on a line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -205,7 +205,7 @@ def _ending(scan: Scan, field: Field, line: int) -> str:
 
 
 class _ValueReader(Generic[Number]):
-    """Reader of the values of one field, token by token."""
+    """Reader of the values of a field, token by token."""
 
     def __init__(
         self,
@@ -230,7 +230,7 @@ class _ValueReader(Generic[Number]):
         """Line whose tokens, including the mistyped, complete the values."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
-        """Read all values and check their number."""
+        """Read all values, and check the number of values."""
         for tokens in lines:
             later = tokens[0].line > self.start[0]
             if later and self.total >= self.need and not numbers_alone(tokens):

@@ -22,7 +22,7 @@ Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
 FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
 REDUCTIONS = ("min", "max", "sum")
-"""Functions that reduce all gears and rows of a single operand to one number."""
+"""Functions that reduce all gears and rows of a single operand to a number."""
 LAST = "last"
 """Function that returns the final value of a quantity over time, in runs of a scenario only."""
 
@@ -95,7 +95,7 @@ def _of_numbers(
 
 
 def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
-    """Return the function for the smallest or largest value of one or several operands.
+    """Return the function for the smallest or largest value of the operands.
 
     A single operand is reduced over all gears and rows. `propagating` is fast, but its result is
     NaN if any value is NaN; `ignoring` skips NaN.
@@ -110,7 +110,7 @@ def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
 
 
 def _over_all(values: Floats, propagating: Any, ignoring: Any) -> Floats:
-    """Reduce gears and rows to one number; repeat the variants with NaN by the slower function."""
+    """Reduce gears and rows to a number; repeat the variants with NaN by the slower function."""
     reduced: Floats = propagating(values, axis=(-2, -1), keepdims=True)
     has_nan = np.isnan(reduced[..., 0, 0])
     if has_nan.any():
@@ -155,4 +155,4 @@ OPERATIONS: Mapping[str, Function] = {
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),
     "sum": _of_number(lambda numbers: _over_all(numbers, np.add.reduce, _sum_ignoring_nan)),
 }
-"""Functions of operators and functions, by their names in the grammar."""
+"""Functions on arrays by the name of the operator or function."""

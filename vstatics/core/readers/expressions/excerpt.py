@@ -1,4 +1,4 @@
-"""Excerpt of a text that is read as a formula, with the places in it."""
+"""Excerpt of a text that contains a formula, with places in the excerpt."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ _INSIDE = re.compile(r"[^)]*")
 
 
 class Applied(NamedTuple):
-    """Operator or function with its operands."""
+    """Operator or function with the operands."""
 
     name: str
     """Sign, `and`, `or`, `not`, `-x`, or the name of a function."""
@@ -71,7 +71,7 @@ Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """Functions and operands that a formula can have, with their words in messages.
+    """Functions and operands that a formula can have, described for messages.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """Function that reads a number with a unit, such as ``20 km/h``, from its text and offset."""
+    """Function that reads a number with a unit, such as ``20 km/h``, from a text and an offset."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -143,7 +143,7 @@ class _Parser:
         self.take("", source.start)
 
     def take(self, read: str, end: int) -> None:
-        """Move behind a text that was read, and behind the blanks after it."""
+        """Move behind a text and the blanks after the text."""
         self.before, self.end_of_before = read, end
         self.at = self.source.end_of(_BLANK, end)
 
@@ -152,7 +152,7 @@ class _Parser:
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
-        """Read operands and the operators between them that bind at least by `least`."""
+        """Read operands and operators that bind at least by `least`."""
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
@@ -166,7 +166,7 @@ class _Parser:
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Combine operands and the operators of one level between them."""
+        """Combine operands and the operators of a single level."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)
@@ -207,7 +207,7 @@ class _Parser:
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
-        """Read an operand with the signs before it."""
+        """Read an operand with the preceding signs."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
         sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
@@ -245,7 +245,7 @@ class _Parser:
         return operand if sign == "+" else self.operation(name, [operand], at)
 
     def bracketed(self, depth: int, *, call: bool) -> list[Tree]:
-        """Read the contents of brackets; in a call these can be several operands."""
+        """Read the contents of brackets, which are several operands in a call."""
         self.calls.append(call)
         if len(self.calls) > MOST_FORMULA_BRACKETS:
             raise self.source.error(f"more than {MOST_FORMULA_BRACKETS} brackets are open", self.at)
@@ -260,7 +260,7 @@ class _Parser:
         return operands
 
     def named(self, name: str, depth: int) -> Tree:
-        """Read a call, or a name without a point and its subscripts."""
+        """Read a call, or a name without a point, with subscripts."""
         at, end, language = self.at, self.at + len(name), self.language
         behind = self.source.end_of(_BLANK, end)
         call = self.source.has("(", behind)

@@ -1,4 +1,4 @@
-"""Operands of a formula as they are written: numbers, and names with subscripts or a point.
+"""Operands of a formula as written: numbers, and names with subscripts or a point.
 
 Names are matched character by character, so that they can be Cyrillic or coincide with keywords of
 other languages. Their meaning is resolved elsewhere.
@@ -18,7 +18,7 @@ _QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)"
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
-"""Parts of a name behind its first point: `.ratio`, `.*.torques.x`."""
+"""Parts of a name behind the first point: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -40,7 +40,7 @@ class Velocity(Constant):
 
     @classmethod
     def of(cls, value: float, written: str, at: int) -> Velocity:
-        """Return a speed [m/s] with its text and its offset in the formula.
+        """Return a speed [m/s] with the text and the offset in the formula.
 
         >>> Velocity.of(5.0, "18 km/h", 3).written
         '18 km/h'
@@ -59,7 +59,7 @@ class Subscript(NamedTuple):
 
 
 class TableName(NamedTuple):
-    """Name with its subscripts, if any."""
+    """Name with optional subscripts."""
 
     name: str
     subscripts: tuple[Subscript, ...]
@@ -74,7 +74,7 @@ class DottedName(NamedTuple):
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """Read an unsigned number, and return it with the offset behind it.
+    """Read an unsigned number; return the number and the offset behind.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
 
 
 def quantity_end(source: Excerpt, at: int) -> int:
-    """Return the offset behind a number with a unit, or `at` if no such number begins there.
+    """Return the offset behind a number with a unit, or `at` without such a number.
 
     >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
     7
@@ -114,7 +114,7 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """Read a name with a point, and return it with the offset behind it.
+    """Read a name with a point; return the name and the offset behind.
 
     Raises
     ------
@@ -146,7 +146,7 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
 
 
 def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...], int]:
-    """Read the subscripts in brackets behind a name, and return them with the offset behind.
+    """Read the subscripts in brackets behind a name; return the subscripts and the offset behind.
 
     Raises
     ------

@@ -53,7 +53,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """Return a load, or None if it has no values."""
+    """Return a load, or `None` for a load without values."""
     return None if load == Load() else load
 
 
@@ -67,7 +67,7 @@ def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
 
 
 class _Located(NamedTuple):
-    """Number with its path in the document."""
+    """Number with a path in the document."""
 
     number: float
     path: Path

@@ -24,7 +24,7 @@ NO_COMMA = "write a decimal point, not a decimal comma"
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
-    """Yield the valid entries of the mapping at a spot, and report the others."""
+    """Yield the valid entries of the mapping at a spot, and report the invalid entries."""
     assert isinstance(spot.node, Mapping)  # noqa: S101 (for mypy)
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
@@ -82,14 +82,14 @@ class ReadsShapes(Protocol):
         """Read the value at a spot, or return a stand-in after an error."""
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """Read the items of a list that all have one shape."""
+        """Read the items of a list of a single shape."""
 
     def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
         """Report an unreadable value, and return a stand-in."""
 
 
 def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
-    """Read a row with the numbers that its shape prescribes."""
+    """Read a row with the prescribed number of values."""
     node, count, known = spot.node, len(shape.items), (*shape.items, *shape.optional)
     if not isinstance(node, Listing) or not count <= len(node.items) <= len(known):
         return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", length(node))
@@ -112,7 +112,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
 
 
 def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
-    """Read a text with the parser that its shape declares."""
+    """Read a text with the parser of the shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
         return walk.refuse(spot, shape, f"expected {shape.expected}")
@@ -129,7 +129,7 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
 
 
 def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
-    """Return a scalar at the place of an offset into its text, if the text is on one line."""
+    """Return a scalar at an offset into the text, if the text is on a single line."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)

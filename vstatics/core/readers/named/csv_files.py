@@ -20,7 +20,7 @@ _ALLOWED: ContextVar[bool] = ContextVar("files are read", default=True)
 
 @contextmanager
 def noted_files() -> Iterator[set[str]]:
-    """Record the files that are read in this block, or would be read if they existed.
+    """Record the files that this block reads or tries to read.
 
     >>> with noted_files() as noted:
     ...     try:
@@ -39,7 +39,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse all files named in texts within this block, as the texts may be untrusted.
+    """Refuse all files named in texts within this block, as such texts may be untrusted.
 
     >>> with no_files():
     ...     csv_rows(Path("/etc/passwd"), 100, bool)
@@ -61,7 +61,7 @@ def are_read() -> bool:
 def csv_rows(
     file: Path, most: int, is_heading: Callable[[str], bool]
 ) -> list[tuple[int, list[str]]]:
-    """Read the rows of a file from its headings on, each with its line number.
+    """Read the rows of a file from the headings on, each with the line number.
 
     Parameters
     ----------

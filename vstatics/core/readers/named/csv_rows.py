@@ -23,7 +23,7 @@ _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 
 
 def separator_of(head: str) -> str:
-    """Return the sign that separates the cells of a table, by its line of headings.
+    """Return the sign that separates the cells of a table, by the line of headings.
 
     Examples
     --------
@@ -64,7 +64,7 @@ class Decimals:
         """First line and number in doubt, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """Return a cell with decimal points, if it is a number between semicolons or tabs."""
+        """Return a cell with decimal points, if the cell is a number between semicolons or tabs."""
         if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
         if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
@@ -79,7 +79,7 @@ class Decimals:
 
     @property
     def doubt(self) -> tuple[int, str] | None:
-        """Line of the first ambiguous number, with a message; None without ambiguity."""
+        """Line of the first ambiguous number, with a message; `None` without ambiguity."""
         if "," in self._doubts and (self._are_points or not self.are_commas):
             line, text = self._doubts[","]
             whole, point = text.replace(",", ""), text.replace(",", ".")
@@ -175,7 +175,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a table that are not empty, each with the number of its last line.
+    """Yield the rows of a table that are not empty, each with the number of the last line.
 
     The first row contains the headings, and no other row is longer. Numbers have decimal points.
 

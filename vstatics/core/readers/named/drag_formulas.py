@@ -20,7 +20,7 @@ from vstatics.core.suggestions import nearest
 SPEED = "w"
 """Name of the speed of a link or the slip speed of a shift element, without sign. [rad/s]"""
 NAMES = (SPEED, "speed")
-"""Names of this speed in a formula; in formulas of a scenario the speed has its sign."""
+"""Names of the speed in a formula; in formulas of a scenario the speed has a sign."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 _OPERANDS = f"a number, the speed {SPEED} in rad/s, pi, or one of {', '.join(FUNCTIONS)}"
 
@@ -36,7 +36,7 @@ class DragFormula(Law):
     """
 
     def __new__(cls, text: str) -> Self:
-        """Parse the text once, and store it."""
+        """Parse and store the text."""
         law = super().__new__(cls, _value(text, np.zeros(1))[0])
         law.text = text
         return law
@@ -46,7 +46,7 @@ class DragFormula(Law):
         return (self.text,)
 
     def at(self, size: Any) -> Any:
-        """Return the torque at a speed or at an array of speeds; NaN where it is undefined."""
+        """Return the torque at a speed or an array of speeds; NaN for an undefined torque."""
         values = _value(self.text, np.atleast_1d(np.asarray(size, np.float64)))
         return values if isinstance(size, np.ndarray) else float(values[0])
 
@@ -85,7 +85,7 @@ def _value(text: str, speeds: Any) -> Any:
 
 @lru_cache(maxsize=256)
 def _tree(text: str) -> Tree:
-    """Parse a formula, and check its names."""
+    """Parse a formula, and check all names."""
     tree = parse(Excerpt(text, "drag"), Language(FUNCTIONS, _OPERANDS, SPEED, caret=True))
     for part in _names(tree):
         known = isinstance(part, TableName) and part.name in (*NAMES, "pi") and not part.subscripts

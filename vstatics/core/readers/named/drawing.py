@@ -21,7 +21,7 @@ _DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
 
 
 def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
-    """Read a case with gear sets, and convert them to mechanisms if all are valid.
+    """Read a case with gear sets, and convert valid gear sets to mechanisms.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
-    """Return the function that locates a problem of a mechanism at its gear set."""
+    """Return the function that locates a problem of a mechanism at the gear set."""
     paths: list[Path] = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)

@@ -43,7 +43,7 @@ class TableColumn(NamedTuple):
 
     name: str
     measure: Measure | None = None
-    """Measure of the numbers, converted to SI; None for numbers without a unit, and for texts."""
+    """Measure of the numbers, converted to SI; `None` for texts and numbers without a unit."""
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
@@ -53,11 +53,11 @@ class TableColumn(NamedTuple):
     sizes: Mapping[str, float] | None = None
     """Sizes of the allowed units if the column has no measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Other names in lower case, each with the unit that it implies, or an empty text."""
+    """Aliases in lower case, each with an implied unit or an empty text."""
 
     @property
     def heading(self) -> str:
-        """Heading of the column with its unit.
+        """Heading of the column with a unit.
 
         >>> TableColumn("speed", "si_speed").heading
         'speed [rad/s]'
@@ -68,7 +68,7 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Return the size of a unit in SI; None stands for a heading without a unit.
+        """Return the size of a unit in SI; `None` stands for a heading without a unit.
 
         Raises
         ------
@@ -122,7 +122,7 @@ class Heading(NamedTuple):
     place: int
     """Index of the column in a row."""
     unit: str | None
-    """Unit in the heading, or None."""
+    """Unit in the heading, or `None`."""
 
     @property
     def size(self) -> float:
@@ -143,7 +143,7 @@ class HeadingLine(NamedTuple):
 
 
 class HeadingError(ValueError):
-    """Error in the headings, with the number of their line."""
+    """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
         """Store the line number."""
@@ -152,7 +152,7 @@ class HeadingError(ValueError):
 
 
 def with_unit(cell: str) -> tuple[str, str | None]:
-    """Split a heading into its name and its unit.
+    """Split a heading into name and unit.
 
     Examples
     --------
@@ -203,7 +203,7 @@ def read_headings(
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
-    """Return the lines of a table with empty ones instead of those above the headings.
+    """Return the lines of a table with empty lines instead of the titles.
 
     Examples
     --------
@@ -216,7 +216,7 @@ def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> I
 
 
 class _ExpectedTable(NamedTuple):
-    """Columns of a table that are known before its headings are read."""
+    """Description of a table before the headings are read."""
 
     what: str
     columns: Sequence[TableColumn]
@@ -240,7 +240,7 @@ class _ExpectedTable(NamedTuple):
         return self.checked(lines, -at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """Return the known headings in their order."""
+        """Return the known headings in order."""
         return [
             Heading(*heading._replace(place=place))
             for place, cell in enumerate(cells)
@@ -248,7 +248,7 @@ class _ExpectedTable(NamedTuple):
         ]
 
     def heading(self, cell: str) -> Heading | None:
-        """Return the heading in a cell, or None for an unknown name."""
+        """Return the heading in a cell, or `None` for an unknown name."""
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None and "_" in name:
@@ -326,7 +326,7 @@ class _ExpectedTable(NamedTuple):
 
 
 def _check_units(headings: Sequence[Heading]) -> None:
-    """Check that each heading has a unit of the measure of its column.
+    """Check that each heading has a unit of the right measure.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Links of a case without a list of links, collected from its components."""
+"""Links of a case without a list of links, collected from the components."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def is_listed(root: nodes.Mapping) -> bool:
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """Collect the links in the order in which components name them, for the references.
+    """Collect the links in the order of the components, and set the names of the references.
 
     Without components, the links are those with inertias.
     """

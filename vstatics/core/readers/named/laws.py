@@ -48,7 +48,7 @@ def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
 
 
 def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
-    """Read the efficiencies of machines by links, and the power of their battery."""
+    """Read the efficiencies of machines by links, and the power of the battery."""
     node = spot.node
     if not isinstance(node, Mapping):
         return walk.refuse(spot, shape, "expected a mapping: an efficiency for each link")

@@ -141,6 +141,6 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
 
 
 def values_before(shape: ByKey) -> dict[str, Any]:
-    """Return the defaults of a record, and stand-ins for its required keys."""
+    """Return the defaults of a record, and stand-ins for the required keys."""
     defaults = {key.name: key.default for key in shape.keys if key.default is not None}
     return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -32,7 +32,7 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """Return the value of a key or an item, or None if it is missing."""
+    """Return the value of a key or an item, or `None` if missing."""
     match node:
         case Mapping():
             return next((value for name, value in node.entries if name.text == key), None)
@@ -43,7 +43,7 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Find the node at a path; return None if only the last key, of a mapping, is missing.
+    """Find the node at a path; return `None` if only the last key, of a mapping, is missing.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def _missing(node: Node, name: str, before: str) -> str:
 
 
 class WrittenNumber(NamedTuple):
-    """Number as written in a document, with its unit or an empty text."""
+    """Number as written in a document, with a unit or an empty text."""
 
     value: float
     unit: str

@@ -1,4 +1,4 @@
-"""Tree of nodes with their places, shared by YAML, JSON and workbooks.
+"""Tree of nodes with places, shared by YAML, JSON and workbooks.
 
 Scalars remain texts as written, and their meaning depends on their place, so that a gear can be
 called `on`, `1` or `1e3`. `Spots` stores the places of the parts of a model.
@@ -60,7 +60,7 @@ Node: TypeAlias = Scalar | Listing | Mapping
 
 
 class DocumentText:
-    """Text of a document, with the problems found in it, up to `MOST_PROBLEMS`."""
+    """Text of a document, with the problems in the text, up to `MOST_PROBLEMS`."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -68,7 +68,7 @@ class DocumentText:
 
     @cached_property
     def text(self) -> str:
-        """Text with a single character at the end of each line; long tables do not need it."""
+        """Text with a single character at the end of each line, not needed for long tables."""
         return "\n".join(self.source.lines)
 
     @cached_property
@@ -117,7 +117,7 @@ def is_null(node: Node) -> bool:
 
 
 def shown(text: str) -> str:
-    r"""Return a text on one line, shortened, for a message.
+    r"""Return a text on a single line, shortened, for a message.
 
     >>> shown("6R"), shown("a" * 50), shown("two" + chr(10) + "lines")
     ('6R', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...', 'two\\nlines')
@@ -144,7 +144,7 @@ def length(node: Node) -> str:
 
 
 def encoding_of(data: bytes) -> str:
-    """Return the encoding of a text by its byte order mark, or UTF-8 without a mark.
+    """Return the encoding of a text by the byte order mark, or UTF-8 without a mark.
 
     >>> encoding_of(b"a: 1"), encoding_of(codecs.BOM_UTF8)
     ('utf-8', 'utf-8-sig')
@@ -153,7 +153,7 @@ def encoding_of(data: bytes) -> str:
 
 
 def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
-    """Decode a text in UTF-8, or in the encoding of its byte order mark.
+    """Decode a text in UTF-8, or in the encoding of the byte order mark.
 
     Raises
     ------
@@ -181,7 +181,7 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
 
 
 class Spot(NamedTuple):
-    """Place in the model and in the document, with the label that begins its messages."""
+    """Place in the model and in the document, with a label that begins the messages."""
 
     path: Path
     label: str
@@ -192,12 +192,12 @@ class Spot(NamedTuple):
         return Spot((*self.path, part), _joined(self.label, shown(key)), node)
 
     def item(self, part: str | int, number: int, node: Node) -> Spot:
-        """Return the spot of an item by its number from 1, which is called `part` in the model."""
+        """Return the spot of an item by number from 1; `part` is the number in the model."""
         return Spot((*self.path, part), f"{self.label}[{number}]", node)
 
 
 class Spots:
-    """Spots of a document by their paths.
+    """Spots of a document by path.
 
     Attributes
     ----------
@@ -242,7 +242,7 @@ class Spots:
         self.unreadable.append(path)
 
     def missing(self, spot: Spot, key: str) -> None:
-        """Add an error for a missing key, at the start of its record."""
+        """Add an error for a missing key, at the start of the record."""
         self.complain(self._spots[spot.path], f"`{key}` is missing", identity="E191")
         self.unreadable.append((*spot.path, key))
 

@@ -101,7 +101,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     ----------
     root : Node
     document : DocumentText
-        Text of the tree, with the problems found so far.
+        Text of the tree, with the problems found before.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def _case(root: Mapping) -> Mapping:
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
-    """Read a document in YAML, and return its values with their places.
+    """Read a document in YAML, and return the values with their places.
 
     Parameters
     ----------

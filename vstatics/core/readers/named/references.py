@@ -22,7 +22,7 @@ _HOUSING = ("0", "housing")
 
 
 class References:
-    """Names of links and shift elements in a document, with their numbers.
+    """Numbers of links and shift elements by the names in a document.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class References:
         raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """Return the speed of another link, as `FL`, `1.05*FL` or `1.05*link 3`, or None.
+        """Return the speed of a link, as `FL`, `1.05*FL` or `1.05*link 3`, or `None`.
 
         Raises
         ------
@@ -134,7 +134,7 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """Return the number of a link named alone or behind the word `link`, or None."""
+        """Return the number of a link named alone or behind the word `link`, or `None`."""
         name = link.removeprefix("link ").strip()
         if self.link_names:
             return self._link_numbers.get(name if name in self._link_numbers else link)
@@ -159,7 +159,7 @@ class References:
         raise ValueError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:
-        """Return a hint with the nearest name, or with all names if they are few."""
+        """Return a hint with the nearest name, or a short list of all names."""
         few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW_LINKS else ""
         return self._document.hint(text, names) or few
 

@@ -16,7 +16,7 @@ LINK_NUMBER = "^(0|[1-9][0-9]*)$"
 """Plain digits without a leading zero, as some readers of YAML take `010` for 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
-"""Infinity as YAML 1.1 and 1.2 write it."""
+"""Infinity in the notation of YAML 1.1 and 1.2."""
 
 _LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
 _MOST_DIGITS = 9
@@ -39,7 +39,7 @@ def number(text: str) -> float:
 
 
 def link_number(text: str) -> int | None:
-    """Return a link number, or None if the text is not a link number.
+    """Return a link number, or `None` if the text is not a link number.
 
     >>> link_number("12"), link_number("0x10")
     (12, None)

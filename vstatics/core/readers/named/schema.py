@@ -1,4 +1,4 @@
-"""JSON Schema of a case, generated from its declared shape."""
+"""JSON Schema of a case, generated from the declared shape."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Conditions on the gears: at least one, or no shift elements, which implies one gear."""
+"""Conditions on the gears: any gears, or no shift elements, which implies a single gear."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
@@ -106,7 +106,7 @@ def json_schema() -> Words:
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
-    """Return the JSON Schema of another document in YAML that contains these measures."""
+    """Return the JSON Schema of a YAML document other than a case."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
     return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
 
@@ -218,7 +218,7 @@ def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
 
 
 def _of_law(shape: Balances | ByLaw) -> Words:
-    """Return the schema of a number or a law, or of a balance of powers with its battery."""
+    """Return the schema of a number or a law, or of a balance of powers with a battery."""
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}

@@ -21,7 +21,7 @@ from vstatics.core.readers.named.units import (
 )
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
-"""Number with its unit, as a pattern for ECMAScript."""
+"""Number with a unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, int, int, int, int]
 """Exponents of kg, m, s, rad and K."""
@@ -53,7 +53,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""Dimension of each kind of factor in `units`, and the size of its unit there in SI."""
+"""Dimension and size in SI of the unit in which `units` counts each kind of factor."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -91,14 +91,14 @@ _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
 """Metre per second in `units`, read as milliseconds if the measure requires a time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
-"""Measures that `units` knows, with other spellings of their units."""
+"""Measures that `units` knows, with more spellings of the units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:
-    """Return a number in SI from a bare number or a number with its unit.
+    """Return a number in SI from a bare number or a number with a unit.
 
     Raises
     ------
@@ -136,7 +136,7 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
-    """Return a number in SI, bare or with a unit of one of several measures.
+    """Return a number in SI, bare or with a unit of any of several measures.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
 
 
 def of_either(text: str, measure: Measure) -> InUnit:
-    """Return a number in SI with its measure, of rotation or of the matching straight motion.
+    """Return a number in SI, with a measure of rotation or of the matching straight motion.
 
     Raises
     ------
@@ -191,7 +191,7 @@ def _dimensions() -> dict[str, list[_Dimension]]:
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """Return the dimension of a unit, and its size in SI as a ratio, or `_NOTHING`.
+    """Return the dimension of a unit, and the size in SI as a ratio, or `_NOTHING`.
 
     Parameters
     ----------
@@ -215,7 +215,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with their exponents; brackets behind `/` divide as a whole."""
+    """Yield the words of a unit with exponents; brackets behind `/` divide as a whole."""
     if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1

@@ -19,7 +19,7 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and its size as a ratio, in N, m, turns, minutes or kW."""
+"""Kind of a factor of a unit, and the size as a ratio, in N, m, turns, minutes or kW."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
 """Pound in kg and foot in m (International Yard and Pound, 1959), standard gravity in m/s^2
 (3rd CGPM, 1901). All values are exact."""
@@ -90,7 +90,7 @@ LONGEST_UNIT = 40
 
 
 def unit(text: str) -> tuple[Quantity | None, float]:
-    """Return the quantity and the size [rpm, N*m, kW] of a unit; None for an unknown unit.
+    """Return the quantity and size [rpm, N*m, kW] of a unit; `None` for an unknown unit.
 
     Parameters
     ----------
@@ -225,7 +225,7 @@ def _letters(text: str) -> str:
 
 
 def with_article(kind: str) -> str:
-    """Return the noun of a measure with its article: `an inertia`."""
+    """Return the noun of a measure with an article: `an inertia`."""
     noun = kind.removeprefix("si_").replace("_", " ")
     return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
 
@@ -236,7 +236,7 @@ class WithUnit(float):
     quantity: Quantity
 
     def __new__(cls, value: float, quantity: Quantity) -> Self:
-        """Store the value and its quantity."""
+        """Store the value and the quantity."""
         value_with_unit = super().__new__(cls, value)
         value_with_unit.quantity = quantity
         return value_with_unit
@@ -246,7 +246,7 @@ class WithUnit(float):
 
 
 def relative(text: str, kind: Quantity) -> float:
-    """Return a speed or torque relative to the input, or an absolute value with its unit.
+    """Return a number relative to the input, or a speed or torque with a unit.
 
     Raises
     ------
@@ -268,7 +268,7 @@ def relative(text: str, kind: Quantity) -> float:
 
 
 def common_unit(text: str) -> tuple[str, str]:
-    """Split the values of `--vary` from their common unit, replaced by blanks.
+    """Split the values of `--vary` from the common unit, replaced by blanks.
 
     Raises
     ------

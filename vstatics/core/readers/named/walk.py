@@ -65,7 +65,7 @@ _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
 
 
 class Walk:
-    """Reader of nodes by their shapes."""
+    """Reader of nodes by shape."""
 
     def __init__(self, spots: Spots) -> None:
         self.spots = spots
@@ -97,7 +97,7 @@ class Walk:
         return self._readers[type(shape)](spot, shape)
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """Read the items of a list that all have one shape."""
+        """Read the items of a list of a single shape."""
         return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
 
     def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
@@ -182,7 +182,7 @@ class Walk:
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """Read a record, or the short form of its main key.
+        """Read a record, or the short form of the main key.
 
         If the main key is unreadable, problems of the model about the record are hidden.
         """

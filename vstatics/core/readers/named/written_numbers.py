@@ -29,7 +29,7 @@ _MARKED = (  # with the byte order, as "utf-16" and "utf-32" would add a second 
 
 
 class NumberSpot(NamedTuple):
-    """Number of a document, with its start and end in the text."""
+    """Number of a document, with start and end in the text."""
 
     value: float
     unit: str
@@ -38,7 +38,7 @@ class NumberSpot(NamedTuple):
 
 
 def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
-    r"""Find the numbers of a document in its text, by their paths of keys.
+    r"""Find the numbers of a document in the text, by paths of keys.
 
     Numbers that are written with escapes or over several lines are omitted.
 
@@ -84,7 +84,7 @@ def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
 
 
 def _start(text: str, at: int, node: Scalar) -> int:
-    """Return the offset at which the text of a value begins, or -1 if it is written differently."""
+    """Return the offset of a value in the text, or -1 for a value with escapes."""
     match = _PROPERTIES.match(text, at)
     at = match.end() if match else at
     at += not node.plain and text[at : at + 1] in ("'", '"')
@@ -94,7 +94,7 @@ def _start(text: str, at: int, node: Scalar) -> int:
 def with_written(
     data: bytes, spots: Mapping[Keys, NumberSpot], values: Mapping[Keys, float]
 ) -> bytes:
-    """Return a document with other numbers in its text; unchanged values stay as written.
+    """Return a document with new numbers in the text; unchanged values stay as written.
 
     Parameters
     ----------

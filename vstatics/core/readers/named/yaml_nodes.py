@@ -15,16 +15,16 @@ import yaml
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 MOST_VALUES = 200_000
-"""Most values of a document after its aliases are expanded."""
+"""Most values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of its events."""
+"""Message of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of the events."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
-"""Text with a bracket, which YAML takes for the start of a list within another list."""
+"""Text with a bracket, which YAML takes for the start of a list within a list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
-"""Ratio with blanks around its colon, which YAML takes for the end of a key."""
+"""Ratio with blanks around the colon, which YAML takes for the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -56,7 +56,7 @@ def yaml_tree(document: DocumentText) -> Node:
 
 
 class _Builder:
-    """Builder of nodes from events, which stores anchors and their sizes."""
+    """Builder of nodes from events, with the sizes of anchors."""
 
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document

@@ -167,7 +167,7 @@ class _SheetElements:
         return number
 
     def _merged(self, ref: str) -> None:
-        """Report merged cells: only the first has a value, so the others would seem empty."""
+        """Report merged cells, as all but the first would seem empty."""
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
@@ -196,7 +196,7 @@ def _column_of(letters: str) -> int:
 
 
 def _number(text: str) -> str:
-    """Return a number as Python writes it.
+    """Return a number in the notation of Python.
 
     >>> _number("-3.5"), _number("1E3"), _number("97")
     ('-3.5', '1000.0', '97')

@@ -7,7 +7,7 @@ from vstatics.core.readers.workbook.sheets import Part
 
 
 class GrownNode:
-    """Mapping or list under construction, at the place of its first cell."""
+    """Mapping or list under construction, at the place of the first cell."""
 
     def __init__(self, line: int, column: int) -> None:
         self.line, self.column = line, column
@@ -16,7 +16,7 @@ class GrownNode:
         """First value of each key."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
-        """Return the value at a key or a number, or None."""
+        """Return the value at a key or a number, or `None`."""
         return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:

@@ -29,7 +29,7 @@ End = Callable[[str], object]
 
 
 def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = None) -> None:
-    """Parse the elements of a part; their names are passed without the namespace.
+    """Parse the elements of a part, and call the handlers with names without the namespace.
 
     Raises
     ------
@@ -137,14 +137,14 @@ class PackedParts:
         return relations
 
     def date(self, value: str) -> str:
-        """Return the date and time after a number of days, or the value if it is not a number."""
+        """Return the date and time after a number of days, or an invalid value unchanged."""
         try:
             return str(self._first_day + dt.timedelta(days=float(value)))
         except (OverflowError, ValueError):
             return value
 
     def _part(self, kind: str) -> str:
-        """Return the path of a part by its kind, or an empty text."""
+        """Return the path of a part by kind, or an empty text."""
         paths = [path for of, path in self._related.values() if of == kind]
         return next((path for path in paths if path in self._packed.NameToInfo), "")
 

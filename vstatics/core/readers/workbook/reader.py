@@ -37,7 +37,7 @@ def read(data: bytes, file: str) -> Reading:
     >>> try:
     ...     read(b"PK", "case.xlsx")
     ... except ReadError as error:
-    ...     error.problems[0].identity
+    ...     error.problems[0].id
     'E117'
     """
     root, document = workbook_tree(data, file)
@@ -45,7 +45,7 @@ def read(data: bytes, file: str) -> Reading:
 
 
 def workbook_tree(data: bytes, file: str) -> tuple[MappingNode, DocumentText]:
-    """Read the tree of nodes of a workbook, and return it with its text and places.
+    """Read the tree of nodes of a workbook, and return the tree with the text and places.
 
     Raises
     ------

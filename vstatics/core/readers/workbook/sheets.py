@@ -19,7 +19,7 @@ from vstatics.core.model.shape import ByKey, ByKind, ByName
 CASE_SHEET = "case"
 """Sheet of paths and values, for all keys without a sheet."""
 LINKS = "links"
-"""Sheet with one column of names."""
+"""Sheet with a single column, of names."""
 GEARS = "gears"
 """Sheet whose columns can also be shift elements."""
 ENGAGED = "x"
@@ -45,7 +45,7 @@ class PartSheet(NamedTuple):
     """Sheet with a row for each part of a case, and the name of the part in the first column."""
 
     first: dict[str, tuple[Part, ...]]
-    """Headings that always come first, with their paths."""
+    """Headings that always come first, with paths."""
     known: frozenset[str]
     """Keys with which the path of a heading can begin."""
 
@@ -67,7 +67,7 @@ PART_SHEETS = {
     "elements": PartSheet({}, _of_elements()),
     GEARS: PartSheet({}, _keys(GEAR)),
 }
-"""Sheets of parts by their keys in a case."""
+"""Sheets of parts by the key in a case."""
 SHEETS = (CASE_SHEET, LINKS, *PART_SHEETS)
 
 
@@ -83,7 +83,7 @@ def text_cell(text: str) -> str:
 
 
 def flow_cell(value: Any) -> str:
-    """Return plain data on one line, valid in JSON and YAML.
+    """Return plain data on a single line, valid in JSON and YAML.
 
     >>> flow_cell([["a", 2.5], []])
     '[["a", 2.5], []]'
@@ -102,7 +102,7 @@ def is_flow(text: str) -> bool:
 
 
 def can_be_path(keys: Sequence[str]) -> bool:
-    """Check whether keys can be written in a path: not empty, and with one kind of quotes."""
+    """Check whether keys can be written in a path: not empty, and with a single kind of quotes."""
     return not any(not key or ('"' in key and "'" in key) for key in keys)
 
 
@@ -130,7 +130,7 @@ def quoted_path_cell(parts: Sequence[Part]) -> str:
 
 
 def path_parts(text: str) -> tuple[Part, ...]:
-    """Split the path in a cell into its parts.
+    """Split the path in a cell into parts.
 
     Raises
     ------

@@ -84,7 +84,7 @@ class TreeOfSheets:
         return node
 
     def _check_names(self) -> None:
-        """Check the names of sheets; other sheets are allowed unless their names look mistyped."""
+        """Check the names of sheets; unknown names are allowed unless similar to a known name."""
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
             self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
@@ -103,7 +103,7 @@ class TreeOfSheets:
         self.document.add(message, line, column, identity="E118")
 
     def _below_heading(self, name: str) -> Iterator[list[ReadCell]]:
-        """Return the rows of a sheet below its headings, of which the first must be `name`."""
+        """Return the rows of a sheet below the headings, of which the first must be `name`."""
         rows = self.sheets[name]
         if not rows:
             return iter(())
@@ -144,7 +144,7 @@ class TreeOfSheets:
                 self._refuse(row[0], f"the name {quoted(text)} is given twice")
 
     def _shift_elements(self) -> dict[str, str]:
-        """Return the names of shift elements by their headings."""
+        """Return the names of shift elements by heading."""
         rows = self.sheets.get("shift_elements", [])[1:]
         headings = [row[0].text for row in rows if row[0].column == 1]
         for row in self.sheets.get(CASE_SHEET, [])[1:]:
@@ -204,7 +204,7 @@ class TreeOfSheets:
     def _engage(
         self, part: GrownNode, cells: Sequence[ReadCell], engaged: Mapping[int, str]
     ) -> None:
-        """Add the engaged shift elements of a gear, in the order of columns or of their numbers.
+        """Add the engaged shift elements of a gear, in the order of columns or given numbers.
 
         A shift table of 1 and 0 is read alike: orders count from 1, and 0 is disengaged.
         """
@@ -248,7 +248,7 @@ class TreeOfSheets:
             self._put(root, parts, path, self._value(values[0]))
 
     def _put(self, grown: GrownNode, parts: Sequence[Part], cell: ReadCell, value: Node) -> None:
-        """Add a value at its path; the path is empty if its heading was refused."""
+        """Add a value at a path; the path is empty after a refused heading."""
         if not parts:
             return
         for part in parts[:-1]:
