@@ -116,7 +116,14 @@ def _places(
             message = f"{name}: read two columns of this name, expected one"
             raise ReadError([Problem("E121", message, (), head)])
         if name in wanted:
-            places[name] = place, _size(heading, name, wanted[name], head)
+            measure, size = wanted[name], 1.0
+            if measure is not None and heading != name:
+                column = TableColumn(name, measure, may_be_bare=True)
+                try:
+                    size = column.size(with_unit(heading)[1] or None)
+                except ValueError as error:
+                    raise ReadError([Problem("E121", str(error), (), head)]) from None
+            places[name] = place, size
     return places
 
 
@@ -124,13 +131,3 @@ def _wanted(heading: str, wanted: Container[str]) -> str:
     """Return the name in a heading, without the unit unless the full heading is wanted."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading
-
-
-def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
-    _, unit = with_unit(heading)
-    if heading == name or measure is None:
-        return 1.0
-    try:
-        return TableColumn(name, measure, may_be_bare=True).size(unit or None)
-    except ValueError as error:
-        raise ReadError([Problem("E121", str(error), (), head)]) from None

@@ -133,24 +133,17 @@ class _ColumnsRead:
         self.head = head
         self.decimals = Decimals(head.separator)
         self.lines = array("q")
-        self.numbers = {
-            heading.column.name: array("d")
-            for heading in head.headings
-            if not heading.column.is_text
-        }
-        self.texts: dict[str, list[str]] = {
-            heading.column.name: [] for heading in head.headings if heading.column.is_text
-        }
-        self._sizes = [
-            (heading.place, heading.column.name, heading.size, self.numbers[heading.column.name])
-            for heading in head.headings
-            if not heading.column.is_text
-        ]
-        self._words = [
-            (heading.place, self.texts[heading.column.name])
-            for heading in head.headings
-            if heading.column.is_text
-        ]
+        self.numbers: dict[str, array[float]] = {}
+        self.texts: dict[str, list[str]] = {}
+        self._sizes: list[tuple[int, str, float, array[float]]] = []
+        self._words: list[tuple[int, list[str]]] = []
+        for heading in head.headings:
+            name, place = heading.column.name, heading.place
+            if heading.column.is_text:
+                self._words.append((place, self.texts.setdefault(name, [])))
+            else:
+                numbers = self.numbers.setdefault(name, array("d"))
+                self._sizes.append((place, name, heading.size, numbers))
         self._has_comments = all(place for place, _ in self._words)
 
     def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:

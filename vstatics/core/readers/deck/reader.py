@@ -121,6 +121,8 @@ def _parts(fields: Fields) -> dict[str, Any]:
     element_members = _members(fields, "shift_elements", elements, names)
     mechanism_members = _members(fields, "mechanisms", mechanisms, names)
     planets = _planets(fields, mechanisms)
+    idle = fields.optional("IDLE", 0, range(2), "0 (published) or 1 (exact)")
+    coast = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
     parts: dict[str, Any] = {
         "shift_elements": [ShiftElement(**member) for member in element_members],
         "mechanisms": [
@@ -130,8 +132,8 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "gears": _gears(fields, gears, names),
         "input": _port(fields, "INP", 1),
         "output": _port(fields, "IOUT", 0),
-        "idle": "exact" if _flag(fields, "IDLE", "published", "exact") else "published",
-        "coast": _coast(fields),
+        "idle": "exact" if idle == 1 else "published",
+        "coast": None if coast == -1 else coast == 1,
         "name": names.get("T", ""),
     }
     links = sizes["J"]
@@ -229,16 +231,6 @@ def _port(fields: Fields, key: str, default: int) -> int:
     if link is None:
         fields.hidden += [("input",), ("output",)]
     return default if link is None else link
-
-
-def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
-    return fields.optional(key, 0, range(2), f"0 ({off}) or 1 ({on})") == 1
-
-
-def _coast(fields: Fields) -> bool | None:
-    """Return whether power enters at the output; `None` if the deck omits the field."""
-    read = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
-    return None if read == -1 else read == 1
 
 
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:

@@ -36,7 +36,9 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if not parts["gears"] and (given or not parts["shift_elements"]):
         parts["gears"] = [Gear()]
     load = values.get("load", Load())
-    common = Common(load, bool(values.get("inertias") or values.get("masses")))
+    # in a case with inertias, capacities and drag with a unit need no operating point
+    moves = values.get("inertias") or values.get("masses")
+    common = Common(load, load.torque_size or (math.inf if moves else 0.0))
     elements, gears, drag = in_gears(
         parts["shift_elements"], parts["gears"], values.get("drag", {}), common, walk.spots
     )
@@ -81,8 +83,8 @@ class Common(NamedTuple):
     """Operating point of the case, to which numbers with a unit are related."""
 
     load: Load
-    moves: bool = False
-    """Whether the case has inertias, so that torques with a unit need no operating point."""
+    whole: float
+    """Torque of the load; without a load infinite if units suffice, and 0 otherwise."""
 
 
 def in_gears(
@@ -117,7 +119,7 @@ def in_gears(
         load = (gear.load or Load()).or_else(common.load)
         for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
             left = {part: drag for part, drag in of_case.items() if part not in of_gear}
-            _related(left, load.torque_size or _whole(common), spots)
+            _related(left, load.torque_size or common.whole, spots)
     whole = common.load.torque_size or math.inf
     return (
         [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
@@ -135,11 +137,6 @@ def _by_load(torque: float, whole: float) -> float:
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
 
-def _whole(common: Common) -> float:
-    """Return the torque to which capacities are related, or infinity if only units count."""
-    return common.load.torque_size or (math.inf if common.moves else 0.0)
-
-
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
     """Return a shift element with drag and capacity relative to the load of the case."""
     drag = _by_load(element.drag, common.load.torque_size or math.inf)
@@ -147,7 +144,7 @@ def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -
     if isinstance(capacity, WithUnit):
         if capacity > 0:
             given = {number: _Located(capacity, path)}
-            capacity = _related(given, _whole(common), spots).get(number)
+            capacity = _related(given, common.whole, spots).get(number)
         else:
             spots.tell(path, f"read {capacity:g}, expected a torque above 0")
             capacity = None
@@ -157,7 +154,7 @@ def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -
 def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
     torque = load.torque_size
-    drags = torque or _whole(common)
+    drags = torque or common.whole
 
     def related(key: str, numbers: Mapping[int, float], whole: float) -> dict[int, float]:
         return _related(_located(numbers, ("gears", number, key)), whole, spots)

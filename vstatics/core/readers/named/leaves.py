@@ -103,11 +103,6 @@ LEAVES: dict[LeafKind, LeafReading] = {
 }
 
 
-def parsed(text: str, kind: LeafKind) -> Any:
-    """Read a single value that needs no context."""
-    return LEAVES[kind].parse(text)
-
-
 def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
     """Return the stand-in for an unreadable value."""
     match shape:

@@ -119,15 +119,19 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         from vstatics.core.readers.named.drawing import read_drawing  # not needed by every case
 
         return read_drawing(root, walk, shape)
+    gathered = None
     if masses:
-        return _with_masses(root, walk, shape)
+        from vstatics.core.readers.named.joined_links import gathered_links, is_listed, loose_links
+
+        gathered = None if is_listed(root) else gathered_links(root, walk)
     values = walk.read(Spot((), "", root), shape)
-    return finish(
-        arguments(values, walk),
-        document.problems,
-        read_with_stand_ins(walk.spots.unreadable),
-        walk.spots.locate,
-    )
+    parts = arguments(values, walk)
+    problems = document.problems
+    if gathered is not None:
+        parts["links"] = len(gathered)
+        problems = [*problems, *loose_links(root, values, gathered, parts["gears"], walk.spots)]
+        walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
+    return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
 
 
 def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey]:
@@ -159,23 +163,6 @@ def _has_masses(root: Mapping) -> bool:
         and (not isinstance(value, Mapping) or bool(value.entries))
         for key, value in root.entries
     )
-
-
-def _with_masses(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
-    """Read a case without gear sets, whose links can follow from components or inertias."""
-    from vstatics.core.readers.named.joined_links import gathered_links, is_listed, loose_links
-
-    gathers = not is_listed(root)
-    gathered = gathered_links(root, walk) if gathers else []
-    values = walk.read(Spot((), "", root), shape)
-    parts = arguments(values, walk)
-    warnings: list[Problem] = []
-    if gathers:
-        parts["links"] = len(gathered)
-        warnings += loose_links(root, values, gathered, parts["gears"], walk.spots)
-        walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
-    problems = [*walk.spots.document.problems, *warnings]
-    return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
 
 
 def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:

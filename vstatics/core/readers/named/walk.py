@@ -44,7 +44,7 @@ from vstatics.core.readers.named.compounds import (
     is_merge,
     known_entries,
 )
-from vstatics.core.readers.named.leaves import LEAVES, either_way, parsed, stand_in, values_before
+from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
 from vstatics.core.readers.named.nodes import (
     Listing,
     Mapping,
@@ -301,7 +301,7 @@ class Walk:
             self.spots.unreadable.append(spot.path)
         return value
 
-    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
         match shape.kind:
             case "link":
                 return self.references.link(node.text)
@@ -309,7 +309,8 @@ class Walk:
                 return self.references.element(node.text)
             case "relative_speed":
                 speed = self.references.speed_of(node.text)
-                return LEAVES[shape.kind].parse(node.text) if speed is None else speed
+                if speed is not None:
+                    return speed
             case "flag":
                 return scalars.flag(node.text, plain=node.plain)
             case "choice":
@@ -317,6 +318,8 @@ class Walk:
                     hint = self.spots.document.hint(node.text, shape.choices)
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
-        infinite = shape.infinite and node.plain and node.text in scalars.INFINITE
-        read = either_way if shape.straight else parsed
-        return math.inf if infinite else read(node.text, shape.kind)
+        if shape.infinite and node.plain and node.text in scalars.INFINITE:
+            return math.inf
+        if shape.straight:
+            return either_way(node.text, shape.kind)
+        return LEAVES[shape.kind].parse(node.text)
