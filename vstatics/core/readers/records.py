@@ -97,7 +97,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
             if len(problems) >= MOST_PROBLEMS:
                 break
     except ValueError as error:
-        raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
+        raise ReadError("E121", str(error), place=source.place(1)) from None
     if problems:
         raise ReadError(problems)
     return RecordedColumns(
@@ -114,7 +114,7 @@ def _places(
         name = _wanted(heading, wanted)
         if name in places:
             message = f"{name}: read two columns of this name, expected one"
-            raise ReadError([Problem("E121", message, (), head)])
+            raise ReadError("E121", message, place=head)
         if name in wanted:
             measure, size = wanted[name], 1.0
             if measure is not None and heading != name:
@@ -122,7 +122,7 @@ def _places(
                 try:
                     size = column.size(with_unit(heading)[1] or None)
                 except ValueError as error:
-                    raise ReadError([Problem("E121", str(error), (), head)]) from None
+                    raise ReadError("E121", str(error), place=head) from None
             places[name] = place, size
     return places
 

@@ -27,6 +27,20 @@ _Cells = dict[str, dict[str, dict[str, Figure]]]
 """Figures of a result by table, row, and gear or device."""
 
 
+def finite_figure(value: str | float | None) -> Figure:
+    """Return a written number as a figure; `None` becomes NaN.
+
+    Raises
+    ------
+    ValueError
+        If the number is infinite, or the text is not a number.
+    """
+    number = math.nan if value is None else float(value)
+    if math.isinf(number):
+        raise ValueError("expected a finite number")
+    return Figure(number)
+
+
 def is_csv(text: str) -> bool:
     """Check whether a text begins with the headings of a result in CSV."""
     return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
@@ -53,25 +67,11 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
             raise no_result(message, file, number)
         table, name, gear, value = cells
         try:
-            figure = Figure(_finite(value) if value else math.nan)
+            figure = finite_figure(value or None)
         except ValueError:
             raise no_result(f"read {value!r}, expected a finite number", file, number) from None
         _put(results, case, (table, name, gear), figure)
     return _made(results, file)
-
-
-def _finite(value: str | float) -> float:
-    """Return a number, or NaN.
-
-    Raises
-    ------
-    ValueError
-        If the number is infinite.
-    """
-    number = float(value)
-    if math.isinf(number):
-        raise ValueError("expected a finite number")
-    return number
 
 
 def is_parquet(data: bytes) -> bool:
@@ -101,7 +101,7 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
             for case, table, name, gear, value in zip(
                 *(column.to_pylist() for column in batch.columns), strict=True
             ):
-                figure = Figure(math.nan if value is None else _finite(value))
+                figure = finite_figure(value)
                 _put(
                     results, str(case or ""), (str(table), str(name or ""), str(gear or "")), figure
                 )

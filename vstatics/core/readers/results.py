@@ -16,6 +16,7 @@ from vstatics.core.readers.deck.text import SPRING, decode, head, scan
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.result_rows import (
     checked,
+    finite_figure,
     is_csv,
     is_parquet,
     no_result,
@@ -163,10 +164,7 @@ def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]
 def _from_json(value: Any) -> Figure:
     if isinstance(value, str):
         raise TypeError(value)
-    number = math.nan if value is None else float(value)
-    if math.isinf(number):
-        raise ValueError(value)
-    return Figure(number)
+    return finite_figure(value)
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
@@ -238,10 +236,11 @@ def _figures(words: Sequence[str]) -> list[Figure] | None:
         if set(word) == {"*"}:
             figures.append(Figure(math.nan))
             continue
-        mantissa, _, exponent = word.upper().replace("D", "E").partition("E")
+        number = word.upper().replace("D", "E")
+        mantissa, _, exponent = number.partition("E")
         _, point, decimals = mantissa.partition(".")
         try:
-            value = float(word.upper().replace("D", "E"))
+            value = float(number)
             scale = int(exponent or 0) - len(decimals)
             slack = 0.5 * 10.0**scale if point else 0.0
         except (ValueError, OverflowError):

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from vstatics.core.errors import Problem, ReadError, of_file, quoted
+from vstatics.core.errors import ReadError, of_file, quoted
 from vstatics.core.extras import missing
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Source
@@ -100,7 +100,7 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
 def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
     message = f"no table of variants: {text[:200]}"
-    return ReadError([Problem("E111", message, (), Source(file, "").place(line))])
+    return ReadError("E111", message, place=Source(file, "").place(line))
 
 
 def expect_size(cells: int, size: int = 0) -> None:
@@ -145,7 +145,9 @@ def _json_lines(text: str, file: str) -> dict[str, Column]:
         if not line.strip():
             continue
         try:
-            row = _row(line)
+            row = json.loads(line, object_pairs_hook=_different_keys)
+            if not isinstance(row, dict):
+                raise ValueError("read no JSON object")  # noqa: TRY004, TRY301 (a wrong text)
             table = table or {name: [] for name in row}
             for name in table:
                 if name not in row:
@@ -159,19 +161,6 @@ def _json_lines(text: str, file: str) -> dict[str, Column]:
             deep = isinstance(error, RecursionError)
             raise _no_sweep(file, ValueError(TOO_DEEP) if deep else error, number) from None
     return dict(table)
-
-
-def _row(line: str) -> dict[str, Any]:
-    """Return the object in a line, whose keys must be different.
-
-    Raises
-    ------
-    ValueError, RecursionError
-    """
-    row = json.loads(line, object_pairs_hook=_different_keys)
-    if not isinstance(row, dict):
-        raise ValueError("read no JSON object")  # noqa: TRY004 (the text is wrong, not an argument)
-    return row
 
 
 def _different_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

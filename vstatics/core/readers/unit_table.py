@@ -70,15 +70,15 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
         A line of headings, then a line for each row, with commas, or with semicolons or tabs and
         decimal commas. Lines above the headings are titles.
     file : str
-            Name of the file, for messages.
-        what : str
-            Kind of the table, in words: ``a duty cycle``.
-        columns : sequence of TableColumn
-            Columns that the table can have, in any order.
-        id : str
-            Id of the messages about the table.
-        skips : bool
-            Whether columns with other headings are skipped.
+        Name of the file, for messages.
+    what : str
+        Kind of the table, in words: ``a duty cycle``.
+    columns : sequence of TableColumn
+        Columns that the table can have, in any order.
+    id : str
+        Id of the messages about the table.
+    skips : bool
+        Whether columns with other headings are skipped.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     try:
         head = read_headings(_filled(source.lines, 1), what, columns, skips=skips)
     except HeadingError as error:
-        raise ReadError([Problem(id, str(error), (), source.place(error.line))]) from None
+        raise ReadError(id, str(error), place=source.place(error.line)) from None
     rows = _ColumnsRead(head)
     problems = [
         Problem(id, message, (), source.place(line))
@@ -109,7 +109,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     ]
     if len(rows.lines) > MOST_TABLE_ROWS:
         message = f"read more rows, expected {MOST_TABLE_ROWS} at most"
-        raise ReadError([Problem(id, message, (), source.place(head.number))])
+        raise ReadError(id, message, place=source.place(head.number))
     if not (rows.lines or problems):
         message = f"there is no row below the headings, expected {what}"
         problems.append(Problem(id, message, (), source.place(head.number)))

@@ -60,9 +60,9 @@ class Places:
 
     def _labels(self, problem: Problem) -> list[str]:
         """Return the labels of the fields that can cause a problem, the most likely first."""
-        part, *rest = problem.path
-        number = rest[0] if rest and isinstance(rest[0], int) else 0
-        inner = tuple(rest[1:])
+        part, *below = problem.path
+        number = below[0] if below and isinstance(below[0], int) else 0
+        inner = tuple(below[1:])
         labels = self._labels_of_part(str(part), number, inner) if number else []
         if len(problem.path) == 2 and "name" in problem.message:
             labels.insert(0, f"NAME {KINDS.get(str(part), '')}{number}")

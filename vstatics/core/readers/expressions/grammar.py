@@ -76,17 +76,17 @@ class Language(NamedTuple):
     Parameters
     ----------
     functions : collection of str
-            Names of functions.
-        operands : str
-            Description of an operand: ``a number, or the time t``.
-        example : str
-            An operand: ``t``.
-        instead : str
-            Hint after an unknown function that resembles no known function.
-        caret : bool
-            Whether ``x^2`` is a power, too; otherwise the message suggests ``x**2``.
-        of_names : collection of str
-            Functions of a quoted name: ``speed('out')``.
+        Names of functions.
+    operands : str
+        Description of an operand: ``a number, or the time t``.
+    example : str
+        An operand: ``t``.
+    instead : str
+        Hint after an unknown function that resembles no known function.
+    caret : bool
+        Whether ``x^2`` is a power, too; otherwise the message suggests ``x**2``.
+    of_names : collection of str
+        Functions of a quoted name: ``speed('out')``.
     """
 
     functions: Collection[str]

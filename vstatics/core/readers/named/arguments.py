@@ -68,15 +68,8 @@ def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
 
 
-class _Located(NamedTuple):
-    """Number with a path in the document."""
-
-    number: float
-    path: Path
-
-
-_ByPart = dict[int, _Located]
-"""Numbers by link or shift element."""
+_ByPart = dict[int, tuple[float, Path]]
+"""Number and path in the document, by link or shift element."""
 
 
 class Common(NamedTuple):
@@ -102,16 +95,15 @@ def in_gears(
     Parameters
     ----------
     elements, gears, drag
-            Parts of a document, with their numbers as written.
-        common : Common
-            Operating point of the case.
-        spots : Spots
-            Collector of the errors about units without an operating point.
+        Parts of a document, with their numbers as written.
+    common : Common
+        Operating point of the case.
+    spots : Spots
+        Collector of the errors about units without an operating point.
     """
-    numbered = enumerate(elements, 1)
-    of_elements = {
-        number: _Located(element.drag, ("shift_elements", number, "drag"))
-        for number, element in numbered
+    of_elements: _ByPart = {
+        number: (element.drag, ("shift_elements", number, "drag"))
+        for number, element in enumerate(elements, 1)
         if isinstance(element.drag, WithUnit)
     }
     of_links = _located(drag, ("drag",))
@@ -120,31 +112,30 @@ def in_gears(
         for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
             left = {part: drag for part, drag in of_case.items() if part not in of_gear}
             _related(left, load.torque_size or common.whole, spots)
-    whole = common.load.torque_size or math.inf
     return (
         [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
         [_gear(gear, n, common, spots) for n, gear in enumerate(gears, 1)],
-        {link: _by_load(torque, whole) for link, torque in drag.items()},
+        {link: _by_load(torque, common.load) for link, torque in drag.items()},
     )
 
 
 def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
-    return {part: _Located(number, (*path, part)) for part, number in numbers.items()}
+    return {part: (number, (*path, part)) for part, number in numbers.items()}
 
 
-def _by_load(torque: float, whole: float) -> float:
-    """Divide a torque with a unit by the torque of a load; infinity stands for no load."""
+def _by_load(torque: float, load: Load) -> float:
+    """Divide a torque with a unit by the torque of a load, infinite without a load."""
+    whole = load.torque_size or math.inf
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
 
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
     """Return a shift element with drag and capacity relative to the load of the case."""
-    drag = _by_load(element.drag, common.load.torque_size or math.inf)
+    drag = _by_load(element.drag, common.load)
     capacity, path = element.capacity, ("shift_elements", number, "capacity")
     if isinstance(capacity, WithUnit):
         if capacity > 0:
-            given = {number: _Located(capacity, path)}
-            capacity = _related(given, common.whole, spots).get(number)
+            capacity = _related({number: (capacity, path)}, common.whole, spots).get(number)
         else:
             spots.tell(path, f"read {capacity:g}, expected a torque above 0")
             capacity = None

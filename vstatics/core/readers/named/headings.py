@@ -241,13 +241,10 @@ class _ExpectedTable(NamedTuple):
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
         """Return the known headings in order."""
-        return [
-            Heading(*heading._replace(place=place))
-            for place, cell in enumerate(cells)
-            if (heading := self.heading(cell))
-        ]
+        headings = (self.heading(cell, place) for place, cell in enumerate(cells))
+        return [heading for heading in headings if heading]
 
-    def heading(self, cell: str) -> Heading | None:
+    def heading(self, cell: str, place: int) -> Heading | None:
         """Return the heading in a cell, or `None` for an unknown name."""
         name, unit = with_unit(cell)
         known = self.named(name)
@@ -257,7 +254,7 @@ class _ExpectedTable(NamedTuple):
         if known is None:
             return None
         column, implied = known
-        return Heading(column, 0, implied or None if unit is None else unit)
+        return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
         """Return the column of a name, with the unit that this name implies."""

@@ -126,11 +126,9 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
             return (stand_in(shape.row),)
         case Balances():
             return None
-        case ByLaw():
-            return stand_in(shape.scalar)
         case Parsed():
             return shape.stand_in
-        case ByForm():
+        case ByLaw() | ByForm():
             return stand_in(shape.scalar)
     return {}
 

@@ -44,7 +44,15 @@ def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
     >>> _points([(1, ["speed [rad/s]", "torque [N*m]"]), (2, ["0", "2"]), (3, ["300", "3.5"])])
     [(0.0, 2.0), (300.0, 3.5)]
     """
-    units = _units(rows[0][1] if rows else [])
+    heads = rows[0][1] if rows else []
+    units = [unit for _, unit in map(with_unit, heads) if unit]
+    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
+        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
+    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
+        try:
+            measured(f"1 {unit}", kind)
+        except ValueError as error:
+            raise ValueError(f"line 1: the unit of {name}: {error}") from None
     points = []
     for number, row in rows[1:]:
         if len(row) != len(units):
@@ -59,22 +67,3 @@ def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
     if not points:
         raise ValueError("expected a point at least, below the head")
     return points
-
-
-def _units(heads: list[str]) -> list[str]:
-    """Return the units in the headings of speed and torque.
-
-    Raises
-    ------
-    ValueError
-        If a heading is wrong, or its unit has another measure.
-    """
-    units = [unit for _, unit in map(with_unit, heads) if unit]
-    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
-        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
-    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
-        try:
-            measured(f"1 {unit}", kind)
-        except ValueError as error:
-            raise ValueError(f"line 1: the unit of {name}: {error}") from None
-    return units

@@ -27,9 +27,9 @@ class References:
     Attributes
     ----------
     link_names : list of str
-            Names of the links; empty if the links have only numbers.
+        Names of the links; empty if the links have only numbers.
         links_known, elements_known : bool
-            Whether the names could be read; if not, errors about names are suppressed.
+        Whether the names could be read; if not, errors about names are suppressed.
     """
 
     def __init__(self, document: DocumentText) -> None:

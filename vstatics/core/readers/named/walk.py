@@ -133,12 +133,13 @@ class Walk:
             self.references.elements_known &= not elements
             return self.refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
         given = list(entries(self.spots, spot))
+        names = [key.text for key, _ in given]
         if elements:
-            self.references.set_elements(key.text for key, _ in given)
-        if shape.kind == "mechanism":
-            self.references.set_others("mechanism", (key.text for key, _ in given))
-        if shape.kind == "converter":
-            self.references.add_converters(key.text for key, _ in given)
+            self.references.set_elements(names)
+        elif shape.kind == "mechanism":
+            self.references.set_others("mechanism", names)
+        elif shape.kind == "converter":
+            self.references.add_converters(names)
         items: dict[str, Any] = {}
         for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)

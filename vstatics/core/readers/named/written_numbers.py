@@ -45,9 +45,9 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
     Parameters
     ----------
     text : str
-            Text with its original line endings.
-        root : Node
-            Nodes of this text.
+        Text with its original line endings.
+    root : Node
+        Nodes of this text.
 
     Examples
     --------
@@ -101,9 +101,9 @@ def with_written(
     data : bytes
         The document.
     spots : mapping
-            Numbers of the document, from `number_spots`.
-        values : mapping of Keys to float
-            New values, in the units behind the numbers.
+        Numbers of the document, from `number_spots`.
+    values : mapping of Keys to float
+        New values, in the units behind the numbers.
 
     Raises
     ------

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NoReturn
 
 from vstatics.core.errors import CellPlace, Place, ReadError, quoted
 from vstatics.core.model.paths import NoValueError
@@ -23,6 +22,7 @@ from vstatics.core.readers.workbook.sheets import (
     PART_SHEETS,
     SHEETS,
     Part,
+    PartSheet,
     is_flow,
     path_parts,
     text_cell,
@@ -165,8 +165,8 @@ class TreeOfSheets:
         self, name: str, elements: Mapping[str, str]
     ) -> tuple[dict[int, tuple[Part, ...]], dict[int, str]]:
         """Return the paths and the shift elements in the headings, by columns."""
-        paths, engaged, sheet = dict[int, tuple[Part, ...]](), dict[int, str](), PART_SHEETS[name]
-        rows = self.sheets[name]
+        paths, engaged = dict[int, tuple[Part, ...]](), dict[int, str]()
+        sheet, rows = PART_SHEETS[name], self.sheets[name]
         given: set[str] = set()
         for cell in rows[0][1:] if rows else ():
             if cell.text in given:
@@ -174,27 +174,23 @@ class TreeOfSheets:
             elif cell.text in elements:
                 engaged[cell.column] = elements[cell.text]
             else:
-                paths[cell.column] = self._path(cell, sheet.first, sheet.known, elements)
+                paths[cell.column] = self._path(cell, sheet, elements)
             given.add(cell.text)
         return paths, engaged
 
     def _path(
-        self,
-        cell: ReadCell,
-        first: Mapping[str, tuple[Part, ...]],
-        known: frozenset[str],
-        elements: Mapping[str, str],
+        self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]
     ) -> tuple[Part, ...]:
         """Return the path in a heading; report a wrong heading and return an empty path."""
-        if cell.text in first:
-            return first[cell.text]
+        if cell.text in sheet.first:
+            return sheet.first[cell.text]
         try:
             parts = path_parts(cell.text)
         except NoValueError as error:
             self._refuse(cell, f"{quoted(cell.text)}: {error}")
             return ()
-        if parts[0] not in known:
-            others = [*first, *elements, *sorted(known)]
+        if parts[0] not in sheet.known:
+            others = [*sheet.first, *elements, *sorted(sheet.known)]
             of = "a key or the name of a shift element" if self.sheet == GEARS else "a key"
             hint = nearest(str(parts[0]), others)
             self._refuse(cell, f"unknown heading {quoted(cell.text)}, expected {of}{hint}")
@@ -276,8 +272,5 @@ class TreeOfSheets:
         try:
             return moved(yaml_tree(DocumentText(Source("", text))), *at)
         except ReadError as error:
-            self._no_value(cell, error.problems[-1].message)
-
-    def _no_value(self, cell: ReadCell, why: str) -> NoReturn:
-        hint = 'a text that begins with a bracket or a quote goes in double quotes, as "[1]"'
-        self.document.stop(f"{why}; {hint}", *self._at(cell))
+            hint = 'a text that begins with a bracket or a quote goes in double quotes, as "[1]"'
+            self.document.stop(f"{error.problems[-1].message}; {hint}", *at)
