@@ -62,13 +62,13 @@ _PACKED = b"PK\x03\x04"
 
 
 def format_of_name(file: str) -> Format | None:
-    """Return the format of a file by the suffix of the name, or `None` for an unknown suffix."""
+    """Return the format of a file from the suffix of the name, or `None` if unknown."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """Return the format of a case by the suffix of the name, or else by the content."""
+    """Return the format of a case from the suffix of the name, or else from the content."""
     by_name = format_of_name(file)
     if by_name is not None:
         return by_name
@@ -156,7 +156,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 def content(
     source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
 ) -> Iterator[tuple[bytes, str]]:
-    """Yield the name and the content, at most `most` bytes, of a file or a stream.
+    """Yield the content, at most `most` bytes, and the name of a file or a stream.
 
     If a stream has no name, the text in it cannot refer to other files within the block, as its
     origin is unknown.

@@ -163,5 +163,6 @@ def _result(file: str, tables: _Cells) -> WrittenResult:
             devices = columns
         else:
             gears = max(gears, columns, key=len)
-    result = WrittenResult(figures, None, printed=False, rows=rows, file=file)
-    return result._replace(gears=gears, devices=devices)
+    return WrittenResult(
+        figures, None, printed=False, rows=rows, file=file, gears=gears, devices=devices
+    )

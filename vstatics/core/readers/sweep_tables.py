@@ -104,7 +104,7 @@ def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
 
 
 def expect_size(cells: int, size: int = 0) -> None:
-    """Check that the cells, and the unpacked size [bytes] of a table fit into memory.
+    """Check that the cells and the unpacked size [bytes] of a table fit into memory.
 
     Raises
     ------

@@ -31,7 +31,7 @@ from vstatics.core.readers.reading import Source
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
-"""Most rows of a table; a day in steps of a tenth of a second has 864,000."""
+"""Maximum number of rows of a table; a day in steps of a tenth of a second has 864,000."""
 
 
 class UnitTable(NamedTuple):

@@ -85,14 +85,10 @@ class Fields:
             return [0] * gears
         values = self._list(key, gears, "NP", integer)
         counts, total = values.numbers, 0
-        if not values.unreadable and min(counts, default=0) >= 0 and sum(counts) <= self.capacity:
-            return counts
         for position, count in enumerate(counts):
             label = f"{key}({position + 1})"
             total += max(count, 0)
-            if position in values.unreadable:
-                counts[position] = -1
-            elif count < 0:
+            if count < 0 and position not in values.unreadable:
                 self.error(label, f"read {count}, expected a count, 0 or more")
                 counts[position] = -1
             elif not self._fits(label, total):

@@ -26,7 +26,7 @@ REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)
 _RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
-"""Most characters of a number; longer numbers carry no more information."""
+"""Maximum number of characters of a number; longer numbers carry no more information."""
 
 
 class Token(NamedTuple):

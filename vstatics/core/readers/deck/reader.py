@@ -274,7 +274,7 @@ def _links_above_all(parts: dict[str, Any]) -> int:
 
 
 LONGEST_REMEMBERED_DECK = 20_000
-"""Most characters of a remembered deck, to limit memory."""
+"""Maximum number of characters of a remembered deck, to limit memory."""
 
 
 class KnownDeck:
@@ -288,7 +288,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms of each line that contains only these numbers."""
+        """Attribute and indices of mechanisms by line, for lines of plain numbers."""
         every = range(len(self.case.mechanisms))
         known: dict[int, tuple[str, Sequence[int]]] = {}
         for key, part, owners in (

@@ -32,11 +32,11 @@ from vstatics.core.tables.names import NAME
 
 MOST_FORMULA_CHARACTERS = 2000
 MOST_FORMULA_BRACKETS = 50
-"""Most brackets that can be open at once."""
+"""Maximum number of brackets that can be open at once."""
 MOST_DEPTH = 100
-"""Most nested operations, since trees are walked by recursion."""
+"""Maximum number of nested operations, since trees are walked by recursion."""
 MOST_TREE_PARTS = 10_000
-"""Most parts of a tree; the middle operands of a chain of comparisons count twice."""
+"""Maximum number of parts of a tree; the middle operands of a chain of comparisons count twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")

@@ -77,7 +77,7 @@ class Common(NamedTuple):
 
     load: Load
     whole: float
-    """Torque of the load; without a load infinite if units suffice, and 0 otherwise."""
+    """Torque of the load; without a load, infinity if units suffice and 0 otherwise."""
 
 
 def in_gears(

@@ -12,9 +12,9 @@ from typing import NamedTuple
 from vstatics.core.readers.signs import dash_hint, with_plain_blanks
 
 LONGEST_ARITHMETIC = 1000
-"""Most characters of a text with a number."""
+"""Maximum number of characters of a text with a number."""
 MOST_ARITHMETIC_BRACKETS = 20
-"""Most brackets that can be open at once."""
+"""Maximum number of brackets that can be open at once."""
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"

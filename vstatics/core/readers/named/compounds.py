@@ -117,7 +117,7 @@ def read_parsed(walk: Walk, spot: Spot, shape: Parsed) -> Any:
 
 
 def _moved_by(walk: Walk, node: Scalar, offset: int) -> Scalar:
-    """Return a scalar at an offset into the text, if the text is on a single line."""
+    """Move a scalar by an offset into the text, if the text is on a single line."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)

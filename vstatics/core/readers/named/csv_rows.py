@@ -23,7 +23,7 @@ _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 
 
 def separator_of(head: str) -> str:
-    """Return the sign that separates the cells of a table, by the line of headings.
+    """Return the separator of the cells of a table, as used in the line of headings.
 
     Examples
     --------

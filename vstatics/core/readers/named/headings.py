@@ -23,7 +23,7 @@ from vstatics.core.suggestions import nearest
 MOST_TITLE_LINES = 100
 """Number of lines that are searched for headings."""
 MOST_QUOTED = 76
-"""Most characters of a line quoted in a message."""
+"""Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
 """Similarity from 0 to 1 above which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")

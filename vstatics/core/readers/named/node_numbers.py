@@ -13,7 +13,7 @@ from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar, is
 from vstatics.core.suggestions import nearest
 
 MOST_KNOWN = 12
-"""Most names listed in a message about an unknown name."""
+"""Maximum number of names listed in a message about an unknown name."""
 
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")

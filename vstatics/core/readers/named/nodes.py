@@ -22,13 +22,14 @@ MOST_DEEP = 16
 MOST_PROBLEMS = 100
 MOST_HINTS = 20  # each hint compares a word with all known names
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})
-_MARKS = (  # UTF-32 before UTF-16, whose marks are the beginnings of longer marks
-    (codecs.BOM_UTF32_LE, "utf-32"),
-    (codecs.BOM_UTF32_BE, "utf-32"),
-    (codecs.BOM_UTF8, "utf-8-sig"),
-    (codecs.BOM_UTF16_LE, "utf-16"),
-    (codecs.BOM_UTF16_BE, "utf-16"),
+BYTE_ORDER_MARKS = (  # UTF-32 first, as its little-endian mark begins with the mark of UTF-16
+    (codecs.BOM_UTF32_LE, "utf-32", "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32", "utf-32-be"),
+    (codecs.BOM_UTF8, "utf-8-sig", "utf-8"),
+    (codecs.BOM_UTF16_LE, "utf-16", "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16", "utf-16-be"),
 )
+"""Byte order marks, each with the encoding of a text with the mark, and of the text behind."""
 
 
 class Scalar(NamedTuple):
@@ -144,12 +145,14 @@ def length(node: Node) -> str:
 
 
 def encoding_of(data: bytes) -> str:
-    """Return the encoding of a text by the byte order mark, or UTF-8 without a mark.
+    """Return the encoding of a text from the byte order mark, or UTF-8 without a mark.
 
     >>> encoding_of(b"a: 1"), encoding_of(codecs.BOM_UTF8)
     ('utf-8', 'utf-8-sig')
     """
-    return next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
+    return next(
+        (encoding for mark, encoding, _ in BYTE_ORDER_MARKS if data.startswith(mark)), "utf-8"
+    )
 
 
 def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:

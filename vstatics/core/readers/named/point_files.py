@@ -10,7 +10,7 @@ from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
 MOST_POINT_FILE_BYTES = 1_000_000
-"""Most bytes of a file of points."""
+"""Maximum number of bytes of a file of points."""
 _COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 

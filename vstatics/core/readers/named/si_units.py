@@ -15,6 +15,7 @@ from vstatics.core.readers.named.units import (
     LONGEST_UNIT,
     Quantity,
     factors,
+    has_digits,
     unit,
     usual,
     with_article,
@@ -117,7 +118,7 @@ def measured(text: str, measure: Measure) -> float:
     (4.4704, 4.4704)
     """
     in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
-    if not any(sign in "0123456789" for sign in text):
+    if not has_digits(text):
         raise ValueError(in_unit)
     value, behind = calculated(text)
     if not behind:
@@ -245,7 +246,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the factors of a word, the last first, which takes the exponent: m, N for `Nm`."""
+    """Return the factors of a word, the last first, as an exponent belongs to the last."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]

@@ -86,7 +86,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
-"""Most characters of a unit."""
+"""Maximum number of characters of a unit."""
 
 
 def unit(text: str) -> tuple[Quantity | None, float]:
@@ -161,7 +161,7 @@ _MEANT = {
     "kgm": "kgf*m",
     "kgcm": "kgf*cm",
 }
-"""Likely meaning of units that are neither speed nor torque, without signs."""
+"""Suggestions for wrong units of speed or torque, by the letters of the unit."""
 
 
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
@@ -187,7 +187,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     >>> quantity("100 lbf*ft", "torque"), quantity("75 PS", "power")
     (135.58179483314004, 55.1624062...)
     """
-    number, behind = calculated(text) if _has_digits(text) else (0.0, "")
+    number, behind = calculated(text) if has_digits(text) else (0.0, "")
     measure, size = unit(behind)
     if measure != kind:
         other = f"; this is a {measure}" if measure else slip(text) or usual(behind, kind)
@@ -199,7 +199,8 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     return value
 
 
-def _has_digits(text: str) -> bool:
+def has_digits(text: str) -> bool:
+    """Check whether a text contains an ASCII digit."""
     return any(sign in "0123456789" for sign in text)
 
 
@@ -258,7 +259,7 @@ def relative(text: str, kind: Quantity) -> float:
     >>> relative("1/500", "torque"), relative("3 N*m", "torque")
     (0.002, 3.0)
     """
-    if _has_digits(text):
+    if has_digits(text):
         _, behind = calculated(text)
         if not behind or behind[0] in "%:":
             return dimensionless(text)

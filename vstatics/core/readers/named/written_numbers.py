@@ -5,27 +5,18 @@ Comments, blanks, line endings and the units behind the numbers remain unchanged
 
 from __future__ import annotations
 
-import codecs
 import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.readers.named.node_numbers import number_of, number_text
-from vstatics.core.readers.named.nodes import Listing, Node, Scalar, encoding_of
+from vstatics.core.readers.named.nodes import BYTE_ORDER_MARKS, Listing, Node, Scalar, encoding_of
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
 _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
 """Anchor and tag, which precede a value in YAML."""
-
-_MARKED = (  # with the byte order, as "utf-16" and "utf-32" would add a second mark
-    (codecs.BOM_UTF32_LE, "utf-32-le"),
-    (codecs.BOM_UTF32_BE, "utf-32-be"),
-    (codecs.BOM_UTF8, "utf-8"),
-    (codecs.BOM_UTF16_LE, "utf-16-le"),
-    (codecs.BOM_UTF16_BE, "utf-16-be"),
-)
 
 
 class NumberSpot(NamedTuple):
@@ -127,6 +118,7 @@ def with_written(
         end, new = changed[start]
         text = text[:start] + new + text[end:]
     mark, encoding = next(
-        (marked for marked in _MARKED if data.startswith(marked[0])), (b"", "utf-8")
+        ((mark, encoding) for mark, _, encoding in BYTE_ORDER_MARKS if data.startswith(mark)),
+        (b"", "utf-8"),
     )
     return mark + text.encode(encoding)

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import yaml
 
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 MOST_VALUES = 200_000
-"""Most values of a document with all aliases expanded."""
+"""Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
 """Message of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of the events."""
@@ -31,11 +31,6 @@ _TAGS = {
     Listing: {"!", _STANDARD + "seq"},
     Mapping: {"!", _STANDARD + "map"},
 }
-
-
-class _Anchored(NamedTuple):
-    node: Node | None  # None until the node is complete
-    size: int
 
 
 def yaml_tree(document: DocumentText) -> Node:
@@ -61,7 +56,8 @@ class _Builder:
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document
         self.events: Iterator[yaml.Event] = yaml.parse(document.text, Loader=loader)
-        self.anchors: dict[str, _Anchored] = {}
+        self.anchors: dict[str, tuple[Node | None, int]] = {}
+        """Node and number of values of each anchor; `None` until the node is complete."""
         self.values = 0
         self.last = (1, 1)
 
@@ -118,7 +114,7 @@ class _Builder:
         before = self.values
         self.values += 1
         if anchor:
-            self.anchors[anchor] = _Anchored(None, 0)
+            self.anchors[anchor] = None, 0
         node: Node
         match event:
             case yaml.SequenceStartEvent():
@@ -129,7 +125,7 @@ class _Builder:
                 node = self.scalar(event, line, column)
         self.check_tag(event, node)
         if anchor:
-            self.anchors[anchor] = _Anchored(node, self.values - before)
+            self.anchors[anchor] = node, self.values - before
         return node
 
     def items(self, depth: int) -> Iterator[Node]:
@@ -156,13 +152,14 @@ class _Builder:
         if known is None:
             hint = self.document.hint(anchor, self.anchors)
             self.document.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
-        if known.node is None:
+        node, size = known
+        if node is None:
             self.document.stop(f"alias *{name} stands inside what it repeats", *self.last)
-        self.values += known.size
+        self.values += size
         if self.values > MOST_VALUES:
             message = f"alias *{name} makes more than {MOST_VALUES} values of this document"
             self.document.stop(message, *self.last)
-        return known.node
+        return node
 
     def check_tag(self, event: Any, node: Node) -> None:
         if event.tag and event.tag not in _TAGS[type(node)]:

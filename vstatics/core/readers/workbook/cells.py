@@ -11,11 +11,11 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.workbook.parts import PackedParts
 
 MOST_ROWS, MOST_COLUMNS = 10_000, 500
-"""Most rows and columns of a sheet."""
+"""Maximum number of rows and columns of a sheet."""
 MOST_SHEET_CELLS = 200_000
-"""Most cells of a sheet, including cells without a value."""
+"""Maximum number of cells of a sheet, including cells without a value."""
 MOST_CELL_CHARACTERS = 32_767
-"""Most characters of a cell, as in Excel."""
+"""Maximum number of characters of a cell, as in Excel."""
 _PLACE = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})")
 _DATE = "d"
 

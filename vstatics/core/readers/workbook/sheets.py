@@ -27,7 +27,7 @@ MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin, Cyr
 MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
 """Whether a shift element is engaged, by the mark in a shift table."""
 LONGEST_NUMBER = 9
-"""Most digits of the number of an item."""
+"""Maximum number of digits of the number of an item."""
 
 Part = str | int
 """Part of a path: a key, or the number of an item from 1."""
