@@ -7,10 +7,9 @@ import io
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.core.errors import ReadError, of_file
-from vstatics.core.extras import missing
+from vstatics.core.errors import ReadError
 from vstatics.core.readers.reading import Source
-from vstatics.core.readers.sweep_tables import expect_parquet_size
+from vstatics.core.readers.sweep_tables import open_parquet
 from vstatics.core.tables.csv import unguarded
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import Figure, WrittenResult
@@ -88,15 +87,9 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
     ReadError
         If the file cannot be read, or the package for Parquet is missing.
     """
-    if message := missing("parquet", "Parquet"):
-        raise ReadError([of_file("E014", file, message)])
-    import pyarrow as pa  # type: ignore[import-untyped]
-    import pyarrow.parquet as pq  # type: ignore[import-untyped]
-
     results: dict[str, _Cells] = {}
     try:
-        opened = pq.ParquetFile(pa.BufferReader(data))
-        expect_parquet_size(opened)
+        opened = open_parquet(data, file)
         for batch in opened.iter_batches(columns=["case", *COLUMNS], use_threads=False):
             for case, table, name, gear, value in zip(
                 *(column.to_pylist() for column in batch.columns), strict=True
@@ -105,6 +98,8 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
                 _put(
                     results, str(case or ""), (str(table), str(name or ""), str(gear or "")), figure
                 )
+    except ReadError:
+        raise
     except Exception as error:  # noqa: BLE001 (pyarrow has many classes of errors)
         text = " ".join(str(error).split())
         raise no_result(f"no results in Parquet: {text[:200]}", file) from None

@@ -256,32 +256,39 @@ def _expect_declared(packed: ZipFile) -> None:
 
 
 def _parquet(data: bytes, file: str) -> dict[str, Column]:
+    table = open_parquet(data, file).read(use_threads=False)
+    from pyarrow.types import is_floating  # type: ignore[import-untyped]
+
+    _expect_different(table.column_names)
+    return {
+        name: column.to_numpy() if is_floating(column.type) else column.to_pylist()
+        for name, column in zip(table.column_names, table.columns, strict=True)
+    }
+
+
+def open_parquet(data: bytes, file: str) -> Any:
+    """Open a Parquet file after checking the size that the file declares.
+
+    Raises
+    ------
+    ReadError
+        If the package for Parquet is missing.
+    ValueError
+        If the tables are too large.
+    Exception
+        Of various classes if the file is damaged.
+    """
     if message := missing("parquet", "Parquet"):
         raise ReadError([of_file("E014", file, message)])
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]
 
     opened = pq.ParquetFile(pa.BufferReader(data))
-    expect_parquet_size(opened)
-    table = opened.read(use_threads=False)
-    _expect_different(table.column_names)
-    return {
-        name: column.to_numpy() if pa.types.is_floating(column.type) else column.to_pylist()
-        for name, column in zip(table.column_names, table.columns, strict=True)
-    }
-
-
-def expect_parquet_size(opened: Any) -> None:
-    """Check the declared size of a Parquet file before reading.
-
-    Raises
-    ------
-    ValueError
-    """
     about = opened.metadata
     groups = [about.row_group(number) for number in range(about.num_row_groups)]
     rows = sum(group.num_rows for group in groups)
     expect_size(rows * about.num_columns, sum(group.total_byte_size for group in groups))
+    return opened
 
 
 def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:

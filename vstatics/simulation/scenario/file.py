@@ -131,10 +131,12 @@ class ScenarioDocument(NamedTuple):
         walk = Walk(spots)
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
-        walk.references.set_elements(element.name for element in case.shift_elements)
-        walk.references.set_others("mechanism", (one.name for one in case.mechanisms))
-        walk.references.set_others("spring", (one.name for one in case.springs))
-        walk.references.set_others("elastic device", elastic_names(case))
+        walk.references.set_numbers(
+            "shift element", (element.name for element in case.shift_elements)
+        )
+        walk.references.set_numbers("mechanism", (one.name for one in case.mechanisms))
+        walk.references.set_numbers("spring", (one.name for one in case.springs))
+        walk.references.set_numbers("elastic device", elastic_names(case))
         words = self._words(case)
         values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)

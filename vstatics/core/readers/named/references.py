@@ -39,8 +39,8 @@ class References:
         self._document = document
         self._links = 0
         self._link_numbers: dict[str, int] = {}
-        self._elements: dict[str, int] = {}
-        self._others: dict[str, dict[str, int]] = {
+        self._numbers: dict[str, dict[str, int]] = {
+            "shift element": {},
             "mechanism": {},
             "spring": {},
             "elastic device": {},
@@ -56,17 +56,13 @@ class References:
         self._link_numbers = _numbered(names)
         self.links_known = True
 
-    def set_elements(self, names: Iterable[str]) -> None:
-        """Set the names of the shift elements, in order."""
-        self._elements = _numbered(names)
-
-    def set_others(self, kind: str, names: Iterable[str]) -> None:
-        """Set the names of mechanisms or springs, in order."""
-        self._others[kind] = _numbered(names)
+    def set_numbers(self, kind: str, names: Iterable[str]) -> None:
+        """Set the names of the components of a kind, in order."""
+        self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
         """Add converters behind the mechanisms, since converters have speed ratios, too."""
-        self.set_others("mechanism", [*self._others["mechanism"], *names])
+        self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:
         """Return the number of a mechanism, a spring or an elastic component.
@@ -76,7 +72,7 @@ class References:
         ValueError
             With the expected name.
         """
-        numbers = self._others[kind]
+        numbers = self._numbers[kind]
         if text in numbers:
             return numbers[text]
         article = "an" if kind == "elastic device" else "a"
@@ -149,13 +145,14 @@ class References:
         ValueError
             With the expected name.
         """
-        if text in self._elements:
-            return self._elements[text]
+        numbers = self._numbers["shift element"]
+        if text in numbers:
+            return numbers[text]
         if not self.elements_known:
             return NO_ELEMENT
-        if not self._elements:
+        if not numbers:
             raise ValueError("but there are no shift elements")
-        known = self._known(text, self._elements)
+        known = self._known(text, numbers)
         raise ValueError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:

@@ -134,10 +134,8 @@ class Walk:
             return self.refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
         given = list(entries(self.spots, spot))
         names = [key.text for key, _ in given]
-        if elements:
-            self.references.set_elements(names)
-        elif shape.kind == "mechanism":
-            self.references.set_others("mechanism", names)
+        if shape.kind in ("shift element", "mechanism"):
+            self.references.set_numbers(shape.kind, names)
         elif shape.kind == "converter":
             self.references.add_converters(names)
         items: dict[str, Any] = {}

@@ -123,7 +123,10 @@ class _Builder:
                 node = Mapping(list(self.entries(depth)), line, column)
             case _:
                 node = self.scalar(event, line, column)
-        self.check_tag(event, node)
+        tag = getattr(event, "tag", None)
+        if tag and tag not in _TAGS[type(node)]:
+            message = f"tag {shown(tag.replace(_STANDARD, '!!'))} is not taken, expected none"
+            self.document.add(message, line, column)
         if anchor:
             self.anchors[anchor] = node, self.values - before
         return node
@@ -160,8 +163,3 @@ class _Builder:
             message = f"alias *{name} makes more than {MOST_VALUES} values of this document"
             self.document.stop(message, *self.last)
         return node
-
-    def check_tag(self, event: Any, node: Node) -> None:
-        if event.tag and event.tag not in _TAGS[type(node)]:
-            tag = shown(event.tag.replace(_STANDARD, "!!"))
-            self.document.add(f"tag {tag} is not taken, expected none", node.line, node.column)

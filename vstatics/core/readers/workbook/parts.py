@@ -28,7 +28,9 @@ Start = Callable[[str, Mapping[str, str]], object]
 End = Callable[[str], object]
 
 
-def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = None) -> None:
+def parse(
+    stream: io.BufferedIOBase | Any, start: Start, end: End = lambda _: None, text: Any = None
+) -> None:
     """Parse the elements of a part, and call the handlers with names without the namespace.
 
     Raises
@@ -91,13 +93,13 @@ class PackedParts:
         self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 (days have no time zone)
         self._named: list[tuple[str, str]] = []
         with self._open(self._book) as part:
-            parse(part, self._sheet, lambda _: None)
+            parse(part, self._sheet)
         self._related = self._relations(self._book)
         for name, key in self._named:
             kind, path = self._related.get(key, ("", ""))
             self.sheets[name] = path if kind == "worksheet" else ""
 
-    def parse(self, path: str, start: Start, end: End, text: Any = None) -> None:
+    def parse(self, path: str, start: Start, end: End = lambda _: None, text: Any = None) -> None:
         """Parse the elements of a part."""
         with self._open(path) as part:
             parse(part, start, end, text)
@@ -133,7 +135,7 @@ class PackedParts:
 
         path = posixpath.join(folder, "_rels", f"{name}.rels")
         if path in self._packed.NameToInfo:
-            self.parse(path, start, lambda _: None)
+            self.parse(path, start)
         return relations
 
     def date(self, value: str) -> str:
@@ -196,7 +198,7 @@ class PackedParts:
                 message = f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
                 raise ValueError(message)
             with self._packed.open(member) as part:
-                parse(part, start, lambda _: None)
+                parse(part, start)
         return frozenset(n for n, key in enumerate(formats) if _is_date(key, codes.get(key)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from vstatics.core.errors import CellPlace, Place, ReadError, quoted
 from vstatics.core.model.paths import NoValueError
@@ -102,18 +102,18 @@ class TreeOfSheets:
     def _refuse_at(self, line: int, column: int, message: str) -> None:
         self.document.add(message, line, column, identity="E118")
 
-    def _below_heading(self, name: str) -> Iterator[list[ReadCell]]:
+    def _below_heading(self, name: str) -> list[list[ReadCell]]:
         """Return the rows of a sheet below the headings, of which the first must be `name`."""
         rows = self.sheets[name]
         if not rows:
-            return iter(())
+            return []
         head = rows[0][0]
         if (head.row, head.column, head.text) != (1, 1, "name"):
             self._refuse(ReadCell("", 1, 1), "expected the heading `name`")
-            return iter(())
-        return iter(rows[1:])
+            return []
+        return rows[1:]
 
-    def _links(self, grown: GrownNode, rows: Iterator[list[ReadCell]]) -> None:
+    def _links(self, grown: GrownNode, rows: Sequence[list[ReadCell]]) -> None:
         for number, row in enumerate(rows, 1):
             for cell in row:
                 if cell.column > 1:
@@ -121,7 +121,7 @@ class TreeOfSheets:
             if row[0].column == 1:
                 grown.add(number, self._value(row[0]))
 
-    def _parts(self, grown: GrownNode, name: str, rows: Iterator[list[ReadCell]]) -> None:
+    def _parts(self, grown: GrownNode, name: str, rows: Sequence[list[ReadCell]]) -> None:
         """Add parts with a row each."""
         elements = self._shift_elements() if name == GEARS else {}
         paths, engaged = self._headings(name, elements)
