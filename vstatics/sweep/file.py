@@ -10,7 +10,7 @@ from vstatics.core.readers.kinds import kind_of
 from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.core.readers.named.nodes import (
-    Found,
+    DocumentText,
     Listing,
     Mapping,
     Node,
@@ -86,7 +86,7 @@ class _WrongError(Exception):
 class _Reader:
     """Reads the keys of a sweep file."""
 
-    def __init__(self, found: Found, directory: str) -> None:
+    def __init__(self, found: DocumentText, directory: str) -> None:
         self.found = found
         self.directory = directory
 

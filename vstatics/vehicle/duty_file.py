@@ -129,6 +129,6 @@ def read_duty(data: bytes, file: str) -> DutyFile:
     values, spots = read_document(data, file, DUTY, EXPECTED)
     if len(values) != 1:
         root = spots.place(())
-        spots.found.stop(f"expected {EXPECTED}, and nothing else", root.line, root.column)
+        spots.document.stop(f"expected {EXPECTED}, and nothing else", root.line, root.column)
     [(kind, shares)] = values.items()
     return DutyFile(Duty(kind, shares), spots)

@@ -1,16 +1,16 @@
-"""Readers of cases: one module or folder per format, text -> Transmission.
+"""Readers of cases: a module or folder for each format turns bytes into a `Transmission`.
 
 >>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: , high: }}"
 >>> format_of("case.yaml", text.encode())
 'yaml'
->>> reading = read(text.encode(), "case.yaml")  # or ReadError, with all that is wrong, and where
+>>> reading = read(text.encode(), "case.yaml")  # or ReadError, which lists every problem
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text, `from_dict` plain data. `expressions` reads formulas. In
-`named` and `deck` a text becomes values with their places, these a case; `reading` ends what both
-do. `workbook` makes of sheets what `named` reads. `results` and `sweep_tables` read what was
-written as results.
+`load` reads a file, `loads` a text and `from_dict` plain data. `named` and `deck` turn a text into
+values with their places and these into a case, which `reading` checks. `workbook` turns sheets into
+the nodes that `named` reads. `expressions` reads formulas, `results` and `sweep_tables` read
+written results.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ Format = Literal["deck", "yaml", "json", "xlsx"]
 
 @runtime_checkable
 class Stream(Protocol):
-    """What can be read from."""
+    """Open file or a similar object with a method `read`."""
 
     def read(self, size: int, /) -> Any:
-        """Return at most this many characters or bytes."""
+        """Read and return at most `size` characters or bytes."""
 
 
 READERS: dict[Format, tuple[str, str]] = {
@@ -45,7 +45,7 @@ READERS: dict[Format, tuple[str, str]] = {
     "json": ("vstatics.core.readers.named.reader", "read_json"),
     "xlsx": ("vstatics.core.readers.workbook", "read"),
 }
-"""Module and function of each format; imported when needed, as YAML costs start-up time."""
+"""Module and function of each format, imported when needed, as YAML costs start-up time."""
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -58,20 +58,20 @@ SUFFIXES: dict[str, Format] = {
 }
 
 _PACKED = b"PK\x03\x04"
-"""With this begins a workbook, which is a ZIP file."""
+"""First bytes of a workbook, which is a ZIP file."""
 
 
 def format_of_name(file: str) -> Format | None:
-    """The format that the suffix of a file's name tells, if it does."""
+    """Return the format of a file from the suffix of the name, or `None` if unknown."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """The format of a case: told by the suffix, else by the content."""
-    named = format_of_name(file)
-    if named is not None:
-        return named
+    """Return the format of a case from the suffix of the name, or else from the content."""
+    by_name = format_of_name(file)
+    if by_name is not None:
+        return by_name
     if data.startswith(_PACKED):
         return "xlsx"
     from vstatics.core.readers.deck.text import holds_deck
@@ -89,14 +89,25 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     data : bytes
         The content of a file.
     file : str
-        Its name, for messages and to tell the format.
+        Name of the file, for messages and to find the format.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        The format, where it is known.
+        The format, if it is known.
+
+    Returns
+    -------
+    Reading
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
         With every problem and its place.
+
+    Examples
+    --------
+    >>> text = b"{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: }}"
+    >>> read(text, "case.yaml").case
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
     wanted = format or format_of(file, data)
     if wanted not in READERS:
@@ -113,9 +124,9 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     Parameters
     ----------
     source : path-like or stream
-        The file, or something opened: text or bytes.
+        A file, or an open stream of text or bytes.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        The format; told by the suffix, else by the content, when not given.
+        The format; by default it follows from the suffix, or else from the content.
 
     Returns
     -------
@@ -126,7 +137,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     ReadError
         With every problem and its place.
     ValueError
-        If there is no such format.
+        If the format is unknown.
     OSError
         If the file cannot be opened.
 
@@ -145,10 +156,10 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 def content(
     source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
 ) -> Iterator[tuple[bytes, str]]:
-    """What a file or a stream holds, at most so many bytes, and its name, to read it in the block.
+    """Yield the content, at most `most` bytes, and the name of a file or a stream.
 
-    Files that the text of a stream without a name names are refused there: nobody knows whose
-    text it is.
+    If a stream has no name, the text in it cannot refer to other files within the block, as its
+    origin is unknown.
 
     Raises
     ------
@@ -169,17 +180,17 @@ def content(
 
 @refusing()
 def loads(text: str | bytes, *, format: Format | None = None, name: str = "") -> Transmission:  # noqa: A002
-    r"""Read a case from a text; parameters and errors as of `load`.
+    r"""Read a case from a text.
 
     Parameters
     ----------
     text : str or bytes
         The case itself, not the name of a file.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        Told by the content when not given.
+        The format; by default it follows from the content.
     name : str, optional
-        For messages. Files that the text names are read beside it if it has a folder, as in
-        ``cases/box.yaml``; else they are refused, so that a text of a stranger reads none.
+        Name of the text in messages. Files named in the text are read relative to its folder, as
+        in ``cases/box.yaml``. Without a folder they are refused, as the text may be untrusted.
 
     Returns
     -------
@@ -190,7 +201,7 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     ReadError
         With every problem and its place.
     ValueError
-        If there is no such format.
+        If the format is unknown.
 
     Examples
     --------
@@ -209,14 +220,16 @@ def _encoded(text: str | bytes) -> bytes:
 
 
 def from_dict(data: Mapping[str, Any]) -> Transmission:
-    """The transmission of plain data, with the keys of YAML and JSON; no file is read.
+    """Return the transmission described by plain data, with the keys of YAML and JSON.
+
+    No file is read.
 
     Raises
     ------
     ReadError
         With every problem and its path.
     TypeError
-        If it is no mapping, or holds what is no plain data.
+        If `data` is not a mapping, or contains anything other than plain data.
 
     Examples
     --------
@@ -233,17 +246,19 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
             f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
         )
     text = json.dumps(data, default=_plain)
-    if "NaN" in text or "Infinity" in text:  # no JSON; texts are told by their keys
+    if "NaN" in text or "Infinity" in text:  # JSON lacks them; messages then quote them as texts
         text = json.dumps(json.loads(text, parse_constant=str))
     try:
         with no_files():
             return read(text.encode(), "<dict>", "json").case
-    except ReadError as error:  # the messages name the keys; a line of that text is no place
-        raise ReadError(one._replace(path=(), place=None) for one in error.problems) from None
+    except ReadError as error:  # the messages name the keys; a line of `text` means nothing here
+        raise ReadError(
+            problem._replace(path=(), place=None) for problem in error.problems
+        ) from None
 
 
 def _plain(value: Any) -> Any:
-    """Numbers and lists of NumPy, mappings that are no dict, as plain data."""
+    """Convert NumPy numbers, arrays and mappings to plain data for `json.dumps`."""
     if isinstance(value, Mapping):
         return dict(value)
     if hasattr(value, "tolist"):

@@ -1,10 +1,10 @@
-"""Cases as documents whose numbers can be replaced: trees of nodes, of YAML, JSON and workbooks."""
+"""Cases as trees of nodes, from YAML, JSON or workbooks, so that numbers can be replaced."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from vstatics.core.readers.named.nodes import Found, Node, decode
+from vstatics.core.readers.named.nodes import DocumentText, Node, decode
 from vstatics.core.readers.named.reader import case_tree, read_case_tree
 from vstatics.core.readers.reading import Reading, Source
 
@@ -13,34 +13,34 @@ if TYPE_CHECKING:
 
 
 class CaseDocument(NamedTuple):
-    """A case that was read as a tree, and where its nodes stand."""
+    """Case as a tree of nodes, with the text that contains the nodes."""
 
     root: Node
     source: Source
 
     def reading(self, root: Node) -> Reading:
-        """The case of a tree that was made of this one.
+        """Read the case of a modified tree of this document.
 
         Raises
         ------
         ReadError
-            With every problem that can be told from the others.
+            With every problem that does not follow from another.
         """
-        return read_case_tree(root, Found(self.source))
+        return read_case_tree(root, DocumentText(self.source))
 
 
 def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument | None:
-    """The document that a case is; none of a deck.
+    """Read a case as a tree of nodes; return `None` for a deck, which has no tree.
 
     Raises
     ------
     ReadError
-        If it can't be read as a tree.
+        If the text is not valid YAML, JSON or workbook.
 
     Examples
     --------
-    >>> made = case_document(b"links: 2\\ngears: {1: []}", "a.yaml", None)
-    >>> [key.text for key, _ in made.root.entries], case_document(b"", "a.dat", None)
+    >>> document = case_document(b"links: 2\\ngears: {1: []}", "a.yaml", None)
+    >>> [key.text for key, _ in document.root.entries], case_document(b"", "a.dat", None)
     (['links', 'gears'], None)
     """
     from vstatics.core.readers import format_of
@@ -49,9 +49,9 @@ def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument |
     if form == "xlsx":
         from vstatics.core.readers.workbook.reader import workbook_tree
 
-        root, found = workbook_tree(data, file)
-        return CaseDocument(root, found.source)
+        root, document = workbook_tree(data, file)
+        return CaseDocument(root, document.source)
     if form == "deck":
         return None
-    found = decode(data, file)
-    return CaseDocument(case_tree(found, form), found.source)
+    document = decode(data, file)
+    return CaseDocument(case_tree(document, form), document.source)

@@ -1,4 +1,4 @@
-"""What a document is, by its keys: a case, a scenario, a sweep file."""
+"""Kinds of documents, recognised by keys: case, scenario, sweep file."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _KEYS: dict[Kind, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""By one of which a kind is known, if no kind before has one of its own."""
+"""Keys that identify each kind; the first kind with a match counts."""
 
 
 def kind_of(root: Node) -> Kind | None:
-    """What a document in YAML or JSON is."""
+    """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
     keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
-    return next((kind for kind, own in _KEYS.items() if not keys.isdisjoint(own.split())), None)
+    return next((kind for kind, words in _KEYS.items() if not keys.isdisjoint(words.split())), None)
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Whether a file is a text of other matters, as no key of a case stands in it.
+    """Check whether a text file, such as `/etc/passwd`, lacks all keys of a case.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -33,21 +33,21 @@ def is_foreign(data: bytes, file: str) -> bool:
     from vstatics.core.readers import format_of
 
     keys = rb"(?:^|[\s{,\"'])(?:%s)[\"']?\s*:" % _KEYS["case"].replace(" ", "|").encode()
-    if b"\0" in data or re.search(keys, data):  # a zero is of a wider encoding
+    if b"\0" in data or re.search(keys, data):  # zero bytes occur in UTF-16 and UTF-32
         return False
     return format_of(file, data) not in ("deck", "xlsx")
 
 
 def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
-    """Whether a file is a document of this kind in YAML or JSON.
+    """Check whether a file is a document of a kind, in YAML or JSON.
 
     >>> is_of_kind("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
     from vstatics.core.readers import format_of
 
-    told = any(key.encode() in data for key in _KEYS[kind].split())
-    if not told or format_of(file, data) in ("deck", "xlsx"):
+    has_key = any(key.encode() in data for key in _KEYS[kind].split())
+    if not has_key or format_of(file, data) in ("deck", "xlsx"):
         return False
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
@@ -58,7 +58,7 @@ def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function by which an annex takes a document; None if it takes no such text.
+    """Return the function of an annex that handles a document, or `None` for a case.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What every reader of cases shares: the text with its lines, and the way it ends."""
+"""Common parts of all readers of cases: the text with line numbers, and the final checks."""
 
 from __future__ import annotations
 
@@ -12,34 +12,33 @@ from vstatics.core.model.transmission import Transmission
 
 
 class Source:
-    """A text and its file name; gives places in it."""
+    """Text of a file, which gives the places in it."""
 
     def __init__(self, file: str, text: str) -> None:
-        """Keep the text."""
         self.file = file
         self.text = text
 
     @cached_property
     def lines(self) -> list[str]:
-        """The lines, whatever ends them; those of a long table are deleted when it is read."""
+        """Lines of the text, for any line ending; readers of long tables delete the list."""
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
-        """The place at a line and column, both from 1; line 0 is the file as a whole."""
+        """Return the place at a line and column, both from 1; line 0 is the file as a whole."""
         text = self.lines[line - 1] if 0 < line <= len(self.lines) else ""
         return Place(self.file, line, column, text)
 
 
 class Reading(NamedTuple):
-    """A case that was read, what is doubtful about it, and where its parts stand."""
+    """Result of reading: the case, the warnings, and the places of all parts."""
 
     case: Transmission
     warnings: list[Problem]
     locate: Callable[[Problem], Problem]
-    """Gives a problem of the model its place, and puts the name of the field before it."""
+    """Function that adds the place and the field name to a problem of the model."""
 
     def allowing(self, ids: Sequence[str]) -> Reading:
-        """The same with more messages that are not told, of which the case itself says nothing."""
+        """Return a reading with more suppressed message ids than the case itself lists."""
         if not ids:
             return self
         case = self.case.replace(hushed=(*self.case.hushed, *ids))
@@ -48,46 +47,46 @@ class Reading(NamedTuple):
 
 def finish(
     parts: dict[str, Any],
-    found: Iterable[Problem],
+    problems: Iterable[Problem],
     unreadable: Iterable[Path],
     locate: Callable[[Problem], Problem],
 ) -> Reading:
-    """Make the case from its parts, and report all problems of text and model together.
+    """Build the case from parts, and report all problems of text and model together.
 
     Parameters
     ----------
     parts : dict
-        The arguments of `Transmission`; what could not be read holds a stand-in.
-    found : iterable of Problem
-        What the reader itself found, with places.
+        Arguments of `Transmission`, with stand-ins for unreadable values.
+    problems : iterable of Problem
+        Problems found by the reader, with their places.
     unreadable : iterable of Path
-        Where the stand-ins are: what the model says about these is not reported.
+        Paths of the stand-ins; problems of the model at these paths are not reported.
     locate : callable
-        Gives a problem of the model its place in the text.
+        Function that adds the place in the text to a problem of the model.
 
     Raises
     ------
     ReadError
-        If there is any error: errors in the order of the text, then what is doubtful.
+        If there is any error: errors in the order of the text, then warnings.
     """
-    found = list(found)
+    problems = list(problems)
     is_certain = certain(unreadable)
     try:
         case = Transmission(**parts)
     except CaseError as error:
-        found += [locate(one) for one in error.problems if is_certain(one.path)]
+        problems += [locate(problem) for problem in error.problems if is_certain(problem.path)]
     else:
-        found += [locate(one) for one in doubts(case) if is_certain(one.path)]
-    found.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
-    if any(problem.severity == "error" for problem in found):
-        raise ReadError(sorted(found, key=lambda problem: problem.severity != "error"))
-    return Reading(case, not_allowed(found, case.untold), locate)
+        problems += [locate(problem) for problem in doubts(case) if is_certain(problem.path)]
+    problems.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
+    if any(problem.severity == "error" for problem in problems):
+        raise ReadError(sorted(problems, key=lambda problem: problem.severity != "error"))
+    return Reading(case, not_allowed(problems, case.untold), locate)
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
-    """Tells whether no stand-in is above or below the part that a problem is about.
+    """Return a predicate that accepts paths neither above nor below a stand-in.
 
-    However many there are of both, it takes no longer than to go through them once.
+    The predicate costs one set lookup per level of the path, for any number of stand-ins.
 
     >>> is_certain = certain([("gears", 2)])
     >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))

@@ -1,4 +1,4 @@
-"""What was recorded over time: some columns of a CSV file, as `vstatics simulate` writes them."""
+"""Signals recorded over time: columns of a CSV file, as `vstatics simulate` writes them."""
 
 from __future__ import annotations
 
@@ -20,51 +20,54 @@ from vstatics.core.tables.csv import unguarded
 
 
 class RecordedColumns(NamedTuple):
-    """Columns that were found, in SI, by their names."""
+    """Wanted columns of a record, in SI units, by name."""
 
     columns: Mapping[str, Floats]
     headings: tuple[str, ...]
-    """All that there are."""
+    """Headings of all columns of the file."""
     lines: Sequence[int]
-    """Of the rows."""
+    """Line number of each row."""
     source: Source
 
     def place(self, row: int) -> Place:
-        """Where a row stands, counted from 0."""
+        """Return the place of a row, counted from 0."""
         return self.source.place(self.lines[row])
 
     def lacks(self, identity: str, heading: str) -> Problem:
-        """The problem that a column is missing; those of its kind are told, if there are some."""
+        """Return the problem of a missing column; the message lists similar columns."""
         kind, bracket, _ = heading.partition("[")
-        such = [one for one in self.headings if bracket and one.startswith(kind + bracket)]
-        known = such or self.headings
-        there = f"columns {f'of {kind} ' * bool(such)}are {listed(known)}"
+        alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
+        known = alike or self.headings
+        there = f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}"
         message = f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
         return self.problem(identity, message)
 
     def problem(self, identity: str, message: str) -> Problem:
-        """A problem of the columns as such."""
+        """Return a problem with the headings of the file."""
         return Problem(identity, message, (), self.source.place(1))
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read those of the wanted columns that there are.
+    """Read the wanted columns that the file has.
 
     Parameters
     ----------
     data : bytes
         A line of headings, then a line for each instant.
     file : str
-        Its name, for messages.
-    wanted : mapping of str to str
-        Headings, behind which a unit may stand in brackets or parentheses, with what they measure;
-        None: whatever their unit is.
+        Name of the file, for messages.
+    wanted : mapping of str to str or None
+        Measure of each wanted column, by its heading without a unit; None accepts any unit. In the
+        file a unit can follow the heading in brackets or parentheses.
+
+    Returns
+    -------
+    RecordedColumns
 
     Raises
     ------
     ReadError
-        With every cell of these that is no finite number, and its line, or a column that is there
-        twice.
+        With every cell of a wanted column that is not a finite number, or with a repeated column.
 
     Examples
     --------
@@ -94,7 +97,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
             if len(problems) >= MOST_PROBLEMS:
                 break
     except ValueError as error:
-        raise ReadError([Problem("E121", str(error), (), source.place(1))]) from None
+        raise ReadError("E121", str(error), place=source.place(1)) from None
     if problems:
         raise ReadError(problems)
     return RecordedColumns(
@@ -105,29 +108,26 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
 def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
-    """The wanted columns by their names: index, and size of the unit in SI."""
+    """Return the index of each wanted column, and the size of the unit in SI."""
     places: dict[str, tuple[int, float]] = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
         if name in places:
             message = f"{name}: read two columns of this name, expected one"
-            raise ReadError([Problem("E121", message, (), head)])
+            raise ReadError("E121", message, place=head)
         if name in wanted:
-            places[name] = place, _size(heading, name, wanted[name], head)
+            measure, size = wanted[name], 1.0
+            if measure is not None and heading != name:
+                column = TableColumn(name, measure, may_be_bare=True)
+                try:
+                    size = column.size(with_unit(heading)[1] or None)
+                except ValueError as error:
+                    raise ReadError("E121", str(error), place=head) from None
+            places[name] = place, size
     return places
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """The name of a heading, without its unit if only that makes it a wanted column."""
+    """Return the name in a heading, without the unit unless the full heading is wanted."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading
-
-
-def _size(heading: str, name: str, measure: Measure | None, head: Place) -> float:
-    _, unit = with_unit(heading)
-    if heading == name or measure is None:
-        return 1.0
-    try:
-        return TableColumn(name, measure, may_be_bare=True).size(unit or None)
-    except ValueError as error:
-        raise ReadError([Problem("E121", str(error), (), head)]) from None

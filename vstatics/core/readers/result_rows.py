@@ -1,4 +1,4 @@
-"""Written results as rows, a number each: CSV, and Parquet of many cases."""
+"""Readers of results written as rows with a single number: CSV, and Parquet of many cases."""
 
 from __future__ import annotations
 
@@ -7,38 +7,51 @@ import io
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.core.errors import ReadError, of_file
-from vstatics.core.extras import missing
+from vstatics.core.errors import ReadError
 from vstatics.core.readers.reading import Source
-from vstatics.core.readers.sweep_tables import expect_parquet_size
+from vstatics.core.readers.sweep_tables import open_parquet
 from vstatics.core.tables.csv import unguarded
 from vstatics.core.tables.quantities import BY_NAME
 from vstatics.core.tables.written_results import Figure, WrittenResult
 
 
 def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    """The error that a file holds no result, at a place of it."""
+    """Return the error that a file contains no result, at a place in the file."""
     return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 COLUMNS = ["table", "row", "gear", "value"]
 PARQUET = b"PAR1"
 _Cells = dict[str, dict[str, dict[str, Figure]]]
-"""Of a result: table, row, and gear or device."""
+"""Figures of a result by table, row, and gear or device."""
+
+
+def finite_figure(value: str | float | None) -> Figure:
+    """Return a written number as a figure; `None` becomes NaN.
+
+    Raises
+    ------
+    ValueError
+        If the number is infinite, or the text is not a number.
+    """
+    number = math.nan if value is None else float(value)
+    if math.isinf(number):
+        raise ValueError("expected a finite number")
+    return Figure(number)
 
 
 def is_csv(text: str) -> bool:
-    """Whether a text begins as such a file does."""
+    """Check whether a text begins with the headings of a result in CSV."""
     return text.partition("\n")[0].strip().split(",") in (COLUMNS, ["case", *COLUMNS])
 
 
 def read_csv(text: str, file: str) -> list[WrittenResult]:
-    """The results of a file in their order.
+    """Read the results of a CSV file, in the order of the file.
 
     Raises
     ------
     ReadError
-        If a line has no number, or belongs to no table.
+        If a line contains no number, or belongs to no table.
     """
     lines = _csv_lines(text, file)
     has_case = next(lines)[1][0] == "case"
@@ -53,58 +66,41 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
             raise no_result(message, file, number)
         table, name, gear, value = cells
         try:
-            figure = Figure(_finite(value) if value else math.nan)
+            figure = finite_figure(value or None)
         except ValueError:
             raise no_result(f"read {value!r}, expected a finite number", file, number) from None
         _put(results, case, (table, name, gear), figure)
     return _made(results, file)
 
 
-def _finite(value: str | float) -> float:
-    """A number, or NaN.
-
-    Raises
-    ------
-    ValueError
-    """
-    number = float(value)
-    if math.isinf(number):
-        raise ValueError("expected a finite number")
-    return number
-
-
 def is_parquet(data: bytes) -> bool:
-    """Whether a file is Parquet with the columns of results: a sweep has others."""
+    """Check whether a file is Parquet with the columns of results, not of a sweep."""
     footer = data[-8 - int.from_bytes(data[-8:-4], "little") :]
     return data.startswith(PARQUET) and all(name.encode() in footer for name in ("case", *COLUMNS))
 
 
 def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
-    """The results of such a file in their order.
+    """Read the results of a Parquet file, in the order of the file.
 
     Raises
     ------
     ReadError
-        If it can't be read, or the package is missing.
+        If the file cannot be read, or the package for Parquet is missing.
     """
-    if message := missing("parquet", "Parquet"):
-        raise ReadError([of_file("E014", file, message)])
-    import pyarrow as pa  # type: ignore[import-untyped]
-    import pyarrow.parquet as pq  # type: ignore[import-untyped]
-
     results: dict[str, _Cells] = {}
     try:
-        opened = pq.ParquetFile(pa.BufferReader(data))
-        expect_parquet_size(opened)
+        opened = open_parquet(data, file)
         for batch in opened.iter_batches(columns=["case", *COLUMNS], use_threads=False):
             for case, table, name, gear, value in zip(
                 *(column.to_pylist() for column in batch.columns), strict=True
             ):
-                figure = Figure(math.nan if value is None else _finite(value))
+                figure = finite_figure(value)
                 _put(
                     results, str(case or ""), (str(table), str(name or ""), str(gear or "")), figure
                 )
-    except Exception as error:  # noqa: BLE001 - of a library with errors of its own
+    except ReadError:
+        raise
+    except Exception as error:  # noqa: BLE001 (pyarrow has many classes of errors)
         text = " ".join(str(error).split())
         raise no_result(f"no results in Parquet: {text[:200]}", file) from None
     return _made(results, file)
@@ -126,11 +122,12 @@ def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
 
 
 def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
-    """The same result, unless a list over gears has several rows.
+    """Return a result after checking that each list over gears has a single row.
 
     Raises
     ------
     ReadError
+        If a list over gears has several rows.
     """
     for key, rows in result.tables.items():
         if BY_NAME[key].rows == "one" and len(rows) != 1:
@@ -139,7 +136,7 @@ def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
 
 
 def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """Lines of CSV, which a carriage return alone ends, too, each with its number."""
+    """Yield the rows of a CSV file with line numbers; a carriage return ends a line, too."""
     lines = csv.reader(io.StringIO(text, newline=None))
     try:
         for row in lines:
@@ -161,5 +158,6 @@ def _result(file: str, tables: _Cells) -> WrittenResult:
             devices = columns
         else:
             gears = max(gears, columns, key=len)
-    told = WrittenResult(figures, None, printed=False, rows=rows, file=file)
-    return told._replace(gears=gears, devices=devices)
+    return WrittenResult(
+        figures, None, printed=False, rows=rows, file=file, gears=gears, devices=devices
+    )

@@ -1,4 +1,4 @@
-"""Written results, a listing, JSON or rows, back to tables of numbers, for comparison."""
+"""Readers of written results (listing, JSON or rows) into tables of numbers, for comparison."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from vstatics.core.readers.deck.text import SPRING, decode, head, scan
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.result_rows import (
     checked,
+    finite_figure,
     is_csv,
     is_parquet,
     no_result,
@@ -38,18 +39,18 @@ OTHERS = {
     "changed": "what compare told",
     "gears": CASE,
 }
-"""What has no format in it, by a key that a result has not."""
+"""Descriptions of other documents without a format, by a key that results lack."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
-"""The line above each of several listings in one text."""
+"""Line with the file name above each of several listings in a text."""
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
-    """Read a listing, JSON, JSON lines, CSV or Parquet; several in one file come in their order.
+    """Read results from a listing, JSON, JSON lines, CSV or Parquet, in the order of the file.
 
     Raises
     ------
     ReadError
-        If the text is no result.
+        If the text is not a result.
     """
     if is_parquet(data):
         return read_parquet(data, file)
@@ -75,9 +76,9 @@ def _read_json(text: str, file: str) -> list[WrittenResult]:
 
 
 def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
-    """Whether what is no JSON is JSON lines, of which one may be broken.
+    """Check whether invalid JSON is JSON lines, possibly with a broken line.
 
-    The first object ends in its line, or objects begin in more lines than one.
+    A text is JSON lines if the first object ends in its line, or objects begin in several lines.
     """
     if text.lstrip()[:1] != "{":
         return False
@@ -87,7 +88,7 @@ def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
 
 
 def _read_lines(text: str, file: str) -> list[WrittenResult]:
-    """JSON lines: a result each; empty lines do not count as results."""
+    """Read JSON lines, each with a result, and skip empty lines."""
     results: list[WrittenResult] = []
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
@@ -102,8 +103,8 @@ def _read_lines(text: str, file: str) -> list[WrittenResult]:
 def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
     if isinstance(error, json.JSONDecodeError):
         return no_result(f"no JSON: {error.msg}", file, line or error.lineno, error.colno)
-    told = "nested too deeply" if isinstance(error, RecursionError) else error
-    return no_result(f"no JSON that can be read: {told}", file, line)
+    reason = "nested too deeply" if isinstance(error, RecursionError) else error
+    return no_result(f"no JSON that can be read: {reason}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:
@@ -131,14 +132,14 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
 
 
 def _no_tables(document: Mapping[str, Any], number: int) -> str:
-    """What is said of a document without tables, which may be one of another command."""
+    """Return the message for a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
-        what = f"one of {form.removeprefix('vstatics-')}"
+        kind = f"one of {form.removeprefix('vstatics-')}"
     else:
-        what = next((told for key, told in OTHERS.items() if key in document), "")
-    if what:
-        return f"result {number} is {what}; {TAKEN}"
+        kind = next((description for key, description in OTHERS.items() if key in document), "")
+    if kind:
+        return f"result {number} is {kind}; {TAKEN}"
     known = ", ".join(quantity.key for quantity in QUANTITIES[:3])
     keys = ", ".join(map(quoted, [*document][:3])) + ", ..." * (len(document) > 3)
     has = f"has {plural('key', len(document))} {keys}, none" if keys else "has none"
@@ -146,13 +147,13 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
 
 
 def _file(document: Mapping[str, Any]) -> str:
-    """The file of a result, if it tells; of a case in error with its folders."""
+    """Return the file name in a result, or an empty text."""
     file = document.get("case" if "errors" in document else "file")
     return file if isinstance(file, str) else ""
 
 
 def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """The names of the rows of each table that has as many."""
+    """Return the row names of each table with a matching number of rows."""
     return {
         table: [str(name) for name in names]
         for table, names in (given.items() if isinstance(given, dict) else ())
@@ -163,14 +164,11 @@ def _row_names(given: Any, tables: Mapping[str, Figures]) -> dict[str, list[str]
 def _from_json(value: Any) -> Figure:
     if isinstance(value, str):
         raise TypeError(value)
-    number = math.nan if value is None else float(value)
-    if math.isinf(number):
-        raise ValueError(value)
-    return Figure(number)
+    return finite_figure(value)
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """The case that a result tells of, if it does."""
+    """Return the case contained in a result, or `None`."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -178,67 +176,71 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
-    """A report begins at each KJG= that follows a table, below the name of its file."""
+    """Read a listing, in which a new report begins at each `KJG=` after a table."""
     reports: list[WrittenResult] = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
-    first, table, of_case, coming = 0, "", "", ""
+    first, table, report_file, next_file = 0, "", "", ""
     lines = Source(file, text).lines
     for number, line in enumerate([*lines, "KJG="]):
         field = head(line)
         if field == "KJG":
             if tables:
-                named = _row_names(names, tables)
-                made = WrittenResult(tables, None, printed=True, rows=named, file=of_case)
-                reports.append(_with_case(checked(made, file, number), lines[first:number]))
-                tables, names, first, table, of_case = {}, {}, number, "", ""
-            of_case, coming = coming or of_case, ""
+                row_names = _row_names(names, tables)
+                result = WrittenResult(tables, None, printed=True, rows=row_names, file=report_file)
+                reports.append(_with_case(checked(result, file, number), lines[first:number]))
+                tables, names, first, table, report_file = {}, {}, number, "", ""
+            report_file, next_file = next_file or report_file, ""
         elif named_file := NAMED_FILE.match(line):
-            coming, table = named_file[1], ""
+            next_file, table = named_file[1], ""
         elif field in PRINTED:
             table = PRINTED[field].key
             tables.setdefault(table, [])
         elif table and line.strip():
-            numbers, is_named, name = line.partition(BEFORE_NAME)
+            numbers, has_name, name = line.partition(BEFORE_NAME)
             figures = _figures(numbers.split())
             if figures is None:
                 table = ""
             else:
                 tables[table].append(figures)
-                names.setdefault(table, []).extend([name.strip()] * bool(is_named))
+                names.setdefault(table, []).extend([name.strip()] * bool(has_name))
     if not reports:
         is_case = any(head(line) or line.startswith("gears:") for line in lines)
         raise no_result(f"{CASE if is_case else 'no table of results found'}; {TAKEN}", file)
     return reports
 
 
-def _with_case(made: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """A listing with the case at its head; of one with springs, which no deck has, the names."""
+def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
+    """Add the case in the head to a listing, or only the names if the case has springs.
+
+    A deck cannot contain springs, so that such a case cannot be read back.
+    """
     springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
     if not springs:
-        return made._replace(case=_case("\n".join(lines), "deck"))
-    given = {one[:2]: one[2] for one in scan(Source("", "\n".join(lines))).names}
-    elements = made.rows.get("WFRI", ())
-    columns, gears = (max(map(len, made.tables.get(key, ())), default=0) for key in ("AJK", "W"))
+        return result._replace(case=_case("\n".join(lines), "deck"))
+    names = {name[:2]: name[2] for name in scan(Source("", "\n".join(lines))).names}
+    elements = result.rows.get("WFRI", ())
+    columns, gears = (max(map(len, result.tables.get(key, ())), default=0) for key in ("AJK", "W"))
     sets = range(1, columns - len(elements) - len(springs) + 1)
-    mechanisms = [given.get(("D", str(number)), mechanism_name(number)) for number in sets]
-    return made._replace(
-        gears=[given.get(("P", str(number)), str(number)) for number in range(1, gears + 1)],
+    mechanisms = [names.get(("D", str(number)), mechanism_name(number)) for number in sets]
+    return result._replace(
+        gears=[names.get(("P", str(number)), str(number)) for number in range(1, gears + 1)],
         devices=[*elements, *mechanisms, *springs],
     )
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """The numbers of a printed row, or None if it is something else."""
+    """Return the numbers of a printed row, or `None` if the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:
             figures.append(Figure(math.nan))
             continue
-        mantissa, _, exponent = word.upper().replace("D", "E").partition("E")
+        number = word.upper().replace("D", "E")
+        mantissa, _, exponent = number.partition("E")
         _, point, decimals = mantissa.partition(".")
         try:
-            value = float(word.upper().replace("D", "E"))
+            value = float(number)
             scale = int(exponent or 0) - len(decimals)
             slack = 0.5 * 10.0**scale if point else 0.0
         except (ValueError, OverflowError):

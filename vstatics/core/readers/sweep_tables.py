@@ -1,4 +1,4 @@
-"""Written sweeps, back to columns of numbers: CSV, JSON lines, NPZ, Parquet, a workbook."""
+"""Readers of written sweeps into columns: CSV, JSON lines, NPZ, Parquet, workbooks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from vstatics.core.errors import Problem, ReadError, of_file, quoted
+from vstatics.core.errors import ReadError, of_file, quoted
 from vstatics.core.extras import missing
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Source
@@ -25,46 +25,64 @@ if TYPE_CHECKING:
     Column: TypeAlias = list[Any] | Floats
 
 MOST_TABLE_CELLS = 20_000_000
-"""Bound of the cells of a table: as Python's numbers they take 640 MB."""
+"""Bound on the cells of a table; 20 million Python numbers take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 SHEET = "Variants"
 WORKBOOK = b"xl/workbook.xml"
-"""In every XLSX, which is an archive like NPZ."""
+"""Name of a member that every XLSX archive has and an NPZ archive lacks."""
 
 
 def is_sweep(data: bytes) -> bool:
-    """Whether a file begins as a table of variants does."""
+    """Check whether a file begins like a table of variants."""
     return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
 
 
 def is_workbook(data: bytes) -> bool:
-    """Whether a file is XLSX, of whatever."""
+    """Check whether a file is a workbook in XLSX."""
     return data.startswith(b"PK") and WORKBOOK in data
 
 
 def read(data: bytes, file: str) -> WrittenSweep:
-    """The columns of a sweep.
+    """Read a sweep from CSV, JSON lines, NPZ, Parquet or a workbook.
+
+    Parameters
+    ----------
+    data : bytes
+        The content of a file.
+    file : str
+        Name of the file, for messages.
+
+    Returns
+    -------
+    WrittenSweep
+        The variants with their statuses, and a column for each quantity.
 
     Raises
     ------
     ReadError
-        If it can't be read, or a package is missing.
+        If the file cannot be read, or a package is missing.
+
+    Examples
+    --------
+    >>> data = b"variant,i,status,ratio\\n1,2.5,ok,3.5\\n"
+    >>> read(data, "sweep.csv").columns
+    {'i': [2.5], 'ratio': [3.5]}
     """
-    found = columns(data, file)
+    table = columns(data, file)
     try:
-        return _of_columns(found)
+        return _of_columns(table)
     except (TypeError, ValueError, OverflowError) as error:
-        raise _none(file, error) from None
+        raise _no_sweep(file, error) from None
 
 
 def columns(data: bytes, file: str) -> dict[str, Column]:
-    """The columns of a table, whatever they hold, by their names; all are of one length.
+    """Read a table as columns of equal length, by name.
 
     Raises
     ------
     ReadError
-        If it can't be read, or a package is missing.
+        If the file cannot be read, or a package is missing.
     """
     try:
         if data.startswith(b"PK"):
@@ -75,22 +93,23 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
         return _json_lines(text, file) if text.startswith("{") else _csv(text, file)
     except ReadError:
         raise
-    except Exception as error:  # noqa: BLE001 - four libraries with errors of their own
-        raise _none(file, error) from None
+    except Exception as error:  # noqa: BLE001 (four libraries with their classes of errors)
+        raise _no_sweep(file, error) from None
 
 
-def _none(file: str, error: Exception, line: int = 0) -> ReadError:
+def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
     text = " ".join(str(error).split()) or type(error).__name__
     message = f"no table of variants: {text[:200]}"
-    return ReadError([Problem("E111", message, (), Source(file, "").place(line))])
+    return ReadError("E111", message, place=Source(file, "").place(line))
 
 
 def expect_size(cells: int, size: int = 0) -> None:
-    """Refuse a table that is larger than memory should hold, before it is read.
+    """Check that the cells and the unpacked size [bytes] of a table fit into memory.
 
     Raises
     ------
     ValueError
+        If the table is too large.
 
     Examples
     --------
@@ -113,46 +132,35 @@ def _csv(text: str, file: str) -> dict[str, Column]:
     for line in lines:
         if line and len(line) != len(names):
             error = ValueError(f"read {len(line)} cells, expected {len(names)}, as in the heading")
-            raise _none(file, error, lines.line_num)
+            raise _no_sweep(file, error, lines.line_num)
         rows += [line] * bool(line)
         expect_size(len(rows) * len(names))
     return {name: [row[place] for row in rows] for place, name in enumerate(names)}
 
 
 def _json_lines(text: str, file: str) -> dict[str, Column]:
-    """The columns of objects that have the keys of the first one."""
-    read: dict[str, list[Any]] = {}
+    """Read the columns of JSON objects that all have the keys of the first object."""
+    table: dict[str, list[Any]] = {}
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
             continue
         try:
-            row = _row(line)
-            read = read or {name: [] for name in row}
-            for name in read:
+            row = json.loads(line, object_pairs_hook=_different_keys)
+            if not isinstance(row, dict):
+                raise ValueError("read no JSON object")  # noqa: TRY004, TRY301 (a wrong text)
+            table = table or {name: [] for name in row}
+            for name in table:
                 if name not in row:
                     raise ValueError(f"the key {quoted(name)} is missing")  # noqa: TRY301
-                read[name].append(row[name])
-            if len(row) > len(read):
-                other = next(name for name in row if name not in read)
+                table[name].append(row[name])
+            if len(row) > len(table):
+                other = next(name for name in row if name not in table)
                 raise ValueError(f"the key {quoted(other)} is not in the first line")  # noqa: TRY301
-            expect_size(len(read) * len(next(iter(read.values()), ())))
+            expect_size(len(table) * len(next(iter(table.values()), ())))
         except (RecursionError, ValueError) as error:
             deep = isinstance(error, RecursionError)
-            raise _none(file, ValueError(TOO_DEEP) if deep else error, number) from None
-    return dict(read)
-
-
-def _row(line: str) -> dict[str, Any]:
-    """The object of a line, whose keys are there once.
-
-    Raises
-    ------
-    ValueError, RecursionError
-    """
-    row = json.loads(line, object_pairs_hook=_different_keys)
-    if not isinstance(row, dict):
-        raise ValueError("read no JSON object")  # noqa: TRY004 - of a text, not of an argument
-    return row
+            raise _no_sweep(file, ValueError(TOO_DEEP) if deep else error, number) from None
+    return dict(table)
 
 
 def _different_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -161,7 +169,7 @@ def _different_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _expect_different(names: Sequence[str]) -> None:
-    """Refuse a name that two columns, or two keys of a line, have.
+    """Check that the names of columns, or the keys of a line, are different.
 
     Raises
     ------
@@ -173,7 +181,7 @@ def _expect_different(names: Sequence[str]) -> None:
 
 
 def _workbook(data: bytes, file: str) -> dict[str, Column]:
-    """The columns of the sheet of a sweep, or of the only one."""
+    """Read the sheet of variants of a workbook, or the only sheet."""
     from vstatics.core.readers.workbook.cells import read_sheets
 
     names = [sheet.name for sheet in read_sheets(data, file, ())]
@@ -187,17 +195,19 @@ def _workbook(data: bytes, file: str) -> dict[str, Column]:
         raise ValueError("its sheet is empty")
     heads = {cell.column: cell.text for cell in rows[0]}
     _expect_different([*heads.values()])
-    found = [{cell.column: cell.text for cell in row} for row in rows[1:]]
-    return {name: [row.get(column) for row in found] for column, name in heads.items()}
+    rows_below = [{cell.column: cell.text for cell in row} for row in rows[1:]]
+    return {name: [row.get(column) for row in rows_below] for column, name in heads.items()}
 
 
 def read_npz(data: bytes) -> dict[str, Column]:
-    """The arrays of an NPZ; codes of statuses and gears become the texts for which they stand.
+    """Read the arrays of an NPZ file, with texts instead of the codes of statuses and gears.
 
     Raises
     ------
+    ValueError
+        If the arrays are not a table.
     Exception
-        Of another kind each, if it is damaged; a ValueError if it is not a table.
+        Of various classes if the file is damaged.
     """
     import numpy as np
 
@@ -224,7 +234,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
 
 
 def _expect_declared(packed: ZipFile) -> None:
-    """Refuse arrays that are too large, or larger than what the archive has of them.
+    """Check that arrays are small enough and complete, before unpacking.
 
     Raises
     ------
@@ -246,36 +256,43 @@ def _expect_declared(packed: ZipFile) -> None:
 
 
 def _parquet(data: bytes, file: str) -> dict[str, Column]:
+    table = open_parquet(data, file).read(use_threads=False)
+    from pyarrow.types import is_floating  # type: ignore[import-untyped]
+
+    _expect_different(table.column_names)
+    return {
+        name: column.to_numpy() if is_floating(column.type) else column.to_pylist()
+        for name, column in zip(table.column_names, table.columns, strict=True)
+    }
+
+
+def open_parquet(data: bytes, file: str) -> Any:
+    """Open a Parquet file after checking the size that the file declares.
+
+    Raises
+    ------
+    ReadError
+        If the package for Parquet is missing.
+    ValueError
+        If the tables are too large.
+    Exception
+        Of various classes if the file is damaged.
+    """
     if message := missing("parquet", "Parquet"):
         raise ReadError([of_file("E014", file, message)])
     import pyarrow as pa  # type: ignore[import-untyped]
     import pyarrow.parquet as pq  # type: ignore[import-untyped]
 
     opened = pq.ParquetFile(pa.BufferReader(data))
-    expect_parquet_size(opened)
-    table = opened.read(use_threads=False)
-    _expect_different(table.column_names)
-    return {
-        name: column.to_numpy() if pa.types.is_floating(column.type) else column.to_pylist()
-        for name, column in zip(table.column_names, table.columns, strict=True)
-    }
-
-
-def expect_parquet_size(opened: Any) -> None:
-    """Refuse a Parquet file by the sizes that it declares.
-
-    Raises
-    ------
-    ValueError
-    """
     about = opened.metadata
     groups = [about.row_group(number) for number in range(about.num_row_groups)]
     rows = sum(group.num_rows for group in groups)
     expect_size(rows * about.num_columns, sum(group.total_byte_size for group in groups))
+    return opened
 
 
 def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
-    """Numbers, of which NaN is none, under the names of their columns.
+    """Build a sweep from the columns of a table.
 
     Raises
     ------
@@ -299,12 +316,12 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
         list(map(str, columns[STATUS])),
         numbers,
         tuple(name for name in names[:place] if name != NUMBER),
-        [str(one) for one in columns[GEAR]] if by_gear else (),
+        [str(gear) for gear in columns[GEAR]] if by_gear else (),
     )
 
 
 def _numbers(name: str, column: Column) -> list[float]:
-    """The numbers of a column; NaN where a cell is empty.
+    """Convert the cells of a column to numbers, with NaN for empty cells.
 
     Raises
     ------

@@ -31,11 +31,11 @@ from vstatics.core.readers.reading import Source
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
-"""Rows of a table; a day in tenths of a second has 864,000."""
+"""Maximum number of rows of a table; a day in steps of a tenth of a second has 864,000."""
 
 
 class UnitTable(NamedTuple):
-    """A table that was read: numbers in SI, and the line of each row."""
+    """Columns of a table: numbers in SI units, texts, and the line of each row."""
 
     numbers: Mapping[str, Sequence[float]]
     texts: Mapping[str, Sequence[str]]
@@ -44,16 +44,16 @@ class UnitTable(NamedTuple):
     head: HeadingLine
 
     def place(self, row: int) -> Place:
-        """Where a row stands, counted from 0."""
+        """Return the place of a row, counted from 0."""
         return self.source.place(self.lines[row])
 
     @property
     def head_place(self) -> Place:
-        """The line of the headings."""
+        """Place of the line of headings."""
         return self.source.place(self.head.number)
 
 
-def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
+def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     data: bytes,
     file: str,
     what: str,
@@ -62,7 +62,7 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
     *,
     skips: bool = False,
 ) -> UnitTable:
-    """Read a table.
+    """Read a table of numbers and texts, with a unit in the heading of each column of numbers.
 
     Parameters
     ----------
@@ -70,15 +70,19 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
         A line of headings, then a line for each row, with commas, or with semicolons or tabs and
         decimal commas. Lines above the headings are titles.
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
     what : str
-        What it is, in words: ``a duty cycle``.
+        Kind of the table, in words: ``a duty cycle``.
     columns : sequence of TableColumn
-        Those that it may have, in any order.
+        Columns that the table can have, in any order.
     id : str
-        Of what is wrong in it.
+        Id of the messages about the table.
     skips : bool
         Whether columns with other headings are skipped.
+
+    Returns
+    -------
+    UnitTable
 
     Raises
     ------
@@ -97,7 +101,7 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
     try:
         head = read_headings(_filled(source.lines, 1), what, columns, skips=skips)
     except HeadingError as error:
-        raise ReadError([Problem(id, str(error), (), source.place(error.line))]) from None
+        raise ReadError(id, str(error), place=source.place(error.line)) from None
     rows = _ColumnsRead(head)
     problems = [
         Problem(id, message, (), source.place(line))
@@ -105,7 +109,7 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
     ]
     if len(rows.lines) > MOST_TABLE_ROWS:
         message = f"read more rows, expected {MOST_TABLE_ROWS} at most"
-        raise ReadError([Problem(id, message, (), source.place(head.number))])
+        raise ReadError(id, message, place=source.place(head.number))
     if not (rows.lines or problems):
         message = f"there is no row below the headings, expected {what}"
         problems.append(Problem(id, message, (), source.place(head.number)))
@@ -114,7 +118,7 @@ def read_unit_table(  # noqa: PLR0913 (a table is described by as much)
         problems.append(Problem(id, message, (), source.place(line_in_doubt)))
     if problems:
         raise ReadError(problems)
-    del source.lines  # they take more memory than the numbers
+    del source.lines  # the lines take more memory than the numbers
     return UnitTable(rows.numbers, rows.texts, rows.lines, source, head)
 
 
@@ -123,34 +127,27 @@ def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
 
 
 class _ColumnsRead:
-    """The rows of a table, column by column."""
+    """Collector of the rows of a table, column by column."""
 
     def __init__(self, head: HeadingLine) -> None:
         self.head = head
         self.decimals = Decimals(head.separator)
         self.lines = array("q")
-        self.numbers = {
-            heading.column.name: array("d")
-            for heading in head.headings
-            if not heading.column.is_text
-        }
-        self.texts: dict[str, list[str]] = {
-            heading.column.name: [] for heading in head.headings if heading.column.is_text
-        }
-        self._sizes = [
-            (heading.place, heading.column.name, heading.size, self.numbers[heading.column.name])
-            for heading in head.headings
-            if not heading.column.is_text
-        ]
-        self._words = [
-            (heading.place, self.texts[heading.column.name])
-            for heading in head.headings
-            if heading.column.is_text
-        ]
+        self.numbers: dict[str, array[float]] = {}
+        self.texts: dict[str, list[str]] = {}
+        self._sizes: list[tuple[int, str, float, array[float]]] = []
+        self._words: list[tuple[int, list[str]]] = []
+        for heading in head.headings:
+            name, place = heading.column.name, heading.place
+            if heading.column.is_text:
+                self._words.append((place, self.texts.setdefault(name, [])))
+            else:
+                numbers = self.numbers.setdefault(name, array("d"))
+                self._sizes.append((place, name, heading.size, numbers))
         self._has_comments = all(place for place, _ in self._words)
 
     def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
-        """Add all rows; yield the faults with their lines, and end where these are many."""
+        """Add all rows, and yield up to `MOST_PROBLEMS` faults, each with a line number."""
         faults = 0
         for start in range(first, len(lines) + 1, _BLOCK_LINES):
             block = lines[start - 1 : start - 1 + _BLOCK_LINES]
@@ -166,7 +163,7 @@ class _ColumnsRead:
                 return
 
     def add_plain(self, first: int, lines: Sequence[str]) -> bool:
-        """Add lines of numbers and commas at once; False if there is anything else in them."""
+        """Add a block of lines at once; return False if not all cells are plain numbers."""
         commas, text = self.head.width - 1, ",".join(lines)
         if (
             self._words
@@ -193,7 +190,7 @@ class _ColumnsRead:
         Raises
         ------
         ValueError
-            With what cannot be read in it.
+            With the cell that cannot be read.
         """
         if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
             return

@@ -10,7 +10,7 @@ from typing import Any
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.workbook.cells import MOST_CHARACTERS, MOST_COLUMNS, MOST_ROWS
+from vstatics.core.readers.workbook.cells import MOST_CELL_CHARACTERS, MOST_COLUMNS, MOST_ROWS
 from vstatics.core.readers.workbook.sheets import (
     CASE_SHEET,
     ENGAGED,
@@ -168,7 +168,7 @@ def _flat_value(value: Any, path: tuple[Part, ...]) -> _Values:
         value = flow_cell(value)
     elif isinstance(value, list):
         told = flow_cell(value)
-        if len(told) > MOST_CHARACTERS:
+        if len(told) > MOST_CELL_CHARACTERS:
             for number, item in enumerate(value, 1):
                 yield from _flat_value(item, (*path, number))
             return
@@ -191,7 +191,7 @@ def _cell(value: Any) -> Any:
         finite = isinstance(value, bool) or abs(value) < float("inf")
         return value if exact and finite else repr(value)
     told = text_cell(value)
-    if len(told) > MOST_CHARACTERS:
-        message = f"a text has {len(told)} characters, a cell at most {MOST_CHARACTERS}"
+    if len(told) > MOST_CELL_CHARACTERS:
+        message = f"a text has {len(told)} characters, a cell at most {MOST_CELL_CHARACTERS}"
         raise CaseError("E119", f"{message}; expected YAML or JSON, which hold it")
     return told

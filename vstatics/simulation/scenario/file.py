@@ -21,7 +21,7 @@ from vstatics.core.readers import Stream
 from vstatics.core.readers.kinds import is_foreign, kind_of
 from vstatics.core.readers.named.csv_files import are_read
 from vstatics.core.readers.named.nodes import (
-    Found,
+    DocumentText,
     Mapping,
     Node,
     Scalar,
@@ -87,7 +87,7 @@ class ScenarioDocument(NamedTuple):
     """A scenario as a tree of nodes, before its case is known."""
 
     root: Mapping
-    found: Found
+    found: DocumentText
 
     @property
     def case_file(self) -> str:
@@ -131,10 +131,12 @@ class ScenarioDocument(NamedTuple):
         walk = Walk(spots)
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
-        walk.references.set_elements(element.name for element in case.shift_elements)
-        walk.references.set_others("mechanism", (one.name for one in case.mechanisms))
-        walk.references.set_others("spring", (one.name for one in case.springs))
-        walk.references.set_others("elastic device", elastic_names(case))
+        walk.references.set_numbers(
+            "shift element", (element.name for element in case.shift_elements)
+        )
+        walk.references.set_numbers("mechanism", (one.name for one in case.mechanisms))
+        walk.references.set_numbers("spring", (one.name for one in case.springs))
+        walk.references.set_numbers("elastic device", elastic_names(case))
         words = self._words(case)
         values = walk.read(Spot((), "", self.root), scenario_shape(words))
         made = ScenarioValues(case, spots)
@@ -164,7 +166,7 @@ class ScenarioDocument(NamedTuple):
 
     def _words(self, case: Transmission) -> Vocabulary:
         """What its formulas may speak of, as far as it can be read: faults are told later."""
-        quiet = Found(self.found.source)
+        quiet = DocumentText(self.found.source)
         walk = Walk(Spots(quiet))
         nodes = {key.text: value for key, value in self.root.entries}
 

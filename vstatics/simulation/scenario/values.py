@@ -127,7 +127,7 @@ class ScenarioValues:
         from vstatics.simulation.scenario.table_files import table_of
 
         try:
-            return table_of(self.spots.found.source.file, name)
+            return table_of(self.spots.document.source.file, name)
         except OSError as error:
             message = f"read {quoted(name)}, which can't be read: {error.strerror or error}"
         except ValueError as error:

@@ -21,7 +21,7 @@ from vstatics.core.model.shape import UNIT_OF
 from vstatics.core.readers.named.node_numbers import (
     WrittenNumber,
     child,
-    found,
+    find_node,
     keys_of,
     number_of,
     number_text,
@@ -99,7 +99,7 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         root = _spelled_out(trees.root(path), path.keys)
         before = [parts[0]] * (len(path.keys) - len(parts))  # of keys that were put before
         typed_at = zip(path.keys, [*before, *parts], strict=True)
-        node = found(root, [PathPart(key, part.at) for key, part in typed_at])
+        node = find_node(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:
             number_of(node)
         else:
@@ -175,7 +175,7 @@ def _with(node: Mapping, name: str, value: Node) -> Mapping:
 def written_number(path: NumberPath, trees: Trees) -> WrittenNumber | None:
     """A number as its document has it; none if it has not the key."""
     root = _spelled_out(trees.root(path), path.keys)
-    node = found(root, [PathPart(key, 0) for key in path.keys])
+    node = find_node(root, [PathPart(key, 0) for key in path.keys])
     return None if node is None else number_of(node)
 
 

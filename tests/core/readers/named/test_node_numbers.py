@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from vstatics.core.model.paths import NoValueError, split, written
-from vstatics.core.readers.named.node_numbers import found, number_of, number_text, replaced
+from vstatics.core.readers.named.node_numbers import find_node, number_of, number_text, replaced
 from vstatics.core.readers.named.nodes import Node, decode
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
 
@@ -25,7 +25,7 @@ def tree() -> Node:
 
 
 def text_at(root: Node, path: str) -> str:
-    node = found(root, split(path))
+    node = find_node(root, split(path))
     return getattr(node, "text", repr(node))
 
 
@@ -59,7 +59,7 @@ def test_a_path_that_leads_nowhere_says_where_and_what_is_there(
     path: str, said: str, marked: str
 ) -> None:
     with pytest.raises(NoValueError) as caught:
-        found(tree(), split(path))
+        find_node(tree(), split(path))
     assert said in str(caught.value)
     assert path[caught.value.at :].startswith(marked)
 
@@ -88,7 +88,7 @@ def test_only_the_value_of_the_path_is_replaced() -> None:
     ],
 )
 def test_what_is_no_number_says_what_it_is(path: str, said: str) -> None:
-    node = found(tree(), split(path))
+    node = find_node(tree(), split(path))
     assert node is not None
     with pytest.raises(ValueError, match=said):
         number_of(node)

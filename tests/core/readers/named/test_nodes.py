@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from vstatics.core.errors import ReadError
 from vstatics.core.readers.named.json_nodes import json_tree
-from vstatics.core.readers.named.nodes import Found, Listing, Mapping, Node, Scalar
+from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
 from vstatics.core.readers.reading import Source
 
@@ -35,11 +35,11 @@ def parser(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def of_yaml(text: str) -> Node:
-    return yaml_tree(Found(Source("f", text)))
+    return yaml_tree(DocumentText(Source("f", text)))
 
 
 def of_json(text: str) -> Node:
-    return json_tree(Found(Source("f", text)))
+    return json_tree(DocumentText(Source("f", text)))
 
 
 def plain(node: Node) -> object:
@@ -134,7 +134,7 @@ def test_yaml_aliases_share_nodes() -> None:
     ],
 )
 def test_yaml_refuses(text: str, line: int, column: int, words: str) -> None:
-    found = Found(Source("f", text))
+    found = DocumentText(Source("f", text))
     try:
         yaml_tree(found)
     except ReadError as error:
@@ -157,7 +157,9 @@ def test_yaml_refuses_what_the_parsers_tell_differently(text: str) -> None:
 
 @pytest.mark.usefixtures("parser")
 def test_standard_tags_are_taken_and_quote() -> None:
-    found = Found(Source("f", "{a: !!str true, b: !!int 1, c: ! x, d: !!seq [], e: !!map {}}"))
+    found = DocumentText(
+        Source("f", "{a: !!str true, b: !!int 1, c: ! x, d: !!seq [], e: !!map {}}")
+    )
     tree = yaml_tree(found)
     assert isinstance(tree, Mapping)
     quoted = [isinstance(value, Scalar) and not value.plain for _, value in tree.entries]

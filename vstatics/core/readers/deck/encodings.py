@@ -1,4 +1,7 @@
-"""Which of the encodings of Russian a text is in: the one in which its words look like words."""
+"""Detection of the encoding of a Russian text.
+
+A score of letters, pairs of letters, capitals and signs is calculated for each encoding.
+"""
 
 from __future__ import annotations
 
@@ -7,63 +10,63 @@ from functools import lru_cache
 from itertools import pairwise
 
 ENCODINGS = ("cp1251", "cp866", "koi8-r")
-"""Those of Windows, DOS and Unix, the likeliest first where a text does not tell."""
+"""Encodings of Windows, DOS and Unix, the most likely first if the scores are equal."""
 
 _FOLLOWERS = (
     "абвгежзйклмнпстчя беоы ваеиклносхы гио даеилноу егджзйклмнпрстхч жеим завм ибезйлмнрстя йл "
     "каеилосту лаеиоьюя маеио надеинотуы обвгдежзйклмнпрстчщ пеор раеиосуь секлоптя таеиорсыь "
     "удрю фа хо це чаеинт шаеи ще ыех эт"
 )
-"""A letter of Russian, and behind it those that often follow it."""
-_PAIRS = frozenset(word[0] + one for word in _FOLLOWERS.split() for one in word[1:])
+"""Frequent pairs of Russian letters: first letters, each with the letters that often follow."""
+_PAIRS = frozenset(word[0] + letter for word in _FOLLOWERS.split() for letter in word[1:])
 _RUSSIAN = frozenset("абвгдежзийклмнопрстуфхцчшщъыьэюя" + "ё")
 _OTHERS = frozenset("іїєґў")
-"""Of Ukrainian and Belarusian."""
+"""Letters of Ukrainian and Belarusian."""
 _SOUNDED = frozenset("аеёиоуыэюя")
 _SIGNS = "«»“”„–—…№°±·²×µ\xa0"
 _BOXES = frozenset(map(chr, range(0x2500, 0x25A0)))
-"""Lines and blocks, of which tables were drawn."""
+"""Box-drawing characters and blocks, used in tables of DOS programs."""
 _THRICE = re.compile(r"(.)\1\1")
 _WORD = re.compile(r"[^\x00-\x7f]+")
 
 
 def in_each_encoding(data: bytes) -> list[str]:
-    """A text that is no UTF-8, as it reads in each encoding that has all its bytes, best first.
+    """Decode a text that is not UTF-8 in all possible encodings, the most likely first.
 
     >>> in_each_encoding("Коробка МЗКТ".encode("cp866"))[0]
     'Коробка МЗКТ'
     >>> in_each_encoding("НЕЙТРАЛЬ".encode("koi8-r"))[0]
     'НЕЙТРАЛЬ'
     """
-    found = list[str]()
+    candidates = list[str]()
     for encoding in ENCODINGS:
         try:
-            found.append(data.decode(encoding))
-        except UnicodeDecodeError:  # CP1251 lacks one byte
+            candidates.append(data.decode(encoding))
+        except UnicodeDecodeError:  # one byte is undefined in CP1251
             continue
-    return sorted(found, key=_likeness, reverse=True)
+    return sorted(candidates, key=_score, reverse=True)
 
 
-def _likeness(text: str) -> float:
-    """How much its words look like words, each counted once."""
-    return sum(map(_of_word, set(_WORD.findall(text))))
+def _score(text: str) -> float:
+    """Return the score of a text, the sum over all different words."""
+    return sum(map(_word_score, set(_WORD.findall(text))))
 
 
 @lru_cache(maxsize=20000)
-def _of_word(word: str) -> float:
-    """By its letters, pairs of them, capitals and signs; the larger the likelier."""
+def _word_score(word: str) -> float:
+    """Return the score of a word, which is larger for a more likely word."""
     small = word.lower()
-    letters = [one in _RUSSIAN or one in _OTHERS for one in small]
+    letters = [letter in _RUSSIAN or letter in _OTHERS for letter in small]
     if not any(letters):
-        return -sum(one not in _SIGNS and one not in _BOXES for one in small)
+        return -sum(letter not in _SIGNS and letter not in _BOXES for letter in small)
     core = small.strip(_SIGNS)
-    score = sum(one in _RUSSIAN or -2.0 * (one not in _OTHERS) for one in core)
+    score = sum(letter in _RUSSIAN or -2.0 * (letter not in _OTHERS) for letter in core)
     for first, second in pairwise(core):
         if first in _RUSSIAN and second in _RUSSIAN:
             score += 1.5 if first + second in _PAIRS else -1.0
     score -= 3.0 * len(_THRICE.findall(core))
-    # a capital stands first or among capitals
+    # capitals are first letters, or follow capitals
     score -= 1.5 * sum(a.islower() and b.isupper() for a, b in pairwise(word))
     if word.islower() and not _SOUNDED.intersection(small):
-        score -= 1.5  # as no word has; МЗКТ is one of capitals, and so is the brake Т
+        score -= 1.5  # every Russian word has a vowel; acronyms such as МЗКТ are in capitals
     return score

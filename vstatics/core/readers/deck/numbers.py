@@ -1,4 +1,4 @@
-"""The numbers of a deck's fields, as Fortran's list-directed input takes them."""
+"""Numbers in the fields of a deck, read like Fortran's list-directed input."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from vstatics.core.readers.signs import dash_hint
 Number = TypeVar("Number", int, float)
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
 TOKEN = re.compile(
-    # blanks around the sign only where words cannot follow, in which it may be a comment
+    # blanks around the sign only where no word follows, as the sign could begin a comment
     rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
     re.IGNORECASE,
 )
-"""A number, a ratio or a percentage, or what stands in its place."""
+"""Pattern of a token: a number, a ratio, a percentage, a comma or a word."""
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
 _RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
-"""Characters of a number; none that means anything is longer."""
+"""Maximum number of characters of a number; longer numbers carry no more information."""
 
 
 class Token(NamedTuple):
-    """A number, or what stands in its place, or a comma."""
+    """Number, comma or word on a line of values."""
 
     text: str
     line: int
@@ -38,26 +38,26 @@ class Token(NamedTuple):
 
     @property
     def spot(self) -> tuple[int, int]:
-        """Where it stands."""
+        """Line and column of the token."""
         return self.line, self.column
 
     @property
     def after(self) -> int:
-        """The column after it."""
+        """Column behind the token."""
         return self.column + len(self.text)
 
 
 class NotANumberError(ValueError):
-    """A token is no number; says what was expected."""
+    """Error about a token that is not a number, with the expected number in the message."""
 
 
 def integer(text: str) -> int:
-    """A whole number, as Fortran reads it.
+    """Read a whole number as Fortran does.
 
     Raises
     ------
     NotANumberError
-        If it is none.
+        If the text is not a whole number.
     """
     if INTEGER.fullmatch(text) is None:
         raise NotANumberError(f"expected a whole number{dash_hint(text)}")
@@ -67,12 +67,12 @@ def integer(text: str) -> int:
 
 
 def real(text: str) -> float:
-    """A number, as Fortran reads it, a percentage or a ratio of two such numbers.
+    """Read a percentage, a ratio, or a number as Fortran does.
 
     Raises
     ------
     NotANumberError
-        If it is none, or overflows.
+        If the text is not a number, or overflows.
 
     Examples
     --------
@@ -83,19 +83,19 @@ def real(text: str) -> float:
     """
     related = _RELATED.fullmatch(text) if len(text) <= LONGEST_DECK_NUMBER else None
     if related is None or (related["sign"] == "%") == bool(related["second"]):
-        return _of_fortran(text)
+        return _fortran_number(text)
     first, sign, second = related.groups()
-    second = second and repr(_of_fortran(second))
-    return worked_out(f"{_of_fortran(first)!r} {sign} {second}")
+    second = second and repr(_fortran_number(second))
+    return worked_out(f"{_fortran_number(first)!r} {sign} {second}")
 
 
 def worked_out(calculation: str) -> float:
-    """A calculation, as other formats of cases take it.
+    """Return the result of a calculation, as written in other formats of cases.
 
     Raises
     ------
     NotANumberError
-        If it is none, or overflows.
+        If the text is not a calculation, or overflows.
     """
     from vstatics.core.readers.named.arithmetic import dimensionless  # costs start-up time
 
@@ -105,7 +105,7 @@ def worked_out(calculation: str) -> float:
         raise NotANumberError(str(error)) from None
 
 
-def _of_fortran(text: str) -> float:
+def _fortran_number(text: str) -> float:
     match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST_DECK_NUMBER else None
     if match is None:
         raise NotANumberError(f"expected a number such as -.8 or .26E+01{dash_hint(text)}")
@@ -115,11 +115,11 @@ def _of_fortran(text: str) -> float:
     return number
 
 
-def value_lines(found: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
-    """The lines to the next field: number, text, and where values start and end in it."""
-    following = bisect_right(found.stops, field.line)
-    last = found.stops[following] - 1 if following < len(found.stops) else found.last
-    lines = found.source.lines
+def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
+    """Yield number, text, start and end of each line of a field's values, to the next field."""
+    following = bisect_right(scan.stops, field.line)
+    last = scan.stops[following] - 1 if following < len(scan.stops) else scan.last
+    lines = scan.source.lines
     text = lines[field.line - 1]
     yield field.line, text, field.value, len(text) if field.end is None else field.end
     if field.end is None:
@@ -128,9 +128,9 @@ def value_lines(found: Scan, field: Field) -> Iterator[tuple[int, str, int, int]
             yield number, text, 0, len(text)
 
 
-def token_lines(found: Scan, field: Field) -> Iterator[list[Token]]:
-    """The tokens of a field line by line, blank lines aside, to the next field."""
-    for number, text, start, end in value_lines(found, field):
+def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
+    """Yield the tokens of each line of a field's values, without blank lines."""
+    for number, text, start, end in value_lines(scan, field):
         matches = TOKEN.finditer(text, start, end)
         tokens = [Token(match[0], number, match.start() + 1) for match in matches]
         if tokens:
@@ -138,7 +138,7 @@ def token_lines(found: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ...] | None:
-    """The numbers of a text with blanks between them; None if there is anything else."""
+    """Return the numbers of a text, separated by blanks; `None` if the text contains words."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:
@@ -146,12 +146,12 @@ def plain_numbers(text: str, parse: Callable[[str], Number]) -> tuple[Number, ..
 
 
 def repeated(token: Token, parse: Callable[[str], Number]) -> tuple[int, Number]:
-    """How often a token stands for its number, and the number; nothing is expanded.
+    """Return the repeat count and the number of a token, without expanding the repetition.
 
     Raises
     ------
     NotANumberError
-        If it is no number.
+        If the token is not a number.
     """
     match = re.fullmatch(REPEATED, token.text) if "*" in token.text else None
     if match is None:
@@ -162,12 +162,12 @@ def repeated(token: Token, parse: Callable[[str], Number]) -> tuple[int, Number]
 
 
 def numbers_alone(tokens: Sequence[Token]) -> bool:
-    """Whether a line holds numbers and nothing else."""
+    """Check whether a line contains only numbers and commas."""
     return all(token.text == "," or is_number(token) for token in tokens)
 
 
 def leading_numbers(tokens: Sequence[Token]) -> int:
-    """How many numbers there are before the first thing that is none."""
+    """Return how many numbers precede the first token that is not a number."""
     total = 0
     for token in tokens:
         if token.text != ",":
@@ -179,26 +179,26 @@ def leading_numbers(tokens: Sequence[Token]) -> int:
 
 
 def is_number(token: Token) -> bool:
-    """Whether a token is a number, repeated or not."""
+    """Check whether a token is a number, possibly with a repeat count."""
     return leading_numbers([token]) > 0
 
 
 def is_attempt(token: Token) -> bool:
-    """Whether a token is a number or a mistyped one, not a word of prose."""
+    """Check whether a token is a number or a mistyped number, not a word of prose."""
     word = token.text.lstrip("+-").upper()
     return word in ("NAN", "INF", "INFINITY") or any(sign in "0123456789" for sign in word)
 
 
 def starts_values(tokens: Sequence[Token]) -> bool:
-    """Whether a line starts with a number or a mistyped one, and so is not prose."""
+    """Check whether a line starts with a number or a mistyped number, and so is not prose."""
     words = (token for token in tokens if token.text != ",")
     return any(is_attempt(token) for token in islice(words, 1))
 
 
-def loose_count(found: Scan, key: str) -> int:
-    """How many numbers a field seems to hold, when the size that says so is unknown."""
+def loose_count(scan: Scan, key: str) -> int:
+    """Estimate the number of values in a field whose size is unknown."""
     total = 0
-    for tokens in token_lines(found, found.fields[key]) if key in found.fields else ():
+    for tokens in token_lines(scan, scan.fields[key]) if key in scan.fields else ():
         count = leading_numbers(tokens)
         total += count
         if count < sum(token.text != "," for token in tokens):

@@ -1,4 +1,4 @@
-"""From the parts of a model to the fields of a deck that give them."""
+"""Fields of a deck that give the parts of a model, for the places of problems."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vstatics.core.readers.deck.values import Spot
 from vstatics.core.readers.reading import Source
 
 LISTS = {(field.part, field.member): key for key, field in FIELDS.items()}
-"""Lists by what their values are in the model."""
+"""Name of each list by part and attribute of the model."""
 WHOLE = {
     "links": "KJG",
     "link_names": "KJG",
@@ -27,28 +27,28 @@ KINDS = {"link_names": "J", "shift_elements": "F", "mechanisms": "D", "gears": "
 
 
 class Places:
-    """Where the values of a deck stand, by names such as ``NZF(1,2)``."""
+    """Places of the values of a deck, by labels such as ``NZF(1,2)``."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
         self.named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = []
-        """Names of values, and what gives their places; put together when one is asked for."""
+        """Labels of values with the function that returns their places, called when needed."""
         self.planet: dict[int, int] = {}
-        """Position in NNM of each mechanism that is there."""
+        """Position in NNM of each non-standard mechanism."""
         self.given: dict[tuple[str, int, int], int] = {}
         """Position of a link in NWZ or NMZ, by ``("speeds", gear, link)``."""
         self._spots: dict[str, Spot] = {}
 
     @property
     def spots(self) -> dict[str, Spot]:
-        """The place of each value that was read."""
+        """Place of each value by label."""
         for names, places in self.named:
             self._spots.update(zip(names, places(), strict=True))
         self.named.clear()
         return self._spots
 
     def locate(self, problem: Problem) -> Problem:
-        """Give a problem of the model its place, and put the name of the field before it."""
+        """Add the place and the field name to a problem of the model."""
         if problem.place is not None or not problem.path:
             return problem
         spots = self.spots
@@ -59,10 +59,10 @@ class Places:
         return problem
 
     def _labels(self, problem: Problem) -> list[str]:
-        """The fields that a problem may be about, the likeliest first."""
-        part, *rest = problem.path
-        number = rest[0] if rest and isinstance(rest[0], int) else 0
-        inner = tuple(rest[1:])
+        """Return the labels of the fields that can cause a problem, the most likely first."""
+        part, *below = problem.path
+        number = below[0] if below and isinstance(below[0], int) else 0
+        inner = tuple(below[1:])
         labels = self._labels_of_part(str(part), number, inner) if number else []
         if len(problem.path) == 2 and "name" in problem.message:
             labels.insert(0, f"NAME {KINDS.get(str(part), '')}{number}")
@@ -73,7 +73,6 @@ class Places:
         return [*labels, WHOLE.get(str(part), "KJG")]
 
     def _labels_of_part(self, part: str, number: int, inner: Path) -> list[str]:
-        """The fields of a shift element, a mechanism or a gear."""
         member, item = str(inner[0]) if inner else "", inner[1] if len(inner) > 1 else 1
         if part == "mechanisms" and member == "planet_ratio":
             return [f"UAQ({self.planet.get(number, 0)})", f"IAB({number})"]
@@ -85,15 +84,15 @@ class Places:
             name, count = ("NWZ", "KWZ") if member == "speeds" else ("NMZ", "KMZ")
             position = self.given.get((member, number, int(item)), 0)
             return [f"{name}({position},{number})", f"{count}({number})"]
-        own = [f"IOUT({number})", f"INP({number})"]
+        ports = [f"IOUT({number})", f"INP({number})"]
         if member in ("input", "output"):
-            return own[::-1] if member == "input" else own
+            return ports[::-1] if member == "input" else ports
         engaged = [f"NFRI({item},{number})", f"KFRI({number})"]
-        return engaged if member else [*own, *engaged]
+        return engaged if member else [*ports, *engaged]
 
 
 def label_in(key: str, number: int) -> str:
-    """The name of a value of a list.
+    """Return the label of a value in a list.
 
     >>> label_in("NZF(I,1)", 3), label_in("IAB", 3)
     ('NZF(3,1)', 'IAB(3)')

@@ -1,12 +1,11 @@
-"""Reader of the deck: the input format of the published Visual-Statics example.
+"""Reader of the deck, the input format of the published Visual-Statics example.
 
-`text` finds the fields, `values` their values, `fields` knows how many there have to
-be; here they become a transmission.
+`text` finds the fields, `values` reads their values and `fields` checks their number. This module
+builds the transmission.
 
-Decks that differ from the one before in numbers of their mechanisms only.
-
-Of such a deck just the lines that changed are read, and what these numbers say is checked. For
-anything else, a mistake say, there is no such short way: the deck is read as if it stood alone.
+The last deck without errors and warnings is remembered. If the next deck differs only in the
+numbers of mechanisms, only the changed lines are read, and only these numbers are checked.
+In all other cases, for example after an error, a deck is read in full.
 """
 
 from __future__ import annotations
@@ -26,26 +25,37 @@ from vstatics.core.readers.deck.text import SPRINGS, Scan, scan, texts
 from vstatics.core.readers.reading import Reading, Source, finish
 
 _known: KnownDeck | None = None
-"""The last deck that was read in full without a word."""
+"""Last deck that was read in full without errors and warnings."""
 
 NO_SPRINGS = "0: a deck has no springs; take the YAML or JSON of this case"
 NAMED = {"J": "link", "F": "shift element", "D": "mechanism", "P": "gear", "T": "title"}
 
 
 def read(data: bytes, file: str) -> Reading:
-    """Read a deck, or a printed report that starts with one.
+    r"""Read a deck, or a printed report that starts with a deck.
 
     Parameters
     ----------
     data : bytes
         The text in UTF-8, Windows-1251, CP866 or KOI8-R.
     file : str
-        The name of the file, for messages.
+        Name of the file, for messages.
+
+    Returns
+    -------
+    Reading
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
-        With all that is wrong, each with its place.
+        With every problem and its place.
+
+    Examples
+    --------
+    >>> text = "KJG=2 KL=0 KG=1 NP=1\nNZD(I,1): 1\nNZD(I,2): 2\nNZD(I,3): 0\nIAB= 3.5\n"
+    >>> read(f"{text}ETAI= 1\nKFRI= 0\n".encode(), "pair.dat").case
+    <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
     """
     best: Reading | ReadError | None = None
     fewest = (0, 0)
@@ -56,12 +66,12 @@ def read(data: bytes, file: str) -> Reading:
             result = error
         problems = result.warnings if isinstance(result, Reading) else result.problems
         score = sum(problem.severity == "error" for problem in problems), len(problems)
-        damaged = bool(damage) and score[0] <= fewest[0]  # damage alone explains as much
+        damaged = bool(damage) and score[0] <= fewest[0]  # the damage explains as many errors
         if best is None or score < fewest or damaged:
             best, fewest = result, score
         if fewest == (0, 0):
             break
-    assert best is not None  # noqa: S101 - `texts` gives one text at least, or raises
+    assert best is not None  # noqa: S101 - `texts` yields at least one text, or raises
     if isinstance(best, ReadError):
         raise best
     return best
@@ -76,26 +86,26 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
 
 
 def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
-    """Read all of a deck, and remember it."""
+    """Read a deck in full, and store the deck for the next call."""
     global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
-    text, found = source.text, scan(source)
-    if not text.strip() or not found.fields:
+    text, deck = source.text, scan(source)
+    if not text.strip() or not deck.fields:
         message = "no field of a deck found, expected `KJG=` first"
         if not text.strip():
             message = "the file is empty, expected a deck that starts with `KJG=`"
         raise ReadError("E101", message, place=Place(source.file, 1, 1))
-    found.problems.extend(damage)
-    fields = Fields(found, len(text))
-    reading = finish(_parts(fields), found.problems, fields.hidden, fields.places.locate)
+    deck.problems.extend(damage)
+    fields = Fields(deck, len(text))
+    reading = finish(_parts(fields), deck.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
-        # without repeat counts a deck has more characters than values, whatever its numbers
-        is_kept = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
-        _known = KnownDeck(found, reading.case, fields.places.planet) if is_kept else None
+        # without repeat counts the number of values is at most the number of characters
+        is_remembered = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
+        _known = KnownDeck(deck, reading.case, fields.places.planet) if is_remembered else None
     return reading
 
 
 def _parts(fields: Fields) -> dict[str, Any]:
-    """The arguments of `Transmission`; what could not be read is noted."""
+    """Read the arguments of `Transmission`, with stand-ins for unreadable values."""
     sizes = {
         "J": fields.size("KJG", "links (input and output)", 2),
         "F": fields.size("KL", "shift elements", 0),
@@ -103,24 +113,27 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        fields.hidden.append(("links",))  # they are counted against what joins them
+        fields.hidden.append(("links",))  # without their springs, links can appear unconnected
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
     gears = fields.or_guess(sizes["P"], "KFRI", "gears")
-    joining = _members(fields, "shift_elements", elements, names)
-    sets = _members(fields, "mechanisms", mechanisms, names)
+    element_members = _members(fields, "shift_elements", elements, names)
+    mechanism_members = _members(fields, "mechanisms", mechanisms, names)
     planets = _planets(fields, mechanisms)
+    idle = fields.optional("IDLE", 0, range(2), "0 (published) or 1 (exact)")
+    coast = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
     parts: dict[str, Any] = {
-        "shift_elements": [ShiftElement(**one) for one in joining],
+        "shift_elements": [ShiftElement(**member) for member in element_members],
         "mechanisms": [
-            Mechanism(**one, planet_ratio=planets.get(number)) for number, one in enumerate(sets, 1)
+            Mechanism(**member, planet_ratio=planets.get(number))
+            for number, member in enumerate(mechanism_members, 1)
         ],
         "gears": _gears(fields, gears, names),
         "input": _port(fields, "INP", 1),
         "output": _port(fields, "IOUT", 0),
-        "idle": "exact" if _flag(fields, "IDLE", "published", "exact") else "published",
-        "coast": _coast(fields),
+        "idle": "exact" if idle == 1 else "published",
+        "coast": None if coast == -1 else coast == 1,
         "name": names.get("T", ""),
     }
     links = sizes["J"]
@@ -130,27 +143,27 @@ def _parts(fields: Fields) -> dict[str, Any]:
         fields.hidden += [("gears", gear, "engaged") for gear in range(1, gears + 1)]
     if links is not None and any(name.startswith("J") for name in names):
         parts["link_names"] = [names.get(f"J{link}", str(link)) for link in range(1, links + 1)]
-    parts["links"] = _above_all(parts) if links is None else links
+    parts["links"] = _links_above_all(parts) if links is None else links
     return parts
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """What the lists of a deck, and the lines of names, say of each of some parts."""
-    made: list[dict[str, Any]] = [
+    """Read the members of some parts from the lists of a deck and the lines of names."""
+    members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
     for key, field in FIELDS.items():
-        if field.part == part and (part != "gears" or key in fields.found.fields):
+        if field.part == part and (part != "gears" or key in fields.scan.fields):
             parse = real if field.kind is float else integer
-            for one, number in zip(
-                made, fields.numbers(key, count, field.size, parse), strict=True
+            for values, number in zip(
+                members, fields.numbers(key, count, field.size, parse), strict=True
             ):
-                one[field.member] = number
-    return made
+                values[field.member] = number
+    return members
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """The planet ratios of the non-standard mechanisms, by their numbers."""
+    """Return the planet ratio of each non-standard mechanism by number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -183,20 +196,22 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
     speeds = _given(fields, count, "speeds", ("KWZ", "NWZ", "WZ"))
     torques = _given(fields, count, "torques", ("KMZ", "NMZ", "AMZ"))
     return [
-        Gear(engaged[n], speeds[n], torques[n], **{key: one[key] for key in one if one[key]})
-        for n, one in enumerate(_members(fields, "gears", count, names))
+        Gear(
+            engaged[n], speeds[n], torques[n], **{key: values[key] for key in values if values[key]}
+        )
+        for n, values in enumerate(_members(fields, "gears", count, names))
     ]
 
 
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
-    """The extra speeds or torques of each gear, by links."""
+    """Return the extra speeds or torques of each gear, by links."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
     links, unreadable = fields.rows(name, counts, counted, integer)
-    values, without = fields.rows(amount, counts, counted, real)
-    fields.hidden += [("gears", gear, part) for gear in unreadable | without]
+    values, stand_ins = fields.rows(amount, counts, counted, real)
+    fields.hidden += [("gears", gear, part) for gear in unreadable | stand_ins]
     given: list[dict[int, float]] = []
     for gear, (row, numbers) in enumerate(zip(links, values, strict=True), 1):
         given.append({})
@@ -211,27 +226,17 @@ def _given(
 
 
 def _port(fields: Fields, key: str, default: int) -> int:
-    """The input or output link of the case."""
+    """Return the input or output link of the case."""
     link = fields.optional(key, default, range(1, 10**18), "a link number from 1")
     if link is None:
         fields.hidden += [("input",), ("output",)]
     return default if link is None else link
 
 
-def _flag(fields: Fields, key: str, off: str, on: str) -> bool:
-    return fields.optional(key, 0, range(2), f"0 ({off}) or 1 ({on})") == 1
-
-
-def _coast(fields: Fields) -> bool | None:
-    """What the deck says of power that enters at the output; None: nothing."""
-    read = fields.optional("COAST", -1, range(2), "0 (driving) or 1 (coasting)")
-    return None if read == -1 else read == 1
-
-
 def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
-    """The names by kind and number; ``T`` is the title."""
+    """Read the names, by kind and number; ``T`` is the title."""
     names: dict[str, str] = {}
-    for kind, number, name, *spot in fields.found.names:
+    for kind, number, name, *spot in fields.scan.names:
         label = f"{kind}{int(number) if number else ''}"
         largest = sizes.get(kind)
         wrong = ""
@@ -249,15 +254,15 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
         elif not name:
             wrong = "read nothing, expected a name after the colon"
         if wrong:
-            fields.found.error(f"NAME {kind}{number}: {wrong}", *spot)
+            fields.scan.error(f"NAME {kind}{number}: {wrong}", *spot)
         else:
             names[label] = name
             fields.places.spots[f"NAME {label}"] = spot[0], spot[1]
     return names
 
 
-def _above_all(parts: dict[str, Any]) -> int:
-    """A number of links that admits every link there is, when KJG is unknown."""
+def _links_above_all(parts: dict[str, Any]) -> int:
+    """Return a number of links above every link number, for an unknown KJG."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]
@@ -269,21 +274,21 @@ def _above_all(parts: dict[str, Any]) -> int:
 
 
 LONGEST_REMEMBERED_DECK = 20_000
-"""Characters of a deck that is remembered."""
+"""Maximum number of characters of a remembered deck, to limit memory."""
 
 
 class KnownDeck:
-    """A deck that was read without a word, whose variants may come next."""
+    """Deck without errors and warnings, whose variants are read faster."""
 
-    def __init__(self, found: Scan, case: Transmission, planets: Iterable[int]) -> None:
-        """Remember its lines; `planets` are the mechanisms of UAQ, in their order."""
-        self.found = found
+    def __init__(self, scan: Scan, case: Transmission, planets: Iterable[int]) -> None:
+        """Remember the lines; `planets` are the numbers of the mechanisms in UAQ, in order."""
+        self.scan = scan
         self.case = case
         self.planets = [number - 1 for number in planets]
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """By lines that hold nothing but numbers of mechanisms: which, and of whom (from 0)."""
+        """Attribute and indices of mechanisms by line, for lines of plain numbers."""
         every = range(len(self.case.mechanisms))
         known: dict[int, tuple[str, Sequence[int]]] = {}
         for key, part, owners in (
@@ -291,8 +296,8 @@ class KnownDeck:
             ("ETAI", "efficiency", every),
             ("UAQ", "planet_ratio", self.planets),
         ):
-            field, left = self.found.fields.get(key), owners
-            for line, text, start, _ in () if field is None else value_lines(self.found, field):
+            field, left = self.scan.fields.get(key), owners
+            for line, text, start, _ in () if field is None else value_lines(self.scan, field):
                 numbers = plain_numbers(text[start:], real)
                 if numbers is None:
                     break
@@ -302,11 +307,11 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """The case of a deck of these lines; None if it may differ in anything but numbers.
+        """Return the case of a deck with these lines, or `None`.
 
-        Also where there is something to be said of it.
+        None means that the deck must be read in full, as other lines differ or there are warnings.
         """
-        before = self.found.source.lines
+        before = self.scan.source.lines
         if len(lines) != len(before):
             return None
         mechanisms = list(self.case.mechanisms)

@@ -1,4 +1,4 @@
-"""The lists of a deck whose values each are of a part of the model, for readers and the writer."""
+"""Lists of a deck that have a value for each part of the model, for reader and writer."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from typing import NamedTuple
 
 
 class DeckList(NamedTuple):
-    """A list with a value for each part of a kind.
+    """List with a value for each part of a kind.
 
     >>> FIELDS["IAB"].part, FIELDS["IAB"].member, FIELDS["IAB"].size
     ('mechanisms', 'ratio', 'KG')
     """
 
     part: str
-    """The list of the model that the parts are in."""
+    """Name of the list of parts in the model."""
     member: str
-    """What a value is of its part."""
+    """Attribute of a part that the value gives."""
     size: str
-    """The field that tells how many values there are."""
+    """Field that gives the number of values."""
     heading: str
-    """The line above it in a deck that is written."""
+    """Line above the list in a written deck."""
     kind: type[float] = int
-    """Of the values; those that are not whole stand in lines of their own."""
+    """Type of the values; a list of floats is written on several lines."""
 
 
 FIELDS = {
@@ -39,4 +39,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""By the names that messages have for them, in the order of the template; gears may do without."""
+"""Lists by the names in messages, in the order of the template; lists of gears are optional."""

@@ -1,7 +1,7 @@
-"""The text of a deck: its encoding, and where its fields stand.
+"""Text of a deck: the encoding, and the places of the fields.
 
-A field counts only at the start of a line, before ``(`` or ``=``; blanks inside its
-name and Cyrillic look-alikes do not matter. Everything else is prose.
+A field is recognised only at the start of a line, before ``(`` or ``=``. Blanks inside its name
+and Cyrillic letters that look like Latin letters are accepted. All other text is prose.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"
-"""How many springs a case has: only listings tell it, of cases that no deck holds."""
+"""Field with the number of springs, written only in listings, as a deck cannot contain springs."""
 SPRING = "SPRING "
-"""Begins a line of each below it."""
+"""First word of the line of each spring, below `SPRINGS`."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
-"""Fields of one value; they have no index list, and may share a line."""
+"""Fields of a single value, without an index list; several can share a line."""
 
 LISTS = {
     *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
     *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
 }
 GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
-"""Lists with the name of a scalar: they count only with an index list."""
+"""Lists with the name of a scalar, recognised only with an index list."""
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
-"""Fields of which there are several, told apart by their second index."""
+"""Fields that consist of several lists, distinguished by the second index."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 
@@ -46,7 +46,7 @@ WORD = re.compile(r"[^\s,;()]+")
 
 
 class Field(NamedTuple):
-    """A field, and where its values may stand."""
+    """Field of a deck, and the place of the values."""
 
     key: str
     line: int
@@ -54,44 +54,44 @@ class Field(NamedTuple):
     value: int
     """Offset of the first value in the line."""
     end: int | None = None
-    """Offset at which the values must end, when another field follows in the line."""
+    """Offset of the end of the values if a second field follows on the line."""
 
 
 class Scan:
-    """What a text holds: its fields and names in their order, and what is wrong."""
+    """Fields and names found in a text, in order, with the errors."""
 
     def __init__(self, source: Source, last: int) -> None:
-        """Begin with nothing; `last` is the number of the last line of the input."""
+        """Start an empty scan; `last` is the number of the last line of the input."""
         self.source = source
         self.last = last
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
-        """Lines at which the values of the field above end: those with a field or a name."""
+        """Numbers of lines with a field or a name, which end the values of the field before."""
         self.names: list[tuple[str, str, str, int, int]] = []
-        """Of lines ``NAME F3: C1``: kind, number and name, line and column."""
+        """Kind, number and name of each line such as ``NAME F3: C1``, with line and column."""
         self.unknown: dict[str, int] = {}
-        """Words that stand where fields do, and their lines; for hints."""
+        """Line of each unknown word at the place of a field, for hints."""
         self.broken: set[str] = set()
-        """Names of fields that stand somewhere with an index that says nothing."""
+        """Names of fields with a wrong second index."""
         self.problems: list[Problem] = []
 
     def error(self, message: str, line: int, column: int = 1) -> None:
-        """Note an error at a place."""
+        """Add an error at a place."""
         self.problems.append(Problem("E102", message, place=self.source.place(line, column)))
 
 
 def latin(text: str) -> str:
-    """Upper case, Cyrillic letters that look like Latin ones made Latin."""
+    """Return a text in upper case, with Latin letters instead of similar Cyrillic letters."""
     return text.upper().translate(LATIN)
 
 
 def decode(data: bytes, file: str) -> str:
-    """The text of a deck or a report, in the encoding that shows most of its names.
+    """Decode a deck or a report, by the encoding in which most lines start with a field.
 
     Raises
     ------
     ReadError
-        If the file holds no text.
+        If the file contains no text.
     """
 
     def names(text: str) -> int:
@@ -101,7 +101,7 @@ def decode(data: bytes, file: str) -> str:
 
 
 def holds_deck(data: bytes) -> bool:
-    """Whether any line of a file starts with the name of a deck's field."""
+    """Check whether any line of a file starts with the name of a field of a deck."""
     try:
         return any(scan(Source("", text)).fields for text, _ in texts(data, ""))
     except ReadError:
@@ -109,7 +109,7 @@ def holds_deck(data: bytes) -> bool:
 
 
 def head(line: str) -> str:
-    """The name of the field or result that a line starts with, if any.
+    """Return the name of the field or result that a line starts with, or an empty text.
 
     >>> head("N ZD(I,1),I=1,K G : 1 1 4"), head("WSAT(K,I) ..."), head("W = 3"), head("number")
     ('NZD', 'WSAT', '', '')
@@ -120,38 +120,38 @@ def head(line: str) -> str:
 
 def scan(source: Source) -> Scan:
     """Find the fields and the names of a deck."""
-    found = Scan(source, len(source.lines))
+    result = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
         kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
         if kind == "result":
-            found.last = number - 1
-            _only_report(found, number)
+            result.last = number - 1
+            _only_report(result, number)
             break
         if kind == "fields":
             for key, column, value, end in what:
-                _add(found, Field(key, number, column, value, end))
+                _add(result, Field(key, number, column, value, end))
         elif kind == "broken":
             name, column, message = what
-            found.error(message, number, column)
-            found.stops.append(number)
-            found.broken.add(name)
+            result.error(message, number, column)
+            result.stops.append(number)
+            result.broken.add(name)
         elif kind == "name":
-            found.stops.append(number)
+            result.stops.append(number)
             *words, column = what
-            found.names.append((*words, number, column))
-        elif kind == "word" and len(found.unknown) < 50:
-            found.unknown.setdefault(what, number)
-    while found.last > 1 and not source.lines[found.last - 1].strip():
-        found.last -= 1
-    return found
+            result.names.append((*words, number, column))
+        elif kind == "word" and len(result.unknown) < 50:
+            result.unknown.setdefault(what, number)
+    while result.last > 1 and not source.lines[result.last - 1].strip():
+        result.last -= 1
+    return result
 
 
 def _read_line(line: str) -> tuple[str, Any]:
-    """What a line is, and what it says; the same line says the same in every deck.
+    """Return the kind and the contents of a line, which depend on no other line.
 
-    A ``result``; ``fields``, each with its key, column, and offsets of its values; a
-    ``broken`` field with its name, column and message; a ``name`` with its kind, number,
-    text and column; a ``word`` that stands where fields do; or nothing of these.
+    The kinds are ``result``; ``fields``, each with its key, column, and offsets of its values; a
+    ``broken`` field with its name, column and message; a ``name`` with its kind, number, text and
+    column; an unknown ``word`` at the place of a field; and an empty text for other lines.
     """
     word, opened, start = _opening(line)
     kind = _kind(line, word, opened, start)
@@ -168,20 +168,20 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT_CHARACTERS = 200
-"""What texts of so many characters mean is kept, which many decks share."""
+"""Longest text whose meaning is cached, as many decks share short lines."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 
-def _only_report(found: Scan, first: int) -> None:
-    """Note an error where another report follows the first."""
-    for number, line in enumerate(found.source.lines[first:], first + 1):
+def _only_report(result: Scan, first: int) -> None:
+    """Add an error if a second report follows the first."""
+    for number, line in enumerate(result.source.lines[first:], first + 1):
         if head(line) == "KJG":
-            found.error("KJG: another report begins here, expected one case in a file", number)
+            result.error("KJG: another report begins here, expected one case in a file", number)
             return
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """The word at the start of a line, the sign that follows it, and where that stands."""
+    """Return the first word of a line, the sign behind the word, and the offset of the sign."""
     start = len(line) - len(line.lstrip())
     start += line.startswith("(", start)
     ends = [end for end in (line.find("(", start), line.find("=", start)) if end >= 0]
@@ -192,7 +192,7 @@ def _opening(line: str) -> tuple[str, str, int]:
 
 
 def _kind(line: str, word: str, opened: str, start: int) -> str:
-    """What a line starts with: a ``scalar``, a ``list``, a ``result``, or nothing of these."""
+    """Return the kind of a line: ``scalar``, ``list``, ``result`` or an empty text."""
     if opened == "(" and word in PRINTED and _is_index(line, start):
         return "result"
     if opened == "=" and word in SCALARS:
@@ -210,19 +210,19 @@ def _squeezed(match: re.Match[str]) -> str:
     return latin("".join(match[1].split()))
 
 
-def _add(found: Scan, new: Field) -> None:
-    """Keep a field, unless it was given before."""
-    if not found.stops or found.stops[-1] != new.line:
-        found.stops.append(new.line)
-    first = found.fields.setdefault(new.key, new)
+def _add(result: Scan, new: Field) -> None:
+    """Add a field, or an error if the field was given before."""
+    if not result.stops or result.stops[-1] != new.line:
+        result.stops.append(new.line)
+    first = result.fields.setdefault(new.key, new)
     if first is not new:
         before = f"line {first.line}, column {first.column}"
         message = f"{new.key}: given again, first given in {before}; expected once"
-        found.error(message, new.line, new.column)
+        result.error(message, new.line, new.column)
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
-    """All fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
+    """Find all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
     heads: list[tuple[str, int, int]] = []
     before = 0
     for equals in re.finditer("=", line):
@@ -240,7 +240,7 @@ def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
 
 
 def _list(line: str, start: int, name: str) -> tuple[str, Any]:
-    """A field such as ``IAB(I),I=1,KG:``; the colon or the whole index list may be missing."""
+    """Read the name of a list such as ``IAB(I),I=1,KG:``; colon and index list can be missing."""
     column = len(line) - len(line.lstrip()) + 1
     key, value, index = GEAR_LISTS.get(name, name), start + 1, ""
     if line[start] == "(":
@@ -263,7 +263,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Kind, number and name of a line such as ``NAME F3: C1``."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``, or `None`."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None
@@ -273,19 +273,19 @@ def _name_line(line: str) -> tuple[str, str, str] | None:
 
 
 def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
-    """The text of a file in each encoding that is possible, the likeliest first.
+    """Yield the text of a file in each possible encoding, the most likely first.
 
     Raises
     ------
     ReadError
-        If the file holds no text.
+        If the file contains no text.
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
     if b"\0" in data:
         message = "the file is binary, expected a deck as text: save it as text in UTF-8"
         raise _unreadable(file, message)
-    data = data.rstrip(b"\x1a")  # the end of a text for DOS
+    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
     try:
         yield with_plain_blanks(data.decode("utf-8-sig")), []
     except UnicodeDecodeError as error:
@@ -299,7 +299,7 @@ def _unreadable(file: str, message: str) -> ReadError:
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """The text as UTF-8 with a fault, so that a cut file does not read as gibberish."""
+    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
     before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is no UTF-8 here: the file is damaged or cut"

@@ -1,4 +1,4 @@
-"""The values of a deck's fields: as many as the sizes say, each with its place."""
+"""Values of the fields of a deck, in the prescribed number, each with a place."""
 
 from __future__ import annotations
 
@@ -32,83 +32,83 @@ Spot = tuple[int, int]
 """Line and column, from 1."""
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Signs that calculate with the number before them, and how other formats write them."""
+"""Operators of a calculation behind a number, with the signs of YAML and JSON."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
-"""For a value that cannot be read: equal to no link or number of anything."""
+"""Value instead of an unreadable value, which equals no link and no number of a part."""
 
 
 class Values(NamedTuple, Generic[Number]):
-    """The values of a field, with stand-ins where they could not be read."""
+    """Values of a field, with stand-ins for unreadable values."""
 
     numbers: list[Number]
     spots: Callable[[], list[Spot]]
-    """Gives the place of each value; few are ever asked for."""
+    """Function that returns the place of each value; few places are ever needed."""
     unreadable: set[int]
-    """Positions from 0 that hold stand-ins."""
+    """Positions of the stand-ins, from 0."""
 
 
 class Wanted(NamedTuple):
-    """What a field has to hold."""
+    """Values that a field must contain."""
 
     name: str
     label: Callable[[int], str]
-    """The name of a value by its position from 0: ``IAB(1)``."""
+    """Function that returns the label of a value, such as ``IAB(1)``, by position from 0."""
     need: int
     why: str
-    """What fixes the number of values: ``KG``."""
+    """Field that gives the number of values, such as ``KG``."""
 
 
 def take(
-    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+    scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
-    """The values of a field; what is wrong with them is noted in `found`."""
-    plain = _plain(found, field, wanted.need, parse)
-    return _take_with_care(found, field, wanted, parse) if plain is None else plain[0]
+    """Read the values of a field, and add errors to the scan."""
+    plain = _plain(scan, field, wanted.need, parse)
+    return _take_with_care(scan, field, wanted, parse) if plain is None else plain[0]
 
 
 def _take_with_care(
-    found: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
+    scan: Scan, field: Field, wanted: Wanted, parse: Callable[[str], Number]
 ) -> Values[Number]:
-    """The values of a field that holds more than plain numbers, or has a fault."""
-    ending = partial(_ending, found, field)
-    taker = _Taker(found, (field.line, field.value + 1), wanted, parse, ending)
-    return taker.take(token_lines(found, field))
+    """Read a field with faults or repeat counts token by token."""
+    ending = partial(_ending, scan, field)
+    taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
+    return taker.take(token_lines(scan, field))
 
 
 def take_rows(
-    found: Scan,
+    scan: Scan,
     field: Field,
     counts: Sequence[int],
     counted: str,
     parse: Callable[[str], Number],
 ) -> Values[Number]:
-    """The values of all gears, in one line or in a line for each gear that has any."""
-    plain = _plain(found, field, sum(counts), parse)
+    """Read the values of all gears, on a single line or on a line for each gear with values."""
+    plain = _plain(scan, field, sum(counts), parse)
     if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
         return plain[0]
     gears = [gear for gear, count in enumerate(counts, 1) if count]
-    rows = _rows(found, field, len(gears))
+    rows = _rows(scan, field, len(gears))
     if len(rows) < 2:
         names = list(row_labels(field.key, counts))
         wanted = Wanted(
             field.key, lambda n: names[n] if n < len(names) else field.key, len(names), counted
         )
-        return _take_with_care(found, field, wanted, parse)
+        return _take_with_care(scan, field, wanted, parse)
     if len(rows) != len(gears):
         surplus = rows[len(gears) : len(gears) + 1]
         spot = surplus[0][0].spot if surplus else (rows[-1][-1].line, rows[-1][-1].after)
         expected = f"expected {len(gears)} (one for each gear with {counted} above 0)"
-        end = "" if surplus else f" before {_ending(found, field, spot[0] + 1)}"
-        found.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
+        end = "" if surplus else f" before {_ending(scan, field, spot[0] + 1)}"
+        scan.error(f"{field.key}: read {len(rows)} lines of numbers{end}, {expected}", *spot)
         return stand_ins(field, sum(counts), parse)
     numbers: list[Number] = []
     spots: list[Spot] = []
     unreadable: set[int] = set()
     for gear, tokens in zip(gears, rows, strict=True):
         wanted = _row(field.key, gear, counts[gear - 1], counted)
-        taker = _Taker(found, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
+        taker = _ValueReader(scan, tokens[0].spot, wanted, parse, lambda _: "the end of the line")
         row = taker.take([tokens])
         unreadable.update(len(numbers) + position for position in row.unreadable)
         numbers.extend(row.numbers)
@@ -117,37 +117,37 @@ def take_rows(
 
 
 def row_labels(key: str, counts: Sequence[int]) -> Iterator[str]:
-    """The names of the values of each gear: ``NFRI(1,2)``."""
+    """Yield the labels of the values of each gear, such as ``NFRI(1,2)``."""
     for gear, count in enumerate(counts, 1):
         for position in range(1, count + 1):
             yield f"{key}({position},{gear})"
 
 
 def values_in_words(count: int) -> str:
-    """How many values there are."""
+    """Return a number of values in words."""
     return f"{count} {plural('value', count)}"
 
 
 def stand_ins(field: Field | None, need: int, parse: Callable[[str], Number]) -> Values[Number]:
-    """Values of a field that is not there, or cannot be read at all."""
+    """Return stand-ins for a missing or unreadable field."""
     spot = (field.line, field.column) if field else (0, 0)
     return Values([parse(STAND_IN)] * need, lambda: [spot] * need, set(range(need)))
 
 
-_kept_numbers = lru_cache(maxsize=2000)(plain_numbers)
+_cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 
 
 def _plain(
-    found: Scan, field: Field, need: int, parse: Callable[[str], Number]
+    scan: Scan, field: Field, need: int, parse: Callable[[str], Number]
 ) -> tuple[Values[Number], list[int]] | None:
-    """The values of a field, and how many each line has.
+    """Read a field of plain numbers quickly, and return how many numbers each line has.
 
-    None if it holds anything but so many plain numbers with blanks between them, and
-    prose behind the line of the last one: then one has to look at each token.
+    Return None unless the field contains exactly `need` plain numbers, followed only by prose on
+    later lines; then each token must be checked.
     """
     numbers: list[Number] = []
     counts: list[int] = []
-    for _, line, start, end in value_lines(found, field):
+    for _, line, start, end in value_lines(scan, field):
         text = line[start:end]
         if len(numbers) == need:
             first = text.lstrip()[:1]
@@ -156,7 +156,9 @@ def _plain(
             if first:
                 break
             continue
-        row = (_kept_numbers if len(text) <= KEPT_CHARACTERS else plain_numbers)(text, parse)
+        row = (_cached_plain_numbers if len(text) <= KEPT_CHARACTERS else plain_numbers)(
+            text, parse
+        )
         if row is None:
             return None
         if row:
@@ -166,15 +168,15 @@ def _plain(
         return None
 
     def spots() -> list[Spot]:
-        return [token.spot for tokens in token_lines(found, field) for token in tokens][:need]
+        return [token.spot for tokens in token_lines(scan, field) for token in tokens][:need]
 
     return Values(numbers, spots, set()), counts
 
 
-def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
-    """The lines of numbers of a field, up to the first line of prose."""
+def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
+    """Return the lines of numbers of a field, up to the first line of prose."""
     rows: list[list[Token]] = []
-    for tokens in token_lines(found, field):
+    for tokens in token_lines(scan, field):
         if not numbers_alone(tokens) and (len(rows) >= expected or not starts_values(tokens)):
             break
         rows.append(tokens)
@@ -182,7 +184,7 @@ def _rows(found: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """What the line of one gear has to hold."""
+    """Describe the values of a gear on a line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -190,30 +192,30 @@ def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
     return Wanted(label(0), label, need, f"{counted}({gear})")
 
 
-def _ending(found: Scan, field: Field, line: int) -> str:
-    """What the values end at from a line on: prose, the next field, the end of the file."""
-    lines = found.source.lines
+def _ending(scan: Scan, field: Field, line: int) -> str:
+    """Describe the text behind the values from a line on: prose, a field, or the end."""
+    lines = scan.source.lines
     if field.end is not None:
         return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
-    while line <= found.last and not lines[line - 1].strip():
+    while line <= scan.last and not lines[line - 1].strip():
         line += 1
-    if line > found.last:
+    if line > scan.last:
         return "the end of the input"
     return f"'{lines[line - 1].strip()[:30]}' in line {line}"
 
 
-class _Taker(Generic[Number]):
-    """Takes the values of one field, token by token."""
+class _ValueReader(Generic[Number]):
+    """Reader of the values of a field, token by token."""
 
     def __init__(
         self,
-        found: Scan,
+        scan: Scan,
         start: Spot,
         wanted: Wanted,
         parse: Callable[[str], Number],
         ending: Callable[[int], str],
     ) -> None:
-        self.found, self.wanted, self.ending = found, wanted, ending
+        self.scan, self.wanted, self.ending = scan, wanted, ending
         self.parse: Callable[[str], Number] = parse
         self.need = wanted.need
         self.numbers: list[Number] = []
@@ -225,10 +227,10 @@ class _Taker(Generic[Number]):
         self.after_comma = True
         self.failed = False
         self.complete_at = 0
-        """The line that completes the values if its mistyped ones are counted."""
+        """Line whose tokens, including the mistyped, complete the values."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
-        """Take all values and check their count."""
+        """Read all values, and check the number of values."""
         for tokens in lines:
             later = tokens[0].line > self.start[0]
             if later and self.total >= self.need and not numbers_alone(tokens):
@@ -244,7 +246,7 @@ class _Taker(Generic[Number]):
         return Values(self.numbers, lambda: self.spots, self.unreadable)
 
     def _line(self, tokens: list[Token]) -> bool:
-        """Take the values of a line; whether there may be more below."""
+        """Read the values of a line; return whether more can follow below."""
         for position, token in enumerate(tokens):
             if token.text == ",":
                 if not self._comma(token):
@@ -260,11 +262,11 @@ class _Taker(Generic[Number]):
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
-            self._keep(token, count, number)
+            self._add_needed(token, count, number)
         return True
 
     def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
-        """Report a sign of a calculation behind the last value, which words would hide."""
+        """Report an operator behind the last value, which would otherwise pass for prose."""
         if self.parse is not real or not before or before[-1].text == ",":
             return
         sign = behind[0].text[0]
@@ -289,15 +291,15 @@ class _Taker(Generic[Number]):
         self.after_comma = True
         return True
 
-    def _wrong(self, token: Token, error: NotANumberError, rest: list[Token]) -> bool:
-        """Report a token that is no number; whether those behind it can be told to be values."""
+    def _wrong(self, token: Token, error: NotANumberError, unread: list[Token]) -> bool:
+        """Report a token that is not a number; return whether the next tokens are values."""
         hint = self._hint(token.line) if token.text in "+-" else ""
         label = self.wanted.label(self.total)
         self._fail(f"{label}: read '{token.text[:30]}', {error}{hint}", token)
         if not is_attempt(token):
             return False
         if self.complete_at != token.line:
-            left = sum(max(leading_numbers([token]), 1) for token in rest if token.text != ",")
+            left = sum(max(leading_numbers([token]), 1) for token in unread if token.text != ",")
             if left != self.need - self.total:
                 return False
             self.complete_at = token.line
@@ -305,14 +307,13 @@ class _Taker(Generic[Number]):
         return True
 
     def _fail(self, message: str, token: Token) -> None:
-        self.found.error(message, *token.spot)
+        self.scan.error(message, *token.spot)
         self.failed = True
 
-    def _keep(self, token: Token, count: int, number: Number) -> None:
-        """Keep as many values as are needed; the rest is counted, not kept."""
-        kept = min(count, max(self.need - self.total, 0))
-        self.numbers.extend([number] * kept)
-        self.spots.extend([token.spot] * kept)
+    def _add_needed(self, token: Token, count: int, number: Number) -> None:
+        needed = min(count, max(self.need - self.total, 0))
+        self.numbers.extend([number] * needed)
+        self.spots.extend([token.spot] * needed)
         self.total += count
         self.end = token.line, token.after
         if self.total > self.need and self.surplus is None:
@@ -328,16 +329,16 @@ class _Taker(Generic[Number]):
             label = self.wanted.label(self.total)
             end = self.ending(self.end[0] + 1)
             hint = self._hint(self.end[0] + 1)
-            self.found.error(f"{label}: {read} before {end}, {expected}{hint}", *self.end)
+            self.scan.error(f"{label}: {read} before {end}, {expected}{hint}", *self.end)
         else:
             hint = self._hint(self.surplus.line)
-            self.found.error(f"{self.wanted.name}: {read}, {expected}{hint}", *self.surplus.spot)
+            self.scan.error(f"{self.wanted.name}: {read}, {expected}{hint}", *self.surplus.spot)
             self.unreadable.update(range(self.need))
 
     def _hint(self, last: int) -> str:
-        """A word on decimal commas, where they are likely."""
+        """Return a hint on decimal commas if the lines contain any."""
         first, column = self.start
-        lines = self.found.source.lines[first - 1 : last]
+        lines = self.scan.source.lines[first - 1 : last]
         lines[0] = lines[0][column - 1 :]
         likely = self.parse is real and any(re.search(DECIMAL_COMMA, line) for line in lines)
         return "; write a decimal point, not a decimal comma" if likely else ""

@@ -1,7 +1,7 @@
-"""The language of formulas, for sweeps and scenarios: text -> tree, which knows no names.
+"""Formulas of sweeps and scenarios: text -> tree -> values.
 
-`excerpt` is the text with its place, `grammar` makes a tree of it, whose leaves are `operands`;
-`evaluation` has its values on arrays.
+`excerpt` is a text with its place. `grammar` parses the text into a tree whose leaves are
+`operands`, without resolving names. `evaluation` calculates the values of the tree on arrays.
 
 >>> from vstatics.core.readers.expressions.excerpt import Excerpt
 >>> from vstatics.core.readers.expressions.grammar import Language, parse

@@ -1,7 +1,7 @@
-"""Values of a formula: operators and functions on arrays, all variants at once.
+"""Values of a formula: operators and functions on arrays, for all variants at once.
 
-Every value has the axes (..., gears, rows), as in `Results`; where a formula has no gears
-or no rows this axis has the length 1, so that NumPy spreads it over the other operand.
+Every value has the axes (..., gears, rows), as in `Results`. If a formula does not depend on gears
+or rows, the axis has the length 1, so that NumPy broadcasts it to the other operand.
 """
 
 from __future__ import annotations
@@ -22,26 +22,27 @@ Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
 FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
 REDUCTIONS = ("min", "max", "sum")
-"""Functions that make one number of all gears and rows of one operand."""
+"""Functions that reduce all gears and rows of a single operand to a number."""
 LAST = "last"
-"""Of what runs along time, its value at the end; only of runs of a scenario."""
+"""Function that returns the final value of a quantity over time, in runs of a scenario only."""
 
 
 def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
-    """The values of a formula.
+    """Calculate the values of a formula.
 
     Parameters
     ----------
-    formula : Constant, Applied or what names stand for
+    formula : Constant, Applied or resolved name
+        Tree of the formula.
     value_of : callable
-        Gives the values of what a name stands for, or a function that is none of `OPERATIONS`,
-        shape (..., gears or 1, rows or 1).
+        Function that returns the values of a resolved name, or of a function that is not in
+        `OPERATIONS`, with the shape (..., gears or 1, rows or 1).
 
     Returns
     -------
     ndarray, shape (..., gears or 1, rows or 1)
-        1 and 0 for true and false; it may be a view of what `value_of` gave. Leading axes
-        may lack if the values are the same for all.
+        1 and 0 for true and false. The array can be a view of a result of `value_of`. Leading
+        axes are missing if the values are equal for all variants.
 
     Examples
     --------
@@ -57,14 +58,14 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
 
 def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
-    # no function in a function: it would hold itself, and with it the memory of the results
+    # recursion at module level: a nested function would keep a reference to the results
     if isinstance(part, Applied) and part.name in OPERATIONS:
         return OPERATIONS[part.name]([_values(operand, value_of) for operand in part.operands])
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 
 
 def truth(values: Values) -> Booleans:
-    """What a value says as a condition: true unless it is 0, infinite or does not exist.
+    """Return the truth of values as conditions: false for 0, infinity and NaN.
 
     >>> truth(np.array([2.0, 0.0, np.nan, np.inf]))
     array([ True, False, False, False])
@@ -78,7 +79,7 @@ def _numbers(values: Values) -> Floats:
 
 
 def _unequal(first: Floats, second: Floats) -> Booleans:
-    """Unlike NumPy's: false if a number does not exist, as all comparisons are."""
+    """Return true where two numbers differ, and false if either is NaN, unlike NumPy."""
     unequal: Booleans = (first < second) | (first > second)
     return unequal
 
@@ -93,34 +94,35 @@ def _of_numbers(
     return lambda operands: reduce(function, map(kind, operands))
 
 
-def _extreme(among: np.ufunc, existing: np.ufunc) -> Function:
-    """The least or the largest: of all gears and rows, or of several operands.
+def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
+    """Return the function for the smallest or largest value of the operands.
 
-    `among` gives NaN where one value does not exist, and is fast; `existing` leaves it out.
+    A single operand is reduced over all gears and rows. `propagating` is fast, but its result is
+    NaN if any value is NaN; `ignoring` skips NaN.
     """
 
     def applied(operands: Sequence[Values]) -> Values:
         if len(operands) > 1:
-            return reduce(existing, map(_numbers, operands))
-        return _over_all(_numbers(operands[0]), among.reduce, existing.reduce)
+            return reduce(ignoring, map(_numbers, operands))
+        return _over_all(_numbers(operands[0]), propagating.reduce, ignoring.reduce)
 
     return applied
 
 
-def _over_all(values: Floats, among: Any, existing: Any) -> Floats:
-    """Reduce gears and rows to one number; again without NaN for the variants that have any."""
-    reduced: Floats = among(values, axis=(-2, -1), keepdims=True)
-    lacking = np.isnan(reduced[..., 0, 0])
-    if lacking.any():
-        reduced[lacking] = existing(values[lacking], axis=(-2, -1), keepdims=True)
+def _over_all(values: Floats, propagating: Any, ignoring: Any) -> Floats:
+    """Reduce gears and rows to a number; repeat the variants with NaN by the slower function."""
+    reduced: Floats = propagating(values, axis=(-2, -1), keepdims=True)
+    has_nan = np.isnan(reduced[..., 0, 0])
+    if has_nan.any():
+        reduced[has_nan] = ignoring(values[has_nan], axis=(-2, -1), keepdims=True)
     return reduced
 
 
-def _sum_of_existing(values: Floats, **axes: Any) -> Floats:
-    """The sum of what exists; NaN if nothing does."""
-    lacking = np.isnan(values)
-    total: Floats = np.where(lacking, 0.0, values).sum(**axes)
-    total[lacking.all(**axes)] = np.nan
+def _sum_ignoring_nan(values: Floats, **axes: Any) -> Floats:
+    """Return the sum without NaN, or NaN if all values are NaN."""
+    is_nan = np.isnan(values)
+    total: Floats = np.where(is_nan, 0.0, values).sum(**axes)
+    total[is_nan.all(**axes)] = np.nan
     return total
 
 
@@ -151,6 +153,6 @@ OPERATIONS: Mapping[str, Function] = {
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),
-    "sum": _of_number(lambda numbers: _over_all(numbers, np.add.reduce, _sum_of_existing)),
+    "sum": _of_number(lambda numbers: _over_all(numbers, np.add.reduce, _sum_ignoring_nan)),
 }
-"""By the names of the grammar."""
+"""Functions on arrays by the name of the operator or function."""

@@ -1,4 +1,4 @@
-"""The part of a text that is read, and the places in it."""
+"""Excerpt of a text that contains a formula, with places in the excerpt."""
 
 from __future__ import annotations
 
@@ -9,37 +9,37 @@ from vstatics.core.errors import Place, ReadError
 
 
 class Excerpt(NamedTuple):
-    """A text, the option that it was given to, and the part of it that is read."""
+    """Part of a text that was given to an option."""
 
     text: str
     option: str
     start: int = 0
     stop: int = -1
-    """The end of the text if below 0."""
+    """Offset of the end of the part; the end of the text if negative."""
 
     @property
     def end(self) -> int:
-        """Where the part ends."""
+        """Offset of the end of the part."""
         return len(self.text) if self.stop < 0 else self.stop
 
     @property
     def part(self) -> str:
-        """The part that is read."""
+        """Text of the part."""
         return self.text[self.start : self.end]
 
     def end_of(self, pattern: re.Pattern[str], at: int) -> int:
-        """Where what matches a pattern here ends; the place itself if nothing does."""
+        """Return the offset behind a match of a pattern at `at`, or `at` without a match."""
         match = pattern.match(self.text, at, self.end)
         return match.end() if match else at
 
     def has(self, sign: str, at: int) -> bool:
-        """Whether a sign stands here."""
+        """Check whether the part continues with a sign at an offset."""
         return self.text.startswith(sign, at, self.end)
 
     def error(self, message: str, at: int) -> ReadError:
-        """An error at an offset into the text, from 0."""
+        """Return an error at an offset into the text, from 0."""
         return ReadError("E105", message, place=self.place(at))
 
     def place(self, at: int) -> Place:
-        """The place of an offset into the text."""
+        """Return the place of an offset into the text."""
         return Place(self.option, 1, at + 1, self.text)

@@ -1,14 +1,12 @@
-"""Text of a formula -> tree: what binds how, not what names mean.
+"""Grammar of formulas: parses a text into a tree, without resolving names.
 
-From the operator that binds least to the one that binds most::
+Operators from the weakest to the strongest binding::
 
     or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
 
-An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser climbs
-by precedence: an operand, then all operators behind it that bind at least as much as asked,
-each with what binds more to its right.
-
-What to say of a sign or a word that does not belong where it stands.
+An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser uses
+precedence climbing: it reads an operand, then all operators behind it that bind at least as
+strongly as required, each with the stronger operations to its right.
 """
 
 from __future__ import annotations
@@ -32,13 +30,13 @@ from vstatics.core.readers.expressions.operands import (
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.names import NAME
 
-MOST_CHARACTERS = 2000
-MOST_BRACKETS = 50
-"""So many may be open at once."""
+MOST_FORMULA_CHARACTERS = 2000
+MOST_FORMULA_BRACKETS = 50
+"""Maximum number of brackets that can be open at once."""
 MOST_DEPTH = 100
-"""So many operations may stand one inside another, since trees are walked by recursion."""
+"""Maximum number of nested operations, since trees are walked by recursion."""
 MOST_TREE_PARTS = 10_000
-"""So many parts a tree may have; what stands in a chain of comparisons counts twice."""
+"""Maximum number of parts of a tree; the middle operands of a chain of comparisons count twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
@@ -46,7 +44,7 @@ _POWERS = ("**", "^")
 _LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
-"""Signs before an operand, and what they bind like."""
+"""Signs before an operand, and the operators that bind as strongly."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
@@ -56,39 +54,39 @@ _INSIDE = re.compile(r"[^)]*")
 
 
 class Applied(NamedTuple):
-    """An operator or a function, and what it is applied to."""
+    """Operator or function with the operands."""
 
     name: str
-    """The sign, `and`, `or`, `not`, `-x`, or the name of a function."""
+    """Sign, `and`, `or`, `not`, `-x`, or the name of a function."""
     operands: tuple[Any, ...]
-    """Trees; when names are resolved, what they mean in place of names."""
+    """Trees; when names are resolved, the meanings of the names."""
     at: int
     depth: int
-    """How many parts stand one inside another."""
+    """Number of nested levels."""
     parts: int = 1
-    """How many parts there are in all."""
+    """Number of parts of the tree."""
 
 
 Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """What a formula may have, and what messages say of it.
+    """Functions and operands that a formula can have, described for messages.
 
     Parameters
     ----------
     functions : collection of str
-        Their names.
+        Names of functions.
     operands : str
-        What an operand can be: ``a number, or the time t``.
+        Description of an operand: ``a number, or the time t``.
     example : str
         An operand: ``t``.
     instead : str
-        What to say of a function that there is not and that resembles none.
+        Hint after an unknown function that resembles no known function.
     caret : bool
-        Whether ``x^2`` is a power too; else it is told to write ``x**2``.
+        Whether ``x^2`` is a power, too; otherwise the message suggests ``x**2``.
     of_names : collection of str
-        Words that speak of what is named in quotes behind them: ``speed('out')``.
+        Functions of a quoted name: ``speed('out')``.
     """
 
     functions: Collection[str]
@@ -98,11 +96,11 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """What a number with a unit means, by what is written and where, such as ``20 km/h``."""
+    """Function that reads a number with a unit, such as ``20 km/h``, from a text and an offset."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
-    """Read a formula.
+    """Parse a formula.
 
     Parameters
     ----------
@@ -118,7 +116,7 @@ def parse(source: Excerpt, language: Language) -> Tree:
     Raises
     ------
     ReadError
-        At the first place that can't be read.
+        At the first text that cannot be parsed.
 
     Examples
     --------
@@ -126,35 +124,35 @@ def parse(source: Excerpt, language: Language) -> Tree:
     >>> tree.name, tree.operands[0], tree.operands[1].name, tree.operands[1].at
     ('-', Constant(value=1.0), '**', 8)
     """
-    read = source.end - source.start
-    if read > MOST_CHARACTERS:
-        message = f"read {read} characters, expected {MOST_CHARACTERS} at most"
+    length = source.end - source.start
+    if length > MOST_FORMULA_CHARACTERS:
+        message = f"read {length} characters, expected {MOST_FORMULA_CHARACTERS} at most"
         raise source.error(message, source.start)
     return _Parser(source, language).expression()
 
 
 class _Parser:
-    """Goes through a text from the left to the right."""
+    """Recursive parser, which reads a text from left to right."""
 
     def __init__(self, source: Excerpt, language: Language) -> None:
         self.source = source
         self.language = language
         self.binary = _BINARY if language.caret else _BINARY - {"^"}
         self.calls: list[bool] = []
-        """Whether each open bracket is that of a function."""
+        """Whether each open bracket belongs to a call."""
         self.take("", source.start)
 
     def take(self, read: str, end: int) -> None:
-        """Go on behind what was read."""
+        """Move behind a text and the blanks after the text."""
         self.before, self.end_of_before = read, end
         self.at = self.source.end_of(_BLANK, end)
 
     def matched(self, pattern: re.Pattern[str]) -> str:
-        """What matches a pattern here; nothing if nothing does."""
+        """Return the match of a pattern at the current offset, or an empty text."""
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
-        """Operands with operators between them that bind at least so much."""
+        """Read operands and operators that bind at least by `least`."""
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
@@ -162,13 +160,13 @@ class _Parser:
             while (sign := self.operator()) in _LEVELS[level]:
                 signs.append((sign, self.at))
                 self.take(sign, self.at + len(sign))
-                behind = level if sign in _POWERS else level + 1  # a power goes from the right
+                behind = level if sign in _POWERS else level + 1  # powers associate to the right
                 operands.append(self.expression(behind, depth + 1))
             left = self.joined(operands, signs)
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Operands with operators of one level between them."""
+        """Combine operands and the operators of a single level."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)
@@ -184,10 +182,10 @@ class _Parser:
         return left
 
     def operation(self, name: str, operands: Sequence[Tree], at: int) -> Tree:
-        nodes = [one for one in operands if isinstance(one, Applied)]
-        depth = 1 + max([1, *(one.depth for one in nodes)])
+        nodes = [node for node in operands if isinstance(node, Applied)]
+        depth = 1 + max([1, *(node.depth for node in nodes)])
         self.check_depth(depth, at)
-        parts = 1 + len(operands) - len(nodes) + sum(one.parts for one in nodes)
+        parts = 1 + len(operands) - len(nodes) + sum(node.parts for node in nodes)
         if parts > MOST_TREE_PARTS:
             raise self.source.error("too many comparisons, one inside another", at)
         return Applied(name, tuple(operands), at, depth, parts)
@@ -198,7 +196,7 @@ class _Parser:
             raise self.source.error(message, at)
 
     def operator(self) -> str:
-        """What stands behind an operand: an operator, `)`, `,`, or nothing at the end."""
+        """Read an operator, `)` or `,` behind an operand; return an empty text at the end."""
         sign = self.matched(NAME) or self.matched(_SIGN)
         if sign == ",":
             known = bool(self.calls) and self.calls[-1]
@@ -209,7 +207,7 @@ class _Parser:
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
-        """An operand, with the signs before it."""
+        """Read an operand with the preceding signs."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
         sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
@@ -217,10 +215,10 @@ class _Parser:
             return self.prefixed(sign, least, depth)
         if sign == "(":
             return self.bracketed(depth, call=False)[0]
-        found = None if sign else read_dotted(self.source, self.at)
-        if not found and name and not sign:
+        dotted = None if sign else read_dotted(self.source, self.at)
+        if not dotted and name and not sign:
             return self.named(name, depth)
-        read = found or self.quantity() or read_number(self.source, self.at)
+        read = dotted or self.quantity() or read_number(self.source, self.at)
         if not read:
             message = no_operand(self.source, self.at, sign, self.before, self.language.operands)
             raise self.source.error(message, self.at)
@@ -231,13 +229,13 @@ class _Parser:
         return tree
 
     def quantity(self) -> tuple[Constant, int] | None:
-        """A number with a unit, and where it ends, if the language knows it."""
+        """Read a number with a unit, if the language knows the unit, with the offset behind it."""
         end = quantity_end(self.source, self.at)
         known = self.language.quantity(self.source.text[self.at : end], self.at)
         return None if known is None else (known, end)
 
     def prefixed(self, sign: str, least: int, depth: int) -> Tree:
-        """An operand behind a sign."""
+        """Read an operand behind a sign."""
         at, name = self.at, _PREFIXES[sign]
         if sign == "not" and _BINDS[sign] < least:
             message = f"put `not ...` behind {quoted(self.before)} in brackets: (not ...)"
@@ -247,22 +245,22 @@ class _Parser:
         return operand if sign == "+" else self.operation(name, [operand], at)
 
     def bracketed(self, depth: int, *, call: bool) -> list[Tree]:
-        """What stands between brackets: several parts in a call."""
+        """Read the contents of brackets, which are several operands in a call."""
         self.calls.append(call)
-        if len(self.calls) > MOST_BRACKETS:
-            raise self.source.error(f"more than {MOST_BRACKETS} brackets are open", self.at)
-        inside: list[Tree] = []
-        while not inside or self.operator() == ",":
+        if len(self.calls) > MOST_FORMULA_BRACKETS:
+            raise self.source.error(f"more than {MOST_FORMULA_BRACKETS} brackets are open", self.at)
+        operands: list[Tree] = []
+        while not operands or self.operator() == ",":
             self.take(self.source.text[self.at], self.at + 1)
-            inside.append(self.expression(0, depth))
+            operands.append(self.expression(0, depth))
         if self.at == self.source.end:
             raise self.source.error("a bracket `(` is not closed, expected `)`", self.at)
         self.calls.pop()
         self.take(")", self.at + 1)
-        return inside
+        return operands
 
     def named(self, name: str, depth: int) -> Tree:
-        """What begins with a name that has no point: a call, or a table."""
+        """Read a call, or a name without a point, with subscripts."""
         at, end, language = self.at, self.at + len(name), self.language
         behind = self.source.end_of(_BLANK, end)
         call = self.source.has("(", behind)
@@ -293,7 +291,7 @@ class _Parser:
         return TableName(name, subscripts, at)
 
     def of_name(self, word: str, at: int, bracket: int) -> TableName:
-        """A word and, between brackets, the name in quotes of what it is of."""
+        """Read a function of a quoted name."""
         begin = self.source.end_of(_BLANK, bracket + 1)
         end = self.source.end_of(_QUOTED, begin)
         close = self.source.end_of(_BLANK, end)
@@ -324,13 +322,13 @@ ELSEWHERE = {
     "·": "*",
     "÷": "/",
 }
-"""Signs of other languages, and how they are written here."""
+"""Operators of other languages, and the operators that formulas use instead."""
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
-"""Words that ask for more than this language has."""
+"""Keywords of Python that formulas do not have."""
 
 
 def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
-    """What to say of something that was read behind an operand.
+    """Return the message for a text that was read instead of an operator.
 
     >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
     'read `&`, expected `and`'
@@ -351,7 +349,7 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
-    """What to say of something that was read where one of the operands is expected.
+    """Return the message for a text that was read instead of an operand.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
     'read `*` behind `+`, expected a number'

@@ -1,7 +1,7 @@
-"""What a formula speaks of, as it is written: numbers, and names with subscripts or a point.
+"""Operands of a formula as written: numbers, and names with subscripts or a point.
 
-Names are taken letter by letter, so they may be Cyrillic, or words that mean something
-elsewhere. What they mean is not asked here.
+Names are matched character by character, so that they can be Cyrillic or coincide with keywords of
+other languages. Their meaning is resolved elsewhere.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)"
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
-"""What stands behind a name, from its point on: `.ratio`, `.*.torques.x`."""
+"""Parts of a name behind the first point: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -27,20 +27,20 @@ _QUOTES = ('"', "'")
 
 
 class Constant(NamedTuple):
-    """A number."""
+    """Number in a formula."""
 
     value: float
 
 
 class Velocity(Constant):
-    """The speed of a vehicle in m/s, whose link is not known yet."""
+    """Speed of a vehicle [m/s], which becomes the speed of a link once the link is known."""
 
     at: int = 0
     written: str = ""
 
     @classmethod
     def of(cls, value: float, written: str, at: int) -> Velocity:
-        """A speed in m/s, as it is written at a place.
+        """Return a speed [m/s] with the text and the offset in the formula.
 
         >>> Velocity.of(5.0, "18 km/h", 3).written
         '18 km/h'
@@ -51,15 +51,15 @@ class Velocity(Constant):
 
 
 class Subscript(NamedTuple):
-    """What tells a row or a gear: a name, a number, `#` and a number, or `:` for all."""
+    """Selection of rows or gears: a name, a number, `#` and a number, or `:` for all."""
 
     written: str
-    """With its quotes, if it has any."""
+    """Text of the subscript, including quotes."""
     at: int
 
 
 class TableName(NamedTuple):
-    """A name, and its subscripts if it has any."""
+    """Name with optional subscripts."""
 
     name: str
     subscripts: tuple[Subscript, ...]
@@ -67,18 +67,19 @@ class TableName(NamedTuple):
 
 
 class DottedName(NamedTuple):
-    """A name, a point, and a word: `D1.ratio`; also `"set 1".ratio` and `#1.ratio`."""
+    """Name, point and word, such as `D1.ratio`, `"set 1".ratio` or `#1.ratio`."""
 
     written: str
     at: int
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """A number and where it ends; a name that begins like one is told to go in quotes.
+    """Read an unsigned number; return the number and the offset behind.
 
     Raises
     ------
     ReadError
+        If a name begins with a digit and is not quoted, or the number is too large.
 
     Examples
     --------
@@ -94,17 +95,17 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
         message = f"read {quoted(word)}, expected a number without `_`: {word.replace('_', '')}"
         raise source.error(message, at)
     if word != text:
-        name, dot, rest = word.partition(".")
-        proper = f'"{name}".{rest}' if dot and NAME.fullmatch(rest) else f'"{word}"'
+        name, dot, attribute = word.partition(".")
+        correct = f'"{name}".{attribute}' if dot and NAME.fullmatch(attribute) else f'"{word}"'
         expected = "expected a number; a name that begins with a digit goes in quotes"
-        raise source.error(f"read {quoted(word)}, {expected}: {proper}", at)
+        raise source.error(f"read {quoted(word)}, {expected}: {correct}", at)
     if float(text) == float("inf"):
         raise source.error(f"read {quoted(text)}, expected a number below 1.8e308", at)
     return Constant(float(text)), end
 
 
 def quantity_end(source: Excerpt, at: int) -> int:
-    """Where a number with a unit ends; where it begins if there is none.
+    """Return the offset behind a number with a unit, or `at` without such a number.
 
     >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
     7
@@ -113,11 +114,12 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """A name with a point, and where it ends.
+    """Read a name with a point; return the name and the offset behind.
 
     Raises
     ------
     ReadError
+        If a quoted name or `#` is not followed by a point.
 
     Examples
     --------
@@ -132,10 +134,10 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
     if first not in (*_QUOTES, "#"):
         return None
     if end > at:
-        where = "it belongs between the brackets of a table, or before `.ratio`"
+        advice = "it belongs between the brackets of a table, or before `.ratio`"
         if _COMPARED.search(source.text[:at]) or _COMPARES.match(source.text, end):
-            where = "numbers are compared, not texts; in a sweep `ok` is true where `status` is ok"
-        message = f"read {quoted(source.text[at:end])} alone; {where}"
+            advice = "numbers are compared, not texts; in a sweep `ok` is true where `status` is ok"
+        message = f"read {quoted(source.text[at:end])} alone; {advice}"
     elif first == "#":
         message = "read `#`, expected `#` and a number, such as #2"
     else:
@@ -144,11 +146,12 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
 
 
 def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...], int]:
-    """What stands between the brackets behind a name, and where they end.
+    """Read the subscripts in brackets behind a name; return the subscripts and the offset behind.
 
     Raises
     ------
     ReadError
+        At the first text that is not a subscript, or an open bracket.
 
     Examples
     --------
@@ -170,10 +173,10 @@ def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...
     return tuple(subscripts), at + 1
 
 
-def _no_subscript(written: str, rest: str) -> str:
-    """What to say of something between brackets that is no subscript."""
-    if not written and rest.startswith(_QUOTES):
-        return f"the quote {rest[0]} is not closed"
+def _no_subscript(written: str, text: str) -> str:
+    """Return the message for a text in brackets that is not a subscript."""
+    if not written and text.startswith(_QUOTES):
+        return f"the quote {text[0]} is not closed"
     expected = "expected a name, a number such as #2, or `:` for all"
     if written and not written.startswith(("#", ":")):
         expected += f'; a name that is no plain word goes in quotes: "{written}"'

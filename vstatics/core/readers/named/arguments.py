@@ -1,6 +1,6 @@
-"""The values of a document -> the arguments of `Transmission`, relative numbers by gear.
+"""Arguments of `Transmission` from the values of a document, with numbers relative to the input.
 
-Speeds are related to the input speed of the load, torques and drag to its torque.
+Speeds are divided by the input speed of the operating point, torques and drag by its torque.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.units import WithUnit
 from vstatics.core.readers.named.walk import Walk
 
-_OWN = (*(key.name for key in CASE.keys), *KEYS)
+_ATTRIBUTES = (*(key.name for key in CASE.keys), *KEYS)
 """Keys that are attributes of a case."""
 
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
-    """The arguments of `Transmission`."""
-    if values.get("output") == HOUSING:  # to the model this would say that none is given
+    """Return the arguments of `Transmission`."""
+    if values.get("output") == HOUSING:  # the model takes 0 as a missing output
         walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
     parts = {
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
@@ -36,12 +36,14 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if not parts["gears"] and (given or not parts["shift_elements"]):
         parts["gears"] = [Gear()]
     load = values.get("load", Load())
-    common = Common(load, bool(values.get("inertias") or values.get("masses")))
+    # in a case with inertias, capacities and drag with a unit need no operating point
+    moves = values.get("inertias") or values.get("masses")
+    common = Common(load, load.torque_size or (math.inf if moves else 0.0))
     elements, gears, drag = in_gears(
         parts["shift_elements"], parts["gears"], values.get("drag", {}), common, walk.spots
     )
     return {
-        **{key: values[key] for key in _OWN if key in values},
+        **{key: values[key] for key in _ATTRIBUTES if key in values},
         **parts,
         "converters": converters_of(values.get("converters", {})),
         "shift_elements": elements,
@@ -53,36 +55,29 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """A load that says nothing is none."""
+    """Return a load, or `None` for a load without values."""
     return None if load == Load() else load
 
 
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
-    """Where the model's complaints would be about stand-ins.
+    """Return the paths at which problems of the model would be caused by stand-ins.
 
-    Links are counted against the devices, so these count too.
+    Unreadable components hide the number of links, which is checked against the components.
     """
     devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
 
 
-class _Located(NamedTuple):
-    """A number, and the path where it stands."""
-
-    number: float
-    path: Path
-
-
-_ByPart = dict[int, _Located]
-"""By link or shift element."""
+_ByPart = dict[int, tuple[float, Path]]
+"""Number and path in the document, by link or shift element."""
 
 
 class Common(NamedTuple):
-    """Loads of a case, to which numbers with a unit are related."""
+    """Operating point of the case, to which numbers with a unit are related."""
 
     load: Load
-    moves: bool = False
-    """Whether the case has inertias: then capacities and drag with a unit need no load."""
+    whole: float
+    """Torque of the load; without a load, infinity if units suffice and 0 otherwise."""
 
 
 def in_gears(
@@ -92,22 +87,23 @@ def in_gears(
     common: Common,
     spots: Spots,
 ) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
-    """Shift elements, gears and the drag of the case, with relative numbers only.
+    """Return shift elements, gears and drag of the case with relative numbers.
 
-    Capacities and drags of shift elements, and the drag of the case, are related to the load of
-    the case; each gear relates the drags to its own load.
+    Capacity and drag of shift elements, and the drag of the case, are related to the operating
+    point of the case. Each gear relates drags to its own operating point.
 
     Parameters
     ----------
     elements, gears, drag
-        Of a document, with their numbers as they are written.
+        Parts of a document, with their numbers as written.
+    common : Common
+        Operating point of the case.
     spots : Spots
-        Is told where a unit stands without a load.
+        Collector of the errors about units without an operating point.
     """
-    numbered = enumerate(elements, 1)
-    of_elements = {
-        number: _Located(element.drag, ("shift_elements", number, "drag"))
-        for number, element in numbered
+    of_elements: _ByPart = {
+        number: (element.drag, ("shift_elements", number, "drag"))
+        for number, element in enumerate(elements, 1)
         if isinstance(element.drag, WithUnit)
     }
     of_links = _located(drag, ("drag",))
@@ -115,37 +111,31 @@ def in_gears(
         load = (gear.load or Load()).or_else(common.load)
         for of_case, of_gear in ((of_links, gear.drag), (of_elements, gear.open_drag)):
             left = {part: drag for part, drag in of_case.items() if part not in of_gear}
-            _related(left, load.torque_size or _whole(common), spots)
-    whole = common.load.torque_size or math.inf
+            _related(left, load.torque_size or common.whole, spots)
     return (
         [_element(element, n, common, spots) for n, element in enumerate(elements, 1)],
         [_gear(gear, n, common, spots) for n, gear in enumerate(gears, 1)],
-        {link: _by_load(torque, whole) for link, torque in drag.items()},
+        {link: _by_load(torque, common.load) for link, torque in drag.items()},
     )
 
 
 def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
-    return {part: _Located(number, (*path, part)) for part, number in numbers.items()}
+    return {part: (number, (*path, part)) for part, number in numbers.items()}
 
 
-def _by_load(torque: float, whole: float) -> float:
-    """A torque by that of a load, if it has a unit; an infinite one stands for none."""
+def _by_load(torque: float, load: Load) -> float:
+    """Divide a torque with a unit by the torque of a load, infinite without a load."""
+    whole = load.torque_size or math.inf
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
 
-def _whole(common: Common) -> float:
-    """What capacities are related to: infinite where only their own unit counts."""
-    return common.load.torque_size or (math.inf if common.moves else 0.0)
-
-
 def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -> ShiftElement:
-    """An element whose drag and capacity are relative to the load of the case."""
-    drag = _by_load(element.drag, common.load.torque_size or math.inf)
+    """Return a shift element with drag and capacity relative to the load of the case."""
+    drag = _by_load(element.drag, common.load)
     capacity, path = element.capacity, ("shift_elements", number, "capacity")
     if isinstance(capacity, WithUnit):
         if capacity > 0:
-            given = {number: _Located(capacity, path)}
-            capacity = _related(given, _whole(common), spots).get(number)
+            capacity = _related({number: (capacity, path)}, common.whole, spots).get(number)
         else:
             spots.tell(path, f"read {capacity:g}, expected a torque above 0")
             capacity = None
@@ -155,28 +145,28 @@ def _element(element: ShiftElement, number: int, common: Common, spots: Spots) -
 def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
     load = (gear.load or Load()).or_else(common.load)
     torque = load.torque_size
-    drags = torque or _whole(common)
+    drags = torque or common.whole
 
     def related(key: str, numbers: Mapping[int, float], whole: float) -> dict[int, float]:
         return _related(_located(numbers, ("gears", number, key)), whole, spots)
 
-    by_links = {link: one for link, one in gear.speeds.items() if isinstance(one, SpeedOf)}
-    numbers = {link: one for link, one in gear.speeds.items() if not isinstance(one, SpeedOf)}
+    by_links = {link: speed for link, speed in gear.speeds.items() if isinstance(speed, SpeedOf)}
+    numbers = {link: speed for link, speed in gear.speeds.items() if not isinstance(speed, SpeedOf)}
     speeds = related("speeds", numbers, load.speed or 0.0) | by_links
     return gear._replace(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
-        torques=related("torques", gear.torques, torque),  # the case gives it its sign
+        torques=related("torques", gear.torques, torque),  # `Transmission` adds the sign
         drag=related("drag", gear.drag, drags),
         open_drag=related("open_drag", gear.open_drag, drags),
     )
 
 
 def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
-    """Numbers as parts of the input's, which is 0 where none is known.
+    """Return numbers relative to an input quantity `whole`, which is 0 if unknown.
 
-    Those that cannot be related are told.
+    Numbers that cannot be related are reported and omitted.
     """
-    made: dict[int, float] = {}
+    relative: dict[int, float] = {}
     no_load = any(path[-1] == "load" for path in spots.unreadable)
     for part, (number, path) in numbers.items():
         if isinstance(number, Law) and not whole and path[0] == "drag":
@@ -184,9 +174,9 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
                 message = "it depends on speed, in N*m, expected a `load` with speed and torque"
                 spots.tell(path, message)
         elif not isinstance(number, WithUnit):
-            made[part] = number
+            relative[part] = number
         elif whole:
-            made[part] = OfLoad(float(number), whole)
+            relative[part] = OfLoad(float(number), whole)
         elif path not in spots.unreadable and not no_load:
             quantity, unit = number.quantity, UNITS[number.quantity]
             spots.tell(
@@ -195,4 +185,4 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
                 f"expected a number relative to the input {quantity}, or "
                 f"`load: {{{quantity}: ... {unit}}}` in the case",
             )
-    return made
+    return relative

@@ -1,6 +1,6 @@
-"""A number with arithmetic before it: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
+"""Arithmetic in front of a unit or a name: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
 
-What stands behind the number is left to who asks: a unit, the name of a link.
+The text behind the number, such as a unit or the name of a link, is left to the caller.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ from typing import NamedTuple
 from vstatics.core.readers.signs import dash_hint, with_plain_blanks
 
 LONGEST_ARITHMETIC = 1000
-"""Characters of a text with a number."""
+"""Maximum number of characters of a text with a number."""
 MOST_ARITHMETIC_BRACKETS = 20
-"""So many may be open at once."""
+"""Maximum number of brackets that can be open at once."""
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
-"""For a JSON Schema, which cannot count brackets."""
+"""Calculation, as a pattern for a JSON Schema, which cannot count brackets."""
 
 DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
-"""A number without a unit, a percentage or a ratio of two numbers, for a JSON Schema."""
+"""Calculation, percentage or ratio of two numbers, as a pattern for a JSON Schema."""
 
 _GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
@@ -29,21 +29,21 @@ _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
 _OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
 _BINDING = tuple(
-    # an operator only if a number is behind it, not a unit or a name: 2000/min, 1.05*FL
+    # an operator must precede a number, not a unit or a name as in 2000/min and 1.05*FL
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
 
 
 class LeadingNumber(NamedTuple):
-    """A number, and the text behind it without blanks around it: `Nm`, `/min`, `*FL`."""
+    """Number with the text behind it, without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
 
 
 def calculated(text: str) -> LeadingNumber:
-    """Work out a number, with `+ - * /` and brackets, as far as it goes.
+    """Calculate the number at the beginning of a text, with `+ - * /` and brackets.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def calculated(text: str) -> LeadingNumber:
 
 
 def dimensionless(text: str) -> float:
-    """Work out a number without a unit, a percentage, or a ratio of two numbers.
+    """Calculate a number without a unit, a percentage, or a ratio of two numbers.
 
     Raises
     ------
@@ -82,16 +82,16 @@ def dimensionless(text: str) -> float:
     if behind == "%":
         return value / 100
     if behind.startswith(":"):
-        other, behind = calculated(behind[1:])
+        divisor, behind = calculated(behind[1:])
         if not behind:
-            return _applied("/", value, other)
+            return _applied("/", value, divisor)
     if behind:
         raise ValueError(expected(text))
     return value
 
 
 def expected(text: str) -> str:
-    """What to say of a text that is no number.
+    """Return the message for a text that is not a number.
 
     >>> expected("1,5")
     'expected a number or a calculation such as -96/39 (with a decimal point)'
@@ -100,7 +100,7 @@ def expected(text: str) -> str:
 
 
 def slip(text: str) -> str:
-    """How a number is written, where one was read as texts in print have it.
+    """Return a hint for a number in typographic notation, or an empty text.
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
     (' (with a decimal point)', ' (with `-` in place of `\u2212`)', '')
@@ -113,33 +113,33 @@ def slip(text: str) -> str:
 
 
 class _Calculation:
-    """Goes through a text from the left to the right."""
+    """Recursive parser of a calculation, which reads from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
 
-    def took(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Go on behind a pattern if it stands here."""
-        found = pattern.match(self.text, self.at)
-        self.at = found.end() if found else self.at
-        return found
+    def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
+        """Match a pattern at the current position, and move behind the match."""
+        match = pattern.match(self.text, self.at)
+        self.at = match.end() if match else self.at
+        return match
 
     def joined(self, level: int, brackets: int) -> float:
-        """A sum at level 0, a product at level 1, an operand at level 2."""
+        """Read a sum at level 0, a product at level 1, an operand at level 2."""
         if level == len(_BINDING):
             return self.operand(brackets)
         value = self.joined(level + 1, brackets)
-        while sign := self.took(_BINDING[level]):
+        while sign := self.match(_BINDING[level]):
             value = _applied(sign[1], value, self.joined(level + 1, brackets))
         return value
 
     def operand(self, brackets: int) -> float:
-        sign = self.took(_SIGN)
-        if self.took(_OPEN):
+        sign = self.match(_SIGN)
+        if self.match(_OPEN):
             value = self.bracketed(brackets + 1)
         else:
-            number = self.took(_NUMBER)
+            number = self.match(_NUMBER)
             if not number:
                 raise ValueError(expected(self.text))
             value = _finite(float(number[0]))
@@ -149,7 +149,7 @@ class _Calculation:
         if brackets > MOST_ARITHMETIC_BRACKETS:
             raise ValueError(f"expected at most {MOST_ARITHMETIC_BRACKETS} open brackets")
         value = self.joined(0, brackets)
-        if not self.took(_CLOSED):
+        if not self.match(_CLOSED):
             raise ValueError(f"{expected(self.text)}, and `)` behind it")
         return value
 

@@ -1,12 +1,12 @@
-"""Values of several parts: entries of a mapping, rows, points, values in several forms."""
+"""Readers of compound values: entries of mappings, rows, points, values with several forms."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.errors import ReadError, quoted, spoken
-from vstatics.core.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf, Shape
+from vstatics.core.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf
 from vstatics.core.readers.named.nodes import (
     Listing,
     Mapping,
@@ -19,13 +19,16 @@ from vstatics.core.readers.named.nodes import (
     shown,
 )
 
+if TYPE_CHECKING:
+    from vstatics.core.readers.named.walk import Walk
+
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
-    """The entries of the mapping at a spot; problems are told of what is left out."""
-    assert isinstance(spot.node, Mapping)  # noqa: S101 - for mypy
+    """Yield the valid entries of the mapping at a spot, and report the invalid entries."""
+    assert isinstance(spot.node, Mapping)  # noqa: S101 (for mypy)
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
         if is_merge(key):
@@ -43,16 +46,16 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
 
 
 def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[str, Node]:
-    """The values by declared keys; an optional key without a value is not given.
+    """Return the values of declared keys; an empty optional key counts as missing.
 
-    A mistyped key is read as what was meant, so that one slip brings no others.
+    A mistyped key is read as the suggested key, so that one mistake causes one message.
     """
     known = {key.name: key for key in keys}
     given: dict[str, Node] = {}
     meant: dict[str, Node] = {}
     for key, value in entries(spots, spot):
         if key.text not in known:
-            hint = spots.found.hint(key.text, known)
+            hint = spots.document.hint(key.text, known)
             expected = hint or f", expected {spoken(map(quoted, known))}"
             if key.text.isdigit():
                 expected = f"; {NO_COMMA}"
@@ -64,32 +67,17 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 
 
 def is_behind_comma(key: Scalar, value: Node) -> bool:
-    """Whether a key is what stood behind a decimal comma, as in `{a: 0,2 kg*m^2, b: 5}`."""
+    """Check for a key cut off by a decimal comma, as in `{a: 0,2 kg*m^2, b: 5}`."""
     return is_null(value) and key.text.partition(" ")[0].isdigit()
 
 
 def is_merge(key: Scalar) -> bool:
-    """Whether it is the `<<` of YAML, which merges a mapping into another."""
+    """Check whether a key is `<<`, by which YAML merges mappings."""
     return key.plain and key.text == "<<"
 
 
-class ReadsShapes(Protocol):
-    """What the walk does for a row."""
-
-    spots: Spots
-
-    def read(self, spot: Spot, shape: Shape) -> Any:
-        """The value at a spot, or a stand-in after a problem."""
-
-    def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """The items of a list, all of one shape."""
-
-    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
-        """A stand-in for what cannot be read, after the problem."""
-
-
-def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
-    """As many values as the row has."""
+def read_row(walk: Walk, spot: Spot, shape: RowOf) -> Any:
+    """Read a row with the prescribed number of values."""
     node, count, known = spot.node, len(shape.items), (*shape.items, *shape.optional)
     if not isinstance(node, Listing) or not count <= len(node.items) <= len(known):
         return walk.refuse(spot, shape, f"expected {count} numbers: [{shape.kind}]", length(node))
@@ -97,8 +85,8 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
 
-def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
-    """Rows in order; one number is a row at 0; or what the mapping makes."""
+def read_points(walk: Walk, spot: Spot, shape: ByPoints) -> Any:
+    """Read rows of points, a number as a point at 0, or a mapping."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
         if not node.items:
@@ -111,8 +99,8 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
     return ((0.0, walk.read(spot._replace(path=(*spot.path, 1, 2)), leaf)),)
 
 
-def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
-    """What a room makes of a text."""
+def read_parsed(walk: Walk, spot: Spot, shape: Parsed) -> Any:
+    """Read a text with the parser of the shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
         return walk.refuse(spot, shape, f"expected {shape.expected}")
@@ -121,23 +109,23 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
     except ReadError as error:
         for problem in error.problems:
             offset = problem.place.column - 1 if problem.place else 0
-            walk.spots.complain(spot, problem.message, _further(walk, node, offset))
+            walk.spots.complain(spot, problem.message, _moved_by(walk, node, offset))
         walk.spots.unreadable.append(spot.path)
         return shape.stand_in
     except ValueError as error:
         return walk.refuse(spot, shape, error)
 
 
-def _further(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
-    """The place of an offset into a text, if that stands letter by letter in one line."""
-    line = walk.spots.found.source.place(node.line).text
+def _moved_by(walk: Walk, node: Scalar, offset: int) -> Scalar:
+    """Move a scalar by an offset into the text, if the text is on a single line."""
+    line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)
     return node._replace(column=begin + offset + 1) if as_written else node
 
 
-def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
-    """A single value, a list or a mapping."""
+def read_form(walk: Walk, spot: Spot, shape: ByForm) -> Any:
+    """Read a single value, a list or a mapping."""
     if isinstance(spot.node, Listing):
         return walk.read(spot, shape.listing)
     if isinstance(spot.node, Mapping) and shape.mapping:
@@ -147,8 +135,8 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
     return walk.refuse(spot, shape, f"expected {shape.expected}")
 
 
-def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """A list of items, of one where it stands alone."""
+def read_one_or_many(walk: Walk, spot: Spot, shape: OneOrMany) -> Any:
+    """Read a list of items; a single item becomes a list."""
     node = spot.node
     if not isinstance(node, Listing) or all(
         isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)

@@ -1,4 +1,4 @@
-"""Files of numbers that a document names: which are read, and whether any is."""
+"""Files of numbers that a document names, with control over which files are read."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from vstatics.core.readers.named.headings import without_titles
 from vstatics.core.readers.named.nodes import encoding_of
 from vstatics.core.readers.signs import with_plain_blanks
 
-_NOTED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
-_ARE_READ: ContextVar[bool] = ContextVar("files are read", default=True)
+_RECORDED: ContextVar[set[str] | None] = ContextVar("noted files", default=None)
+_ALLOWED: ContextVar[bool] = ContextVar("files are read", default=True)
 
 
 @contextmanager
 def noted_files() -> Iterator[set[str]]:
-    """Note which files are read in this block, or would be if they were there.
+    """Record the files that this block reads or tries to read.
 
     >>> with noted_files() as noted:
     ...     try:
@@ -30,57 +30,58 @@ def noted_files() -> Iterator[set[str]]:
     {'nowhere.csv'}
     """
     noted: set[str] = set()
-    token = _NOTED.set(noted)
+    token = _RECORDED.set(noted)
     try:
         yield noted
     finally:
-        _NOTED.reset(token)
+        _RECORDED.reset(token)
 
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse in this block whatever file is named in a text, as it may be that of a stranger.
+    """Refuse all files named in texts within this block, as such texts may be untrusted.
 
     >>> with no_files():
     ...     csv_rows(Path("/etc/passwd"), 100, bool)
     Traceback (most recent call last):
     ValueError: expected the points themselves: a text has no folder; ...
     """
-    token = _ARE_READ.set(False)
+    token = _ALLOWED.set(False)
     try:
         yield
     finally:
-        _ARE_READ.reset(token)
+        _ALLOWED.reset(token)
 
 
 def are_read() -> bool:
-    """Whether files that a text names are read."""
-    return _ARE_READ.get()
+    """Check whether files named in a text can be read."""
+    return _ALLOWED.get()
 
 
 def csv_rows(
     file: Path, most: int, is_heading: Callable[[str], bool]
 ) -> list[tuple[int, list[str]]]:
-    """Lines from the headings on that are not empty, each with its number.
+    """Read the rows of a file from the headings on, each with the line number.
 
     Parameters
     ----------
     file : Path
     most : int
-        Of its bytes.
+        Most bytes of the file.
     is_heading : callable
-        Whether a cell is a heading; lines above the first are titles.
+        Function that recognises a cell of the headings; lines above the headings are titles.
 
     Raises
     ------
     OSError
+        If the file cannot be read, or is larger.
     ValueError
-        With what was expected.
+        With the expected content.
     """
     if not are_read():
         hint = "`loads` reads files beside its `name`, if that has a folder"
         raise ValueError(f"expected the points themselves: a text has no folder; {hint}")
-    noted = _NOTED.get()
+    noted = _RECORDED.get()
     if noted is not None:
         noted.add(str(file))
     data = read_file(file, most, regular=True)

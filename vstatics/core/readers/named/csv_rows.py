@@ -1,7 +1,7 @@
-"""Rows of CSV that people give, as spreadsheets write it: with commas, semicolons or tabs.
+"""Rows of CSV files as spreadsheets write them: with commas, semicolons or tabs.
 
-Where a comma is the decimal sign, as in German or Russian, a spreadsheet separates by semicolons.
-Every reader of such a file asks here which sign separates, and takes its numbers from here.
+In countries with a decimal comma, such as Germany or Russia, spreadsheets separate cells by
+semicolons. All readers of such files take the separator and the numbers from this module.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
-_TOLD_SEPARATOR = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
-"""The line with which a spreadsheet is told what separates, as the headings do, too."""
+_SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
+"""Line that prescribes the separator to a spreadsheet; here the headings decide."""
 
 
 def separator_of(head: str) -> str:
-    """Return the sign that separates the cells of a table, by its line of headings.
+    """Return the separator of the cells of a table, as used in the line of headings.
 
     Examples
     --------
@@ -38,11 +38,11 @@ def separator_of(head: str) -> str:
 
 
 class Decimals:
-    """The numbers of one table, with decimal points where commas stood between semicolons or tabs.
+    """Numbers of a table, with decimal points instead of the commas between semicolons or tabs.
 
-    A point there may be a decimal one, or stand between thousands as in `1.200`: that is told by
-    the other numbers. It is a decimal one if some has a point that can't be anything else, such as
-    `0.5`, and none a comma. Between tabs the same holds for a comma, as in `1,200`.
+    A point can be a decimal point, or separate thousands as in `1.200`. The other numbers decide:
+    it is a decimal point if a number such as `0.5` can have no other meaning, and no number has a
+    comma. The rule also holds for a comma between tabs, as in `1,200`.
 
     >>> german = Decimals(";")
     >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
@@ -61,10 +61,10 @@ class Decimals:
         self._separator = separator
         self._are_points = False
         self._doubts: dict[str, tuple[int, str]] = {}
-        """By the sign that may stand between thousands: the first line, and the number."""
+        """First line and number in doubt, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """Return a cell with decimal points, where it is a number between semicolons or tabs."""
+        """Return a cell with decimal points, if the cell is a number between semicolons or tabs."""
         if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
         if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
@@ -79,7 +79,7 @@ class Decimals:
 
     @property
     def doubt(self) -> tuple[int, str] | None:
-        """The first line with a number that may be two, and what to say of it."""
+        """Line of the first ambiguous number, with a message; `None` without ambiguity."""
         if "," in self._doubts and (self._are_points or not self.are_commas):
             line, text = self._doubts[","]
             whole, point = text.replace(",", ""), text.replace(",", ".")
@@ -94,22 +94,22 @@ class Decimals:
 
 
 def has_cells(line: str) -> bool:
-    """Whether anything stands in the cells of a line.
+    """Check whether any cell of a line has content.
 
     >>> has_cells(" ;;"), has_cells("0;"), has_cells("sep=;")
     (False, True, False)
     """
     filled = line.strip(" \t\r\n,;")
-    return bool(filled) and not (filled[0] in 'sS"' and _TOLD_SEPARATOR.fullmatch(line))
+    return bool(filled) and not (filled[0] in 'sS"' and _SEPARATOR_LINE.fullmatch(line))
 
 
 def cells_of(line: str, separator: str) -> list[str]:
-    """The cells of a line without blanks around them.
+    """Return the cells of a line without surrounding blanks.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If the line is not valid CSV.
     """
     try:
         return [cell.strip() for cell in next(csv.reader([line], delimiter=separator), [])]
@@ -118,7 +118,7 @@ def cells_of(line: str, separator: str) -> list[str]:
 
 
 def decimal(cell: str) -> float:
-    """A finite decimal number.
+    """Return a cell as a finite decimal number.
 
     Raises
     ------
@@ -141,7 +141,7 @@ def decimal(cell: str) -> float:
 
 
 def headings_of(cells: Sequence[str]) -> list[str]:
-    """The headings of a table, whose lines may end with empty cells.
+    """Return the headings of a table without the empty cells at the end of the line.
 
     >>> headings_of(["speed [rpm]", "gear", "", " "])
     ['speed [rpm]', 'gear']
@@ -151,7 +151,7 @@ def headings_of(cells: Sequence[str]) -> list[str]:
 
 
 def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
-    """Expect a cell for each heading, and empty ones behind these.
+    """Check that a row has a cell for each heading, followed only by empty cells.
 
     Raises
     ------
@@ -175,14 +175,14 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield rows of numbers that are not empty, each with the number of its last line.
+    """Yield the rows of a table that are not empty, each with the number of the last line.
 
-    The first is that of the headings, and no other one is longer; numbers have decimal points.
+    The first row contains the headings, and no other row is longer. Numbers have decimal points.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If the text is not CSV, a row is too long, or a number is ambiguous.
     """
     below = iter(lines)
     above, head = next((line for line in enumerate(below) if has_cells(line[1])), (0, ""))

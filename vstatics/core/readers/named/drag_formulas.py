@@ -1,4 +1,4 @@
-"""Formulas of a drag over a speed: `1.2 + 0.004*w`."""
+"""Drag as a formula of speed: `1.2 + 0.004*w`."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from vstatics.core.readers.expressions.operands import DottedName, TableName
 from vstatics.core.suggestions import nearest
 
 SPEED = "w"
-"""The magnitude of the speed of a link, or of the slip of a shift element. [rad/s]"""
+"""Name of the speed of a link or the slip speed of a shift element, without sign. [rad/s]"""
 NAMES = (SPEED, "speed")
-"""Names of this speed in a formula; in formulas of a scenario it has its sign."""
+"""Names of the speed in a formula; in formulas of a scenario the speed has a sign."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 _OPERANDS = f"a number, the speed {SPEED} in rad/s, pi, or one of {', '.join(FUNCTIONS)}"
 
 
 class DragFormula(Law):
-    """A drag [N*m] by a formula of the speed w [rad/s].
+    """Drag torque [N*m] as a formula of the speed w [rad/s].
 
     Examples
     --------
@@ -36,23 +36,23 @@ class DragFormula(Law):
     """
 
     def __new__(cls, text: str) -> Self:
-        """Keep the text; it is read once."""
-        made = super().__new__(cls, _value(text, np.zeros(1))[0])
-        made.text = text
-        return made
+        """Parse and store the text."""
+        law = super().__new__(cls, _value(text, np.zeros(1))[0])
+        law.text = text
+        return law
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """For another process."""
+        """Return the arguments for pickling."""
         return (self.text,)
 
     def at(self, size: Any) -> Any:
-        """Its value at a speed, or at each of an array; NaN where it has none."""
+        """Return the torque at a speed or an array of speeds; NaN for an undefined torque."""
         values = _value(self.text, np.atleast_1d(np.asarray(size, np.float64)))
         return values if isinstance(size, np.ndarray) else float(values[0])
 
 
 def read_drag_formula(text: str) -> DragFormula:
-    """Read a formula.
+    """Parse a formula of drag.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def _value(text: str, speeds: Any) -> Any:
 
 @lru_cache(maxsize=256)
 def _tree(text: str) -> Tree:
-    """The tree of a formula."""
+    """Parse a formula, and check all names."""
     tree = parse(Excerpt(text, "drag"), Language(FUNCTIONS, _OPERANDS, SPEED, caret=True))
     for part in _names(tree):
         known = isinstance(part, TableName) and part.name in (*NAMES, "pi") and not part.subscripts
@@ -97,7 +97,7 @@ def _tree(text: str) -> Tree:
 
 
 def _names(tree: Tree) -> Iterator[TableName | DottedName]:
-    """All names in a tree."""
+    """Yield all names in a tree."""
     if isinstance(tree, Applied):
         for part in tree.operands:
             yield from _names(part)

@@ -1,4 +1,4 @@
-"""Cases that are drawn: names of links gathered from their elements, and the elements made."""
+"""Reader of cases with gear sets under `elements:`, which become mechanisms."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ _DRAWN = {"links", "link_names", "mechanisms", *(key.name for key in DRAWN)}
 
 
 def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
-    """A case made of elements; they become mechanisms if nothing is wrong with them.
+    """Read a case with gear sets, and convert valid gear sets to mechanisms.
 
     Raises
     ------
     ReadError
-        With every problem that can be told from the others.
+        With every problem that does not follow from another.
     """
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}
@@ -40,7 +40,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             if given.isdisjoint({end, f"{end}s", "links"}):
                 spots.missing(Spot((), "", root), end)
     parts = arguments(values, walk)
-    found = list(spots.found.problems)
+    all_problems = list(spots.document.problems)
     locate: Callable[[Problem], Problem] = spots.locate
     if any(path and path[0] in _DRAWN for path in spots.unreadable):
         spots.unreadable += [("links",), ("mechanisms",)]
@@ -62,8 +62,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
             faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
-        found += map(spots.locate, faults)
-    return finish(parts, found, read_with_stand_ins(spots.unreadable), locate)
+        all_problems += map(spots.locate, faults)
+    return finish(parts, all_problems, read_with_stand_ins(spots.unreadable), locate)
 
 
 def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterator[Problem]:
@@ -75,7 +75,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
-    """Gives a problem with a mechanism the place of the element that it was made from."""
+    """Return the function that locates a problem of a mechanism at the gear set."""
     paths: list[Path] = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)

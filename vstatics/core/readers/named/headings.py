@@ -1,9 +1,8 @@
-"""Headings of tables of numbers: names with units, as people and published files write them.
+"""Headings of tables of numbers: names with units, as in published files.
 
-A unit is in brackets, in parentheses, after a comma that does not separate cells, or after `_`.
-Lines before the first line of headings are titles, lines of numbers too. Capitals do not count,
-nor do signs of a comment before the headings. Units may also be in a separate line below the
-names.
+A unit is in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
+Lines before the headings are titles, even lines of numbers. Upper case and comment signs before
+the headings are ignored. Units can also be on a separate line below the names.
 """
 
 from __future__ import annotations
@@ -22,15 +21,15 @@ from vstatics.core.readers.named.si_units import measured
 from vstatics.core.suggestions import nearest
 
 MOST_TITLE_LINES = 100
-"""Number of lines in which the headings are looked for."""
+"""Number of lines that are searched for headings."""
 MOST_QUOTED = 76
-"""Number of characters of a line that a message quotes."""
+"""Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
-"""Likeness of a heading and a name, from 0 to 1, from which on it is taken for a mistyped name."""
+"""Similarity from 0 to 1 above which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
-"""Signs with which a comment begins."""
+"""Signs at the beginning of a comment."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
-"""Measures in whose units no prefix is told from another by its size of letters."""
+"""Measures whose units can be written in upper or lower case."""
 _UNIT_BEHIND = re.compile(
     r"(?P<name>.*?)\s*"
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
@@ -40,25 +39,25 @@ _LONGEST_WITH_UNIT = 200
 
 
 class TableColumn(NamedTuple):
-    """A column that a table may have."""
+    """Column that a table can have."""
 
     name: str
     measure: Measure | None = None
-    """What its numbers are in SI; None: of numbers without a unit, or of texts."""
+    """Measure of the numbers, converted to SI; `None` for texts and numbers without a unit."""
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
-    """Whether a heading without a unit means the unit of SI."""
+    """Whether a heading without a unit means the SI unit."""
     meaning: str = ""
-    """Ends the message about a unit that may not stand there."""
+    """Hint at the end of the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
-    """Sizes of the only units that may stand there, where these are no measure."""
+    """Sizes of the allowed units if the column has no measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Other names in small letters, each with the unit that it implies; empty if it has none."""
+    """Aliases in lower case, each with an implied unit or an empty text."""
 
     @property
     def heading(self) -> str:
-        """As it may be written.
+        """Heading of the column with a unit.
 
         >>> TableColumn("speed", "si_speed").heading
         'speed [rad/s]'
@@ -69,7 +68,7 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Size of a unit in SI, or of the unit that a heading without a unit means.
+        """Return the size of a unit in SI; `None` stands for a heading without a unit.
 
         Raises
         ------
@@ -94,7 +93,7 @@ class TableColumn(NamedTuple):
 
 
 def _size_of(unit: str, measure: Measure) -> float:
-    """Size of a unit in SI; its capitals do not count in times and speeds of vehicles.
+    """Return the size of a unit in SI; times and vehicle speeds accept any case.
 
     Raises
     ------
@@ -117,22 +116,22 @@ def _size_of(unit: str, measure: Measure) -> float:
 
 
 class Heading(NamedTuple):
-    """The heading of a column that is read."""
+    """Heading of a column that is read."""
 
     column: TableColumn
     place: int
-    """Index of its cell in a row."""
+    """Index of the column in a row."""
     unit: str | None
-    """None if the heading has no unit."""
+    """Unit in the heading, or `None`."""
 
     @property
     def size(self) -> float:
-        """Size of its unit in SI."""
+        """Size of the unit in SI."""
         return self.column.size(self.unit)
 
 
 class HeadingLine(NamedTuple):
-    """The line of a table that has the headings."""
+    """Line with the headings of a table."""
 
     number: int
     separator: str
@@ -144,16 +143,16 @@ class HeadingLine(NamedTuple):
 
 
 class HeadingError(ValueError):
-    """Headings that cannot be used, and the number of their line."""
+    """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
-        """Keep the line."""
+        """Store the line number."""
         super().__init__(message)
         self.line = line
 
 
 def with_unit(cell: str) -> tuple[str, str | None]:
-    """Split a heading into its name and its unit.
+    """Split a heading into name and unit.
 
     Examples
     --------
@@ -179,11 +178,11 @@ def read_headings(
     Parameters
     ----------
     lines : iterable of (int, str)
-        The first lines that are not empty, with their numbers.
+        First lines that are not empty, with their numbers.
     what : str
-        What the table is, in words: ``a duty cycle``.
+        Kind of the table, in words: ``a duty cycle``.
     columns : sequence of TableColumn
-        Columns that it may have, in any order.
+        Columns that the table can have, in any order.
     skips : bool
         Whether columns with other names are skipped.
 
@@ -196,15 +195,15 @@ def read_headings(
     --------
     >>> columns = [TableColumn("time", "time"), TableColumn("speed", "velocity")]
     >>> lines = ["City cycle, 2 rows", "Time (s),Speed (mph),Phase", "0,0,1"]
-    >>> found = read_headings(enumerate(lines, 1), "a cycle", columns, skips=True)
-    >>> found.number, [one.unit for one in found.headings], found.skipped
+    >>> head = read_headings(enumerate(lines, 1), "a cycle", columns, skips=True)
+    >>> head.number, [heading.unit for heading in head.headings], head.skipped
     (2, ['s', 'mph'], ['Phase'])
     """
     return _ExpectedTable(what, columns, skips).headings(list(islice(lines, MOST_TITLE_LINES)))
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
-    """Return the lines of a table with empty ones instead of those above the headings.
+    """Return the lines of a table with empty lines instead of the titles.
 
     Examples
     --------
@@ -217,14 +216,14 @@ def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> I
 
 
 class _ExpectedTable(NamedTuple):
-    """What is known of a table before its headings are read."""
+    """Description of a table before the headings are read."""
 
     what: str
     columns: Sequence[TableColumn]
     skips: bool
 
     def headings(self, lines: Sequence[tuple[int, str]]) -> HeadingLine:
-        """The first line with all required columns, or else the error in the likeliest line."""
+        """Return the first line with all required columns, or report the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
         candidates: list[tuple[int, int, str, list[str]]] = []
@@ -241,15 +240,12 @@ class _ExpectedTable(NamedTuple):
         return self.checked(lines, -at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """The headings that are known, in their order."""
-        return [
-            Heading(*heading._replace(place=place))
-            for place, cell in enumerate(cells)
-            if (heading := self.heading(cell))
-        ]
+        """Return the known headings in order."""
+        headings = (self.heading(cell, place) for place, cell in enumerate(cells))
+        return [heading for heading in headings if heading]
 
-    def heading(self, cell: str) -> Heading | None:
-        """What a cell means as a heading."""
+    def heading(self, cell: str, place: int) -> Heading | None:
+        """Return the heading in a cell, or `None` for an unknown name."""
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None and "_" in name:
@@ -258,10 +254,10 @@ class _ExpectedTable(NamedTuple):
         if known is None:
             return None
         column, implied = known
-        return Heading(column, 0, implied or None if unit is None else unit)
+        return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """The column of a name, with the unit that this name implies."""
+        """Return the column of a name, with the unit that this name implies."""
         name = _folded(name)
         for column in self.columns:
             if name == column.name:
@@ -273,12 +269,12 @@ class _ExpectedTable(NamedTuple):
     def checked(
         self, lines: Sequence[tuple[int, str]], at: int, separator: str, cells: Sequence[str]
     ) -> HeadingLine:
-        """The headings of a line.
+        """Return the headings of a line.
 
         Raises
         ------
         HeadingError
-            With what was read and expected.
+            With the text that was read, and the expected headings.
         """
         number = lines[at][0]
         headings = self.understood(cells)
@@ -298,12 +294,12 @@ class _ExpectedTable(NamedTuple):
         return HeadingLine(number, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
-        """Check that each column is there once, and that nothing else is there.
+        """Check that each required column occurs once, without unknown headings.
 
         Raises
         ------
         ValueError
-            With what was read and expected.
+            With the heading that was read, and the expected headings.
         """
         from difflib import get_close_matches  # costs start-up time
 
@@ -327,12 +323,12 @@ class _ExpectedTable(NamedTuple):
 
 
 def _check_units(headings: Sequence[Heading]) -> None:
-    """Check that each heading has a unit of what its column measures.
+    """Check that each heading has a unit of the right measure.
 
     Raises
     ------
     ValueError
-        With what was read and expected.
+        With the unit that was read, and the expected unit.
     """
     for heading in headings:
         _ = heading.size
@@ -341,7 +337,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 def _with_units_below(
     headings: Sequence[Heading], separator: str, below: Sequence[tuple[int, str]]
 ) -> list[Heading]:
-    """Headings with the units of the line below them; empty if it is not a line of units."""
+    """Add the units on the line below the headings; return an empty list for other lines."""
     for _, line in below:
         cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
         if len(cells) > max(heading.place for heading in headings):
@@ -356,14 +352,14 @@ def _with_units_below(
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
-    """Return the index, separator and cells of each line, once for each likely separator."""
+    """Yield the index, separator and cells of each line, once for each likely separator."""
     for at, line in enumerate(lines):
         for separator, cells in _split(line):
             yield at, separator, cells
 
 
 def _split(line: str) -> Iterator[tuple[str, list[str]]]:
-    """The cells of a line of headings, by each sign that may separate them."""
+    """Yield the cells of a line of headings for each possible separator."""
     bare = line.strip()
     bare = bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
     for separator in dict.fromkeys((separator_of(bare), ";" if ";" in bare else ",")):
@@ -375,7 +371,7 @@ def _is_row_of_numbers(line: str) -> bool:
 
 
 def _above_numbers(lines: Sequence[str]) -> int:
-    """Index of the first line above a row of the most numbers, or else of the first line."""
+    """Return the index of the first line above the longest row of numbers, or 0."""
     above = [
         at
         for at, (line, below) in enumerate(pairwise(lines))

@@ -1,4 +1,4 @@
-"""Links of a case that lists none: they are gathered from what joins them."""
+"""Links of a case without a list of links, collected from the components."""
 
 from __future__ import annotations
 
@@ -38,27 +38,27 @@ _HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES
 
 
 def is_listed(root: nodes.Mapping) -> bool:
-    """Whether a document has a list of links, or their number; a second one is not read."""
+    """Check whether a document has a list or number of links; only the first key counts."""
     first = next((value for key, value in root.entries if key.text == "links"), None)
     return first is not None and not is_null(first)
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """The links in the order in which devices name them; the walk is told, if there are any.
+    """Collect the links in the order of the components, and set the names of the references.
 
-    Without devices they are those that have inertias.
+    Without components, the links are those with inertias.
     """
-    found = joined_links(root) or _named(_links(root, _HEAVY))
-    names = list(dict.fromkeys(node.text for node in found))
+    places = joined_links(root) or _named(_links(root, _HEAVY))
+    names = list(dict.fromkeys(node.text for node in places))
     if names:
         walk.references.set_link_names(names)
     return names
 
 
 def joined_links(root: nodes.Mapping) -> list[Scalar]:
-    """Every place of a document where an element, a mechanism or a shift element names a link.
+    """Return every place where a component of the document names a link, except the housing.
 
-    In the order of the document, the housing apart.
+    The places are in the order of the document.
     """
     keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
     devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
@@ -66,7 +66,7 @@ def joined_links(root: nodes.Mapping) -> list[Scalar]:
 
 
 def _named(links: Iterable[Node]) -> list[Scalar]:
-    """Names of links, the housing apart."""
+    """Return the names of links without the housing."""
     named = (node for node in links if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
@@ -78,44 +78,46 @@ def loose_links(
     gears: Sequence[Gear],
     spots: Spots,
 ) -> Iterator[Problem]:
-    """Links that one thing only joins, where the document has no list of links.
+    """Yield a warning for each link that is connected to a single component.
 
-    A carrier may turn freely, so it is told only if its name looks mistyped.
+    A carrier can rotate freely, so it is reported only if its name looks mistyped.
     """
-    found = joined_links(root)
-    counts = Counter(node.text for node in found)
+    places = joined_links(root)
+    counts = Counter(node.text for node in places)
     carriers = {record.get("carrier") for record in values.get("elements", {}).values()}
     outputs = [values.get("output"), *values.get("outputs", ())]
-    told = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
-    told.update(link for key in ("drag", "inertias", "masses") for link in values.get(key, ()))
+    connected = {values.get("input"), *(outputs if any(outputs) else [len(names)])}
+    connected.update(link for key in ("drag", "inertias", "masses") for link in values.get(key, ()))
     for gear in gears:
-        told.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
-    loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in told]
-    first = {node.text: node for node in reversed(found)}
+        connected.update((*gear.speeds, *gear.torques, *gear.drag, gear.input, gear.output))
+    loose = [n for n, name in enumerate(names, 1) if counts[name] == 1 and n not in connected]
+    first = {node.text: node for node in reversed(places)}
     for count, number in enumerate(loose):
         name = names[number - 1]
         others = [*(other for other in names if other != name), "housing"]
-        hint = spots.found.hint(name, others) if count < MOST_HINTS else ""
+        hint = spots.document.hint(name, others) if count < MOST_HINTS else ""
         if hint or number not in carriers:
             node = first[name]
             message = f"link `{shown(name)}` is joined to nothing else{hint}"
-            yield Problem("W102", message, (), spots.found.source.place(node.line, node.column))
+            yield Problem("W102", message, (), spots.document.source.place(node.line, node.column))
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table
-    """What stands where a shape has a link; links of their own before those in lists."""
+    """Yield the nodes of links in a shape, single links before links in lists."""
     match node, shape:
         case _, Leaf("link"):
             yield node
         case nodes.Mapping(entries), ByKey():
             shapes = {key.name: key.shape for key in shape.keys}
             inner = [(shapes[key.text], value) for key, value in entries if key.text in shapes]
-            for of, value in sorted(inner, key=lambda one: isinstance(one[0], ListOf)):
+            for of, value in sorted(inner, key=lambda pair: isinstance(pair[0], ListOf)):
                 yield from _links(value, of)
         case nodes.Mapping(entries), ByKind(records, name):
             kinds = [v.text for key, v in entries if key.text == name and isinstance(v, Scalar)]
             known = [records[kind] for kind in kinds[:1] if kind in records]
-            for record in known or records.values():  # of no kind: as members of any
+            for record in (
+                known or records.values()
+            ):  # an unknown kind can have the members of all kinds
                 yield from _links(node, record)
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:

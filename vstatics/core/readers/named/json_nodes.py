@@ -1,4 +1,4 @@
-"""JSON text -> tree of nodes, with the places that the standard library drops."""
+"""JSON text -> tree of nodes, with the places that the standard library omits."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from json import JSONDecodeError
 from json.decoder import scanstring  # type: ignore[attr-defined]
 from typing import NoReturn
 
-from vstatics.core.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, shown
+from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 _BLANKS = re.compile(r"[ \t\n\r]*")
 _WORD = re.compile(r"[^\s,:{}\[\]\"]+|.?", re.DOTALL)
 _LITERAL = re.compile(r"true|false|null|-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
 
 
-def json_tree(found: Found) -> Node:
-    """The tree of a JSON text, taken strictly (RFC 8259).
+def json_tree(document: DocumentText) -> Node:
+    """Return the tree of a JSON text, strictly by RFC 8259.
 
     Raises
     ------
     ReadError
-        If the text is not JSON, or nested without end.
+        If the text is not JSON, or is nested too deeply.
     """
-    scanner = _Scanner(found)
+    scanner = _Scanner(document)
     scanner.skip()
     node = scanner.value(1)
     scanner.skip()
@@ -33,35 +33,35 @@ def json_tree(found: Found) -> Node:
 
 
 class _Scanner:
-    """Reads the values of a text, one behind the other."""
+    """Recursive parser of JSON, which reads from left to right."""
 
-    def __init__(self, found: Found) -> None:
-        self.found = found
-        self.text = found.text
+    def __init__(self, document: DocumentText) -> None:
+        self.document = document
+        self.text = document.text
         self.at = 0
 
     @property
     def sign(self) -> str:
-        """The next character; none at the end."""
+        """Next character; empty at the end."""
         return self.text[self.at : self.at + 1]
 
     @property
     def place(self) -> tuple[int, int]:
-        return self.found.place(self.at)
+        return self.document.place(self.at)
 
     def skip(self, signs: int = 0) -> None:
-        """Go on behind so many characters, and the blanks that follow."""
+        """Move behind some characters and the blanks that follow."""
         blanks = _BLANKS.match(self.text, self.at + signs)
         self.at = blanks.end() if blanks else self.at + signs
 
     def refuse(self, expected: str) -> NoReturn:
         word = _WORD.match(self.text, self.at)
         read = f"'{shown(word[0])}'" if word and word[0] else "the end of the file"
-        self.found.stop(f"not JSON: read {read}, expected {expected}", *self.place)
+        self.document.stop(f"not JSON: read {read}, expected {expected}", *self.place)
 
     def value(self, depth: int) -> Node:
         place = self.place
-        self.found.check_depth(depth, *place)
+        self.document.check_depth(depth, *place)
         match self.sign:
             case "{":
                 return Mapping([self.entry(depth) for _ in self.inside("}")], *place)
@@ -80,8 +80,8 @@ class _Scanner:
         try:
             text, self.at = scanstring(self.text, self.at + 1)
         except JSONDecodeError as error:
-            self.found.stop(f"not JSON: {error.msg}", *self.found.place(error.pos))
-        self.found.check_characters(text, *place)
+            self.document.stop(f"not JSON: {error.msg}", *self.document.place(error.pos))
+        self.document.check_characters(text, *place)
         return Scalar(text, *place, plain=False)
 
     def entry(self, depth: int) -> tuple[Scalar, Node]:
@@ -95,7 +95,7 @@ class _Scanner:
         return key, self.value(depth + 1)
 
     def inside(self, closing: str) -> Iterator[None]:
-        """Stop before each item between brackets, then go on behind these."""
+        """Stop before each item between brackets, then move behind the closing bracket."""
         self.skip(1)
         more = self.sign != closing
         while more:

@@ -1,27 +1,29 @@
-"""Laws of a case: points, efficiencies over speed or torque, points in a file beside the case."""
+"""Laws of a case: points, efficiencies versus speed or torque, points in a file."""
 
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.errors import quoted
 from vstatics.core.model.parts import BatteryBalance, Law
 from vstatics.core.model.shape import Balances, ByLaw, Leaf
-from vstatics.core.readers.named.compounds import ReadsShapes
 from vstatics.core.readers.named.nodes import Listing, Mapping, Spot
 
+if TYPE_CHECKING:
+    from vstatics.core.readers.named.walk import Walk
 
-def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
-    """A number, or a law."""
+
+def read_law(walk: Walk, spot: Spot, shape: ByLaw) -> Any:
+    """Read a number or a law."""
     if isinstance(spot.node, Mapping):
-        made = walk.read(spot, shape.mapping)
-        if isinstance(made, Law):
-            return made
-        file = made.get("file")
+        law = walk.read(spot, shape.mapping)
+        if isinstance(law, Law):
+            return law
+        file = law.get("file")
         return _of_file(walk, spot, shape, file) if file else 0.0
     if isinstance(spot.node, Listing) and shape.row is not None:
-        from vstatics.core.model.laws import PointLaw  # cases without laws do without
+        from vstatics.core.model.laws import PointLaw  # needed by few cases
 
         if not spot.node.items:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
@@ -29,26 +31,26 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
     return walk.read(spot, shape.scalar)
 
 
-def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
-    """The points of a file, whose name is relative to the folder of the case."""
-    from vstatics.core.model.laws import PointLaw  # likewise
+def _of_file(walk: Walk, spot: Spot, shape: ByLaw, name: str) -> Any:
+    """Read the points of a file, whose name is relative to the folder of the case."""
+    from vstatics.core.model.laws import PointLaw  # needed by few cases
     from vstatics.core.readers.named.point_files import points_of
 
-    beside = os.path.join(os.path.dirname(walk.spots.found.source.file), name)  # noqa: PTH118 PTH120
+    path = os.path.join(os.path.dirname(walk.spots.document.source.file), name)  # noqa: PTH118 PTH120
     try:
-        points = points_of(beside)
+        points = points_of(path)
     except OSError as error:
         why = error.strerror or str(error)
         return walk.refuse(spot, shape, f"which can't be read: {why}", quoted(name))
     except ValueError as error:
         return walk.refuse(spot, shape, error, quoted(name))
     law = PointLaw(points)
-    law.file = beside
+    law.file = path
     return law
 
 
-def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
-    """Efficiencies by links, and the power of the battery."""
+def read_balance(walk: Walk, spot: Spot, shape: Balances) -> Any:
+    """Read the efficiencies of machines by links, and the power of the battery."""
     node = spot.node
     if not isinstance(node, Mapping):
         return walk.refuse(spot, shape, "expected a mapping: an efficiency for each link")

@@ -1,4 +1,4 @@
-"""How single values are read, and what stands in for those that cannot be, to read on."""
+"""Readers of single values, and the stand-ins for unreadable values."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import scalars, units
 from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
 
-_MANY_LINKS = 10**9  # takes every link number in; the model refuses it, and this is not told
+_MANY_LINKS = 10**9  # admits every link number; the model's complaint about it is hidden
 _NO_LINKS = (NO_LINK, NO_LINK)
-_BY_REST = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
-"""Measures that may be 0, as they are where nothing is read."""
+_MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
+"""Measures whose stand-in is 0, as the value 0 is allowed."""
 
 
 class LeafReading(NamedTuple):
-    """How a single value is read."""
+    """Description, stand-in and parser of a kind of value."""
 
     expected: str
     stand_in: Any
     parse: Callable[[str], Any] = str
-    """Text -> value, where the text alone tells it."""
+    """Function from text to value, for values that need no context."""
 
 
 def _in_si(text: str, measure: Measure) -> float:
@@ -51,8 +51,8 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """A number of what turns, or of what moves straight: it knows which, if its unit says so."""
-    from vstatics.core.readers.named.si_units import of_either  # likewise
+    """Read a quantity of rotation or of straight motion; the result gives its measure."""
+    from vstatics.core.readers.named.si_units import of_either  # costs start-up time
 
     return of_either(text, measure)
 
@@ -60,18 +60,18 @@ def either_way(text: str, measure: Any) -> float:
 _FORMULA = re.compile(
     r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
 )
-"""A name of the speed, or operators where no unit follows the first number."""
+"""Name of the speed, or operators without a unit behind the first number."""
 
 
 def _drag(text: str) -> float:
-    """A torque, or a formula of the speed."""
+    """Read a torque, or a formula of the speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
         if not _FORMULA.search(text):
             allowed = "a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
             raise ValueError(f"{error}; {allowed}") from None
-    from vstatics.core.readers.named.drag_formulas import read_drag_formula  # likewise
+    from vstatics.core.readers.named.drag_formulas import read_drag_formula  # costs start-up time
 
     return read_drag_formula(text)
 
@@ -91,7 +91,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
     **{
         measure: LeafReading(
             units.with_article(measure),
-            0.0 if measure in _BY_REST else 1.0,
+            0.0 if measure in _MAY_BE_0 else 1.0,
             partial(_in_si, measure=measure),
         )
         for measure in get_args(Measure)
@@ -103,13 +103,8 @@ LEAVES: dict[LeafKind, LeafReading] = {
 }
 
 
-def parsed(text: str, kind: LeafKind) -> Any:
-    """A single value whose text alone tells it."""
-    return LEAVES[kind].parse(text)
-
-
-def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
-    """What stands in for a value that cannot be read."""
+def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
+    """Return the stand-in for an unreadable value."""
     match shape:
         case Leaf():
             return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in
@@ -131,16 +126,14 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, PLR0912, C901 - a table
             return (stand_in(shape.row),)
         case Balances():
             return None
-        case ByLaw():
-            return stand_in(shape.scalar)
         case Parsed():
             return shape.stand_in
-        case ByForm():
+        case ByLaw() | ByForm():
             return stand_in(shape.scalar)
     return {}
 
 
 def values_before(shape: ByKey) -> dict[str, Any]:
-    """The values of a record as far as they are known before it is read."""
+    """Return the defaults of a record, and stand-ins for the required keys."""
     defaults = {key.name: key.default for key in shape.keys if key.default is not None}
     return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

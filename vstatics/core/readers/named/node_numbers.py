@@ -1,4 +1,4 @@
-"""Numbers in the nodes of a document by the keys of their paths: found, read, replaced."""
+"""Numbers in the nodes of a document: found, read and replaced by paths of keys."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from vstatics.core.readers.named.nodes import Listing, Mapping, Node, Scalar, is
 from vstatics.core.suggestions import nearest
 
 MOST_KNOWN = 12
-"""So many names are listed where one is not known."""
+"""Maximum number of names listed in a message about an unknown name."""
 
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
-"""No unit begins with one of these."""
+"""Signs at the beginning of a formula, which begin no unit."""
 
 
 def keys_of(node: Node) -> list[str]:
-    """What can stand next in a path: names of keys, or numbers of items."""
+    """Return the possible next parts of a path: names of keys, or numbers of items."""
     match node:
         case Mapping():
             return list(dict.fromkeys(key.text for key, _ in node.entries))
@@ -32,29 +32,29 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """The value below a node, if there is one."""
+    """Return the value of a key or an item, or `None` if missing."""
     match node:
         case Mapping():
-            return next((value for one, value in node.entries if one.text == key), None)
+            return next((value for name, value in node.entries if name.text == key), None)
         case Listing():
             number = typed_number(key, len(node.items))
             return None if number is None else node.items[number - 1]
     return None
 
 
-def found(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """The value of a path; none if only its last key is missing, of a mapping.
+def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
+    """Find the node at a path; return `None` if only the last key, of a mapping, is missing.
 
     Raises
     ------
     NoValueError
-        If the path leads nowhere; it names the nearest.
+        If the path does not exist; the message names the nearest key.
     """
     node = root
     for number, part in enumerate(parts):
         below = child(node, part.name)
         if below is None:
-            before = written([one.name for one in parts[:number]])
+            before = written([part.name for part in parts[:number]])
             last = number == len(parts) - 1
             if last and isinstance(node, Mapping):
                 return None
@@ -64,7 +64,7 @@ def found(root: Node, parts: Sequence[PathPart]) -> Node | None:
 
 
 def _missing(node: Node, name: str, before: str) -> str:
-    """What to say where a path does not go on."""
+    """Return the message for a path that cannot be followed."""
     known = keys_of(node)
     of = f" in {quoted(before)}" if before else ""
     match node:
@@ -79,19 +79,19 @@ def _missing(node: Node, name: str, before: str) -> str:
 
 
 class WrittenNumber(NamedTuple):
-    """A number as it stands in a document: with its unit, if it has one."""
+    """Number as written in a document, with a unit or an empty text."""
 
     value: float
     unit: str
 
 
 def number_of(node: Node) -> WrittenNumber:
-    """The number of a value.
+    """Return the number in a node.
 
     Raises
     ------
     ValueError
-        If it is none; with what it is.
+        If the node contains no number; the message describes the node.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def number_of(node: Node) -> WrittenNumber:
 
 
 def number_text(value: float, unit: str = "") -> str:
-    """A number as it is written into a document; a whole one without a point.
+    """Return a number as written in a document; whole numbers have no point.
 
     >>> number_text(42.0), number_text(0.1, "rpm")
     ('42', '0.1 rpm')
@@ -125,13 +125,13 @@ def number_text(value: float, unit: str = "") -> str:
 
 
 def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
-    """A tree with another text at a path; a key that a mapping has not is put behind the others.
+    """Return a tree with a new text at a path; a missing last key is appended.
 
     Parameters
     ----------
     node : Node
     keys : sequence of str
-        A path that `found` has found, or whose last key is missing.
+        Path to a value of the tree, or to a missing key of a mapping.
     text : str
 
     Examples
@@ -150,7 +150,7 @@ def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
         place = int(first) - 1
         items[place] = replaced(items[place], others, text)
         return node._replace(items=items)
-    assert isinstance(node, Mapping)  # noqa: S101 - the path was found
+    assert isinstance(node, Mapping)  # noqa: S101 (`find_node` found the path)
     entries = list(node.entries)
     for place, (key, value) in enumerate(entries):
         if key.text == first:

@@ -9,21 +9,22 @@ from vstatics.core.readers.named.csv_files import csv_rows
 from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
-MOST_BYTES = 1_000_000
-"""Of a file of points."""
+MOST_POINT_FILE_BYTES = 1_000_000
+"""Maximum number of bytes of a file of points."""
 _COLUMNS: tuple[tuple[str, Measure], ...] = (("speed", "si_speed"), ("torque", "si_torque"))
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """The points of a file.
+    """Read the points of a file.
 
     Raises
     ------
     OSError
+        If the file cannot be read, or is too large.
     ValueError
-        With what was expected.
+        With the expected content.
     """
-    return _points(csv_rows(Path(name), MOST_BYTES, lambda cell: _name(cell) == "speed"))
+    return _points(csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) == "speed"))
 
 
 def _name(heading: str) -> str:
@@ -31,19 +32,27 @@ def _name(heading: str) -> str:
 
 
 def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
-    """Numbered rows of a CSV file with the columns `speed [unit],torque [unit]`.
+    """Read points from rows with the columns `speed [unit],torque [unit]`.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        With the expected content.
 
     Examples
     --------
     >>> _points([(1, ["speed [rad/s]", "torque [N*m]"]), (2, ["0", "2"]), (3, ["300", "3.5"])])
     [(0.0, 2.0), (300.0, 3.5)]
     """
-    units = _units(rows[0][1] if rows else [])
+    heads = rows[0][1] if rows else []
+    units = [unit for _, unit in map(with_unit, heads) if unit]
+    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
+        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
+    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
+        try:
+            measured(f"1 {unit}", kind)
+        except ValueError as error:
+            raise ValueError(f"line 1: the unit of {name}: {error}") from None
     points = []
     for number, row in rows[1:]:
         if len(row) != len(units):
@@ -58,22 +67,3 @@ def _points(rows: list[tuple[int, list[str]]]) -> list[tuple[float, ...]]:
     if not points:
         raise ValueError("expected a point at least, below the head")
     return points
-
-
-def _units(heads: list[str]) -> list[str]:
-    """The units of the columns.
-
-    Raises
-    ------
-    ValueError
-        If a column is another one, or a unit none of its quantity.
-    """
-    units = [unit for _, unit in map(with_unit, heads) if unit]
-    if list(map(_name, heads)) != [name for name, _ in _COLUMNS] or len(units) != len(heads):
-        raise ValueError("expected a CSV file with the head `speed [rad/s],torque [N*m]`")
-    for unit, (name, kind) in zip(units, _COLUMNS, strict=True):
-        try:
-            measured(f"1 {unit}", kind)
-        except ValueError as error:
-            raise ValueError(f"line 1: the unit of {name}: {error}") from None
-    return units

@@ -1,4 +1,4 @@
-"""Reads cases in YAML and JSON, and other documents in YAML: bytes -> tree of nodes -> values."""
+"""Reader of cases in YAML and JSON, and of other documents in YAML: bytes -> nodes -> values."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.core.model.keys import CASE, with_carried, with_masses
 from vstatics.core.model.shape import ByKey
 from vstatics.core.readers.named.arguments import arguments, read_with_stand_ins
 from vstatics.core.readers.named.nodes import (
-    Found,
+    DocumentText,
     Mapping,
     Node,
     Spot,
@@ -26,7 +26,7 @@ from vstatics.core.readers.reading import Reading, finish
 if TYPE_CHECKING:
     from vstatics.core.readers import Format
 
-_OF_CORE = {*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency"}
+_CORE_KEYS = {*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency"}
 """Keys of a case that the core declares."""
 
 
@@ -38,12 +38,17 @@ def read_yaml(data: bytes, file: str) -> Reading:
     data : bytes
         UTF-8, or another Unicode encoding with its byte order mark.
     file : str
-        The name that problems give.
+        Name of the file, for messages.
+
+    Returns
+    -------
+    Reading
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
-        With every problem that can be told from the others.
+        With every problem that does not follow from another.
 
     Examples
     --------
@@ -56,82 +61,86 @@ def read_yaml(data: bytes, file: str) -> Reading:
     >>> read_yaml(text, "case.yaml").case.mechanisms[0].links
     (1, 2, 3)
     """
-    found = decode(data, file)
-    return read_case_tree(_tree(found, "yaml"), found)
+    document = decode(data, file)
+    return read_case_tree(_tree(document, "yaml"), document)
 
 
 def read_json(data: bytes, file: str) -> Reading:
-    """Read a case in JSON, of the same shape as in YAML; see `read_yaml`."""
-    found = decode(data, file)
-    return read_case_tree(_tree(found, "json"), found)
+    """Read a case in JSON, with the same keys as in YAML; see `read_yaml`."""
+    document = decode(data, file)
+    return read_case_tree(_tree(document, "json"), document)
 
 
-def _tree(found: Found, form: Format) -> Node:
-    """The tree of a text in YAML or JSON, which cost start-up time."""
+def _tree(document: DocumentText, form: Format) -> Node:
+    """Return the tree of a text; the parsers cost start-up time."""
     if form == "json":
         from vstatics.core.readers.named.json_nodes import json_tree
 
-        return json_tree(found)
+        return json_tree(document)
     from vstatics.core.readers.named.yaml_nodes import yaml_tree
 
-    return yaml_tree(found)
+    return yaml_tree(document)
 
 
-def case_tree(found: Found, form: Format) -> Node:
-    """The case in YAML or JSON as a tree of nodes.
+def case_tree(document: DocumentText, form: Format) -> Node:
+    """Return the case in YAML or JSON as a tree of nodes.
 
     Raises
     ------
     ReadError
-        If it is no such document.
+        If the text is not valid YAML or JSON.
     """
-    root = _tree(found, form)
+    root = _tree(document, form)
     return _case(root) if isinstance(root, Mapping) else root
 
 
-def read_case_tree(root: Node, found: Found) -> Reading:
-    """The case of a tree of nodes.
+def read_case_tree(root: Node, document: DocumentText) -> Reading:
+    """Read the case in a tree of nodes.
 
     Parameters
     ----------
     root : Node
-    found : Found
-        The text, with what was found wrong in it so far.
+    document : DocumentText
+        Text of the tree, with the problems found before.
 
     Raises
     ------
     ReadError
-        With every problem that can be told from the others.
+        With every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
-    root = _case(_mapping(root, found, expected))
-    walk = Walk(Spots(found))
+    root = _case(_mapping(root, document, expected))
+    walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
     masses = _has_masses(root)
-    root, case = _with_annexes(root, found)
+    root, case = _with_annexes(root, document)
     shape = with_masses(case) if masses else case
     if "elements" in given:
-        from vstatics.core.readers.named.drawing import read_drawing  # others do without
+        from vstatics.core.readers.named.drawing import read_drawing  # not needed by every case
 
         return read_drawing(root, walk, shape)
+    gathered = None
     if masses:
-        return _with_masses(root, walk, shape)
+        from vstatics.core.readers.named.joined_links import gathered_links, is_listed, loose_links
+
+        gathered = None if is_listed(root) else gathered_links(root, walk)
     values = walk.read(Spot((), "", root), shape)
-    return finish(
-        arguments(values, walk),
-        found.problems,
-        read_with_stand_ins(walk.spots.unreadable),
-        walk.spots.locate,
-    )
+    parts = arguments(values, walk)
+    problems = document.problems
+    if gathered is not None:
+        parts["links"] = len(gathered)
+        problems = [*problems, *loose_links(root, values, gathered, parts["gears"], walk.spots)]
+        walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
+    return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
 
 
-def _with_annexes(root: Mapping, found: Found) -> tuple[Mapping, ByKey]:
-    """Return the document and the shape of a case with the keys of annexes that it needs.
+def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey]:
+    """Return the document without missing annexes, and the shape of a case with annexes.
 
-    Keys of annexes that are not installed are left out, with a warning. No annex is asked for a
-    document whose keys are all of the core; an unknown key needs the names of all keys.
+    Keys of annexes that are not installed are omitted with a warning. Annexes are imported only for
+    their keys, or for an unknown key, whose hint needs the names of all keys.
     """
-    unknown = {key.text for key, _ in root.entries} - _OF_CORE
+    unknown = {key.text for key, _ in root.entries} - _CORE_KEYS
     if not unknown:
         return root, CASE
     mistyped = not unknown <= KEYS.keys()
@@ -139,15 +148,15 @@ def _with_annexes(root: Mapping, found: Found) -> tuple[Mapping, ByKey]:
     missing = (unknown & KEYS.keys()) - {key.shape.name for key in keys}
     for key, _ in root.entries:
         if key.text in missing:
-            place = found.source.place(key.line, key.column)
+            place = document.source.place(key.line, key.column)
             message = not_installed(key.text, KEYS[key.text])
-            found.problems.append(Problem("W807", message, (), place))
+            document.problems.append(Problem("W807", message, (), place))
     entries = [entry for entry in root.entries if entry[0].text not in missing]
     return root._replace(entries=entries), with_carried(CASE, keys)
 
 
 def _has_masses(root: Mapping) -> bool:
-    """Whether springs or inertias are listed, so that a case may go without the rest."""
+    """Check for springs or inertias, with which a case needs no other components."""
     return any(
         key.text in ("springs", "inertias", "masses")
         and not is_null(value)
@@ -156,47 +165,32 @@ def _has_masses(root: Mapping) -> bool:
     )
 
 
-def _with_masses(root: Mapping, walk: Walk, shape: ByKey) -> Reading:
-    """A case without elements, whose devices or inertias may tell its links."""
-    from vstatics.core.readers.named.joined_links import gathered_links, is_listed, loose_links
-
-    gathers = not is_listed(root)
-    gathered = gathered_links(root, walk) if gathers else []
-    values = walk.read(Spot((), "", root), shape)
-    parts = arguments(values, walk)
-    loose: list[Problem] = []
-    if gathers:
-        parts["links"] = len(gathered)
-        loose += loose_links(root, values, gathered, parts["gears"], walk.spots)
-        walk.spots.unreadable += [] if gathered else [("links",), ("input",), ("output",)]
-    problems = [*walk.spots.found.problems, *loose]
-    return finish(parts, problems, read_with_stand_ins(walk.spots.unreadable), walk.spots.locate)
-
-
-def _mapping(root: Node, found: Found, expected: str) -> Mapping:
+def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
     if not isinstance(root, Mapping):
-        found.stop(f"read {what(root)}, expected {expected}", root.line, root.column)
+        document.stop(f"read {what(root)}, expected {expected}", root.line, root.column)
     return root
 
 
 def _case(root: Mapping) -> Mapping:
-    """The case itself, or that of a JSON result or solution: so these can be run, as a listing."""
+    """Return the case, also from a JSON result or solution, so that both can be run again."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
-    """Read a document in YAML: its values, as `make` of the shape gives them, and their places.
+    """Read a document in YAML, and return the values with their places.
 
     Parameters
     ----------
     data : bytes
+        The content of a file.
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
     shape : ByKey
+        Declared shape of the document, whose `make` builds the result.
     expected : str
-        What it is, for messages.
+        Kind of the document, for messages.
 
     Raises
     ------
@@ -210,10 +204,14 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     >>> load, spots.place(("torque",)).column
     (Load(speed=None, torque=200.0, power=None), 9)
     """
-    found = decode(data, file, expected)
-    root = _mapping(_tree(found, "yaml"), found, expected)
-    spots = Spots(found)
+    document = decode(data, file, expected)
+    root = _mapping(_tree(document, "yaml"), document, expected)
+    spots = Spots(document)
     values = Walk(spots).read(Spot((), "", root), shape)
-    if found.problems:
-        raise ReadError(sorted(found.problems, key=lambda one: one.place[1:3] if one.place else ()))
+    if document.problems:
+        raise ReadError(
+            sorted(
+                document.problems, key=lambda problem: problem.place[1:3] if problem.place else ()
+            )
+        )
     return values, spots

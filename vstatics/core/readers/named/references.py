@@ -1,4 +1,4 @@
-"""What a document calls its links and shift elements."""
+"""Numbers of links, shift elements and other components by the names of a document."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from itertools import islice
 from vstatics.core.model.transmission import HOUSING, SpeedOf
 from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.arithmetic import calculated
-from vstatics.core.readers.named.nodes import Found, shown
+from vstatics.core.readers.named.nodes import DocumentText, shown
 from vstatics.core.readers.named.units import unit
 
 NO_LINK = -1
-"""Stands in for a link that is not known; no other link is equal to it."""
+"""Stand-in for an unknown link, equal to no other link."""
 
 NO_ELEMENT = 0
 _FEW_LINKS = 8
@@ -22,73 +22,69 @@ _HOUSING = ("0", "housing")
 
 
 class References:
-    """Numbers of links and shift elements by their names.
+    """Numbers of links and shift elements by the names in a document.
 
     Attributes
     ----------
     link_names : list of str
-        Names of the links, empty when they are numbers.
-    links_known, elements_known : bool
-        Whether they could be read; if not, it is no use to complain about names.
+        Names of the links; empty if the links have only numbers.
+        links_known, elements_known : bool
+        Whether the names could be read; if not, errors about names are suppressed.
     """
 
-    def __init__(self, found: Found) -> None:
+    def __init__(self, document: DocumentText) -> None:
         self.link_names: list[str] = []
         self.links_known = False
         self.elements_known = True
-        self._found = found
+        self._document = document
         self._links = 0
         self._link_numbers: dict[str, int] = {}
-        self._elements: dict[str, int] = {}
-        self._others: dict[str, dict[str, int]] = {
+        self._numbers: dict[str, dict[str, int]] = {
+            "shift element": {},
             "mechanism": {},
             "spring": {},
             "elastic device": {},
         }
 
     def set_links(self, links: int) -> None:
-        """Links that have numbers only."""
+        """Set the number of links, which have no names."""
         self._links, self.links_known = links, True
 
     def set_link_names(self, names: Sequence[str]) -> None:
-        """Links that have names only."""
+        """Set the names of the links."""
         self.link_names = list(names)
         self._link_numbers = _numbered(names)
         self.links_known = True
 
-    def set_elements(self, names: Iterable[str]) -> None:
-        """The shift elements in order."""
-        self._elements = _numbered(names)
-
-    def set_others(self, kind: str, names: Iterable[str]) -> None:
-        """The mechanisms in order, without those of drawn elements; springs; all that bends."""
-        self._others[kind] = _numbered(names)
+    def set_numbers(self, kind: str, names: Iterable[str]) -> None:
+        """Set the names of the components of a kind, in order."""
+        self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
-        """Converters have speed ratios, too: their numbers are behind those of mechanisms."""
-        self.set_others("mechanism", [*self._others["mechanism"], *names])
+        """Add converters behind the mechanisms, since converters have speed ratios, too."""
+        self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:
-        """The number of a mechanism or a spring.
+        """Return the number of a mechanism, a spring or an elastic component.
 
         Raises
         ------
         ValueError
-            With what was expected.
+            With the expected name.
         """
-        numbers = self._others[kind]
+        numbers = self._numbers[kind]
         if text in numbers:
             return numbers[text]
         article = "an" if kind == "elastic device" else "a"
         raise ValueError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
-        """The number of a link, 0 for the housing, `NO_LINK` if no links are known.
+        """Return the number of a link: 0 for the housing, `NO_LINK` if no links are known.
 
         Raises
         ------
         ValueError
-            With what was expected.
+            With the expected name or number.
         """
         if text in _HOUSING:
             return HOUSING
@@ -102,16 +98,16 @@ class References:
             return number
         if not self.links_known:
             return NO_LINK
-        hint = self._found.hint(text, ["housing"])
+        hint = self._document.hint(text, ["housing"])
         raise ValueError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """The speed of another link, as `FL`, `1.05*FL` or `1.05*link 3`; none if it is not one.
+        """Return the speed of a link, as `FL`, `1.05*FL` or `1.05*link 3`, or `None`.
 
         Raises
         ------
         ValueError
-            If it is one, but of no link that is known.
+            If the link is unknown, or the factor is behind the link.
         """
         for factor, link in ((1.0, text), (-1.0, text.removeprefix("-").strip())):
             number = self._number(link)
@@ -134,38 +130,39 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """The number of the link that a text names, alone or behind the word `link`."""
-        named = link.removeprefix("link ").strip()
+        """Return the number of a link named alone or behind the word `link`, or `None`."""
+        name = link.removeprefix("link ").strip()
         if self.link_names:
-            return self._link_numbers.get(named if named in self._link_numbers else link)
-        number = scalars.link_number(named) if named != link else None
+            return self._link_numbers.get(name if name in self._link_numbers else link)
+        number = scalars.link_number(name) if name != link else None
         return number if number and number <= self._links else None
 
     def element(self, text: str) -> int:
-        """The number of a shift element, `NO_ELEMENT` if none are known.
+        """Return the number of a shift element, or `NO_ELEMENT` if no names are known.
 
         Raises
         ------
         ValueError
-            With what was expected.
+            With the expected name.
         """
-        if text in self._elements:
-            return self._elements[text]
+        numbers = self._numbers["shift element"]
+        if text in numbers:
+            return numbers[text]
         if not self.elements_known:
             return NO_ELEMENT
-        if not self._elements:
+        if not numbers:
             raise ValueError("but there are no shift elements")
-        known = self._known(text, self._elements)
+        known = self._known(text, numbers)
         raise ValueError(f"expected the name of a shift element{known}")
 
     def _known(self, text: str, names: Collection[str]) -> str:
-        """The nearest of the names, or all of them if they are few."""
+        """Return a hint with the nearest name, or a short list of all names."""
         few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW_LINKS else ""
-        return self._found.hint(text, names) or few
+        return self._document.hint(text, names) or few
 
 
 def _behind(text: str) -> str:
-    """What stands behind a number, if there is one."""
+    """Return the text behind a number, or an empty text."""
     try:
         return calculated(text).behind
     except ValueError:

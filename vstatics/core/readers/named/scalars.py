@@ -1,6 +1,6 @@
-"""What single values mean: numbers, link numbers, switches.
+"""Single values: numbers, link numbers, switches.
 
-Python's own conversions take more (`1_000`, `nan`, `٣`) than a case should.
+Python's own conversions accept texts (`1_000`, `nan`, `٣`) that a case must not contain.
 """
 
 from __future__ import annotations
@@ -10,20 +10,20 @@ import re
 from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip
 
 NUMBER = rf"^{DIMENSIONLESS}$"
-"""A number, or a calculation of numbers, as a pattern for ECMAScript."""
+"""Number or calculation, as a pattern for ECMAScript."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
-"""Plain digits; `010` would be 8 to some readers of YAML."""
+"""Plain digits without a leading zero, as some readers of YAML take `010` for 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
-"""As YAML 1.1 and 1.2 write it."""
+"""Infinity in the notation of YAML 1.1 and 1.2."""
 
 _LINK_NUMBER = re.compile(LINK_NUMBER.removesuffix("$") + r"\Z")
 _MOST_DIGITS = 9
 
 
 def number(text: str) -> float:
-    """A decimal number, a fraction, other arithmetic, a percentage or a ratio of two numbers.
+    """Return a decimal number, a calculation, a percentage or a ratio of two numbers.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def number(text: str) -> float:
 
 
 def link_number(text: str) -> int | None:
-    """A link number, or none if the text is not one.
+    """Return a link number, or `None` if the text is not a link number.
 
     >>> link_number("12"), link_number("0x10")
     (12, None)
@@ -52,7 +52,7 @@ def link_number(text: str) -> int | None:
 
 
 def count(text: str) -> int:
-    """A whole number from 1, such as one of teeth.
+    """Return a whole number from 1, such as a number of teeth.
 
     >>> count("48")
     48
@@ -64,7 +64,7 @@ def count(text: str) -> int:
 
 
 def share(text: str) -> float:
-    """A part of a whole that is the sum of all parts.
+    """Return a share, which is later divided by the sum of all shares.
 
     >>> share("3/2")
     1.5
@@ -79,7 +79,7 @@ def share(text: str) -> float:
 
 
 def flag(text: str, *, plain: bool) -> bool:
-    """A switch, `true` or `false` without quotes."""
+    """Return a switch, `true` or `false` without quotes."""
     if not plain or text not in ("true", "false"):
         raise ValueError("expected `true` or `false`" + ("" if plain else " without quotes"))
     return text == "true"

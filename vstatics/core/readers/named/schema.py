@@ -1,4 +1,4 @@
-"""The JSON Schema of a case, made from its declared shape."""
+"""JSON Schema of a case, generated from the declared shape."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ Words = dict[str, Any]
 
 _DAMPING, _EFFICIENCY = "any_damping", "efficiency"
 _IN_NO_CASE = frozenset(("time", "velocity", "pump_factor", *STRAIGHT.values())) - {"length"}
-"""Measures of scenarios alone."""
+"""Measures that occur only in scenarios."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {
     "link": {
@@ -68,7 +68,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Gears, or no shift elements: such a case has one gear."""
+"""Conditions on the gears: any gears, or no shift elements, which implies a single gear."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
@@ -81,17 +81,17 @@ _ENOUGH: tuple[Words, ...] = (
         for key in ("springs", "inertias", "masses")
     ),
 )
-"""What a case is made of, at least."""
+"""Minimal sets of keys of a case."""
 
 
 def json_schema() -> Words:
-    """The JSON Schema (draft 2020-12) of a case in YAML or JSON.
+    """Return the JSON Schema (draft 2020-12) of a case in YAML or JSON.
 
-    Names of links and shift elements are not looked up: a schema cannot do that.
+    Names of links and shift elements cannot be checked by a schema.
 
     Examples
     --------
-    >>> [one["required"] for one in json_schema()["anyOf"]]
+    >>> [condition["required"] for condition in json_schema()["anyOf"]]
     [['elements'], ['links', 'mechanisms'], ['springs'], ['inertias'], ['masses']]
     """
     schema = {
@@ -106,7 +106,7 @@ def json_schema() -> Words:
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
-    """The JSON Schema of another document in YAML, in which these measures stand."""
+    """Return the JSON Schema of a YAML document other than a case."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
     return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
 
@@ -148,7 +148,7 @@ def _key(key: KeyShape) -> Words:
 
 
 def _optional(words: Words) -> Words:
-    """An optional key without a value is not given."""
+    """Allow null for an optional key, which then counts as missing."""
     if "anyOf" in words:
         return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
     if "$ref" in words:
@@ -169,7 +169,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Links() | Ends() | ListOf() | Pair() | RowOf():
             return _sequence(shape)
         case Either() if shape is DAMPING:
-            return _reference(_DAMPING)  # many keys have it
+            return _reference(_DAMPING)  # used by many keys
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ByPoints():
@@ -185,8 +185,8 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
             forms = (shape.scalar, shape.listing, shape.mapping)
             return {"anyOf": [_shape(form) for form in forms if form is not None]}
         case OneOrMany():
-            one = _shape(shape.item)
-            return {"anyOf": [*one["anyOf"], {"type": "array", "items": one, "minItems": 1}]}
+            item = _shape(shape.item)
+            return {"anyOf": [*item["anyOf"], {"type": "array", "items": item, "minItems": 1}]}
         case ByKind():
             return {"oneOf": [_of_kind(shape, kind) for kind in shape.records]}
         case Numbers():
@@ -218,7 +218,7 @@ def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
 
 
 def _of_law(shape: Balances | ByLaw) -> Words:
-    """A number or a law; efficiencies of machines and the power of their battery."""
+    """Return the schema of a number or a law, or of a balance of powers with a battery."""
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
@@ -248,11 +248,11 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911, C901 - a table
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed":
-            return {"type": ["number", "string"]}  # also the name of a link, with a factor
+            return {"type": ["number", "string"]}  # or the name of a link with a factor
         case "relative_torque":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "drag":
-            return {"type": ["number", "string"]}  # also a formula
+            return {"type": ["number", "string"]}  # or a formula
         case "speed" | "torque" | "power":
             return {"type": "string", "pattern": QUANTITY}
         case "flag":

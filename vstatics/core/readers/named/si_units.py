@@ -1,4 +1,4 @@
-"""Units of inertias, stiffnesses, pressures and whatever else is in SI, with any exponents."""
+"""Units of inertia, stiffness, pressure and other measures in SI, with any exponents."""
 
 from __future__ import annotations
 
@@ -15,16 +15,17 @@ from vstatics.core.readers.named.units import (
     LONGEST_UNIT,
     Quantity,
     factors,
+    has_digits,
     unit,
     usual,
     with_article,
 )
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
-"""A number with its unit, as a pattern for ECMAScript."""
+"""Number with a unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, int, int, int, int]
-"""Exponents of kg, m, s, rad, K."""
+"""Exponents of kg, m, s, rad and K."""
 
 _FORMS: dict[str, tuple[str, ...]] = {
     "power": ("W",),
@@ -33,14 +34,14 @@ _FORMS: dict[str, tuple[str, ...]] = {
     "damping": ("N*m*s/rad", "N*m*s"),
     "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
-"""With the radian, or without where nothing else is meant; N*m alone is a torque."""
+"""Units of each measure, with the radian or without if the meaning is clear; N*m is a torque."""
 
 
 class _Base(NamedTuple):
     dimension: _Dimension
     above: float
     below: float = 1.0
-    """Its size in SI is their ratio."""
+    """Divisor of `above`; the quotient is the size of the unit in SI."""
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99, 99)
@@ -53,7 +54,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""By what `units` knows: its dimension, and its unit there in SI."""
+"""Dimension and size in SI of the unit in which `units` counts each kind of factor."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -76,29 +77,29 @@ _OTHERS = {
         ("MPa МПа", 10**6, 1),
         ("bar бар", 10**5, 1),
         ("at ат", 980665, 10),  # kgf/cm^2
-        ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf by an inch squared
+        ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf per square inch
     )
     for word in words.split()
 }
 _VELOCITIES = {
-    "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m in an hour
+    "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m per hour
     "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
 }
-"""Speeds of vehicles in one word, in letters of any size."""
+"""Vehicle speeds in a single word, in upper or lower case."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
-"""Units of force to `units`, of mass here where that gives what is asked for."""
+"""Units of force in `units`, read as mass if the measure requires a mass."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
-"""Metre by second to `units`, a time here where that gives what is asked for."""
+"""Metre per second in `units`, read as milliseconds if the measure requires a time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
-"""As `units` knows them, with other ways to write their units."""
+"""Measures that `units` knows, with more spellings of the units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:
-    """A number in SI, bare or with its unit.
+    """Return a number in SI from a bare number or a number with a unit.
 
     Raises
     ------
@@ -117,7 +118,7 @@ def measured(text: str, measure: Measure) -> float:
     (4.4704, 4.4704)
     """
     in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
-    if not any(sign in "0123456789" for sign in text):
+    if not has_digits(text):
         raise ValueError(in_unit)
     value, behind = calculated(text)
     if not behind:
@@ -136,7 +137,7 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
-    """A number in SI, bare or with a unit of one of several measures.
+    """Return a number in SI, bare or with a unit of any of several measures.
 
     Raises
     ------
@@ -161,7 +162,7 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
 
 
 def of_either(text: str, measure: Measure) -> InUnit:
-    """The same of a measure, or of that of what moves straight in its place.
+    """Return a number in SI, with a measure of rotation or of the matching straight motion.
 
     Raises
     ------
@@ -184,20 +185,20 @@ def of_either(text: str, measure: Measure) -> InUnit:
 
 @cache
 def _dimensions() -> dict[str, list[_Dimension]]:
-    """What is measured, as its units are made of; the first form tells it from others."""
+    """Return the dimensions of each measure; the first dimension is unique."""
     return {
         kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
     }
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """What a unit is made of, and its size in SI as a ratio; nothing known if it is not read.
+    """Return the dimension of a unit, and the size in SI as a ratio, or `_NOTHING`.
 
     Parameters
     ----------
     text : str
     of_words : bool
-        Whether ``lb`` is a mass and ``ms`` a time, not a force and metre by second.
+        Whether ``lb`` is a mass and ``ms`` a time, not a force and a metre per second.
     """
     total, above, below = [0] * 5, 1.0, 1.0
     try:
@@ -209,13 +210,13 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
                 above, below = above * up ** abs(times), below * down ** abs(times)
     except (ValueError, OverflowError, ZeroDivisionError):
         return _NOTHING, 1.0, 1.0
-    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # turns: 1/min is rpm, as there
+    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # 1/min is rpm, as in `units`
         return _unit("rpm", of_words=of_words)
     return (total[0], total[1], total[2], total[3], total[4]), above, below
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Words of a unit with their exponents; what stands in brackets behind `/` divides."""
+    """Yield the words of a unit with exponents; brackets behind `/` divide as a whole."""
     if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1
@@ -245,7 +246,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """What a word is made of, the last first, to which an exponent belongs: m and N for `Nm`."""
+    """Return the factors of a word, the last first, as an exponent belongs to the last."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
@@ -257,13 +258,13 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
     if not _known(whole):
         for end in range(len(word), 0, -1):
             head, tail = word[:end], word[end:]
-            rest = factors(tail) if tail else []
-            if not _known(rest):
+            tail_factors = factors(tail) if tail else []
+            if not _known(tail_factors):
                 continue
             if head in _GRAMS:
-                return [*map(_base, reversed(rest)), _GRAMS[head]]
+                return [*map(_base, reversed(tail_factors)), _GRAMS[head]]
             if _known(factors(head)):
-                whole = [*factors(head), *rest]
+                whole = [*factors(head), *tail_factors]
                 break
     return list(map(_base, reversed(whole)))
 
@@ -275,6 +276,6 @@ def _known(parts: Sequence[tuple[str, float, float]]) -> bool:
 def _base(factor: tuple[str, float, float]) -> _Base:
     kind, above, below = factor
     dimension, times = _BASES.get(kind, (_NOTHING, 1.0))
-    if (below / times).is_integer():  # so rad, s and W are exactly 1
+    if (below / times).is_integer():  # so that rad, s and W are exactly 1
         return _Base(dimension, above, below / times)
     return _Base(dimension, above * times, below)

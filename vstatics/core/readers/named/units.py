@@ -1,4 +1,4 @@
-"""Units of speeds, torques and powers as the trade writes them, and numbers with a unit."""
+"""Units of speed, torque and power in common use, and numbers with a unit."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""What a unit is made of, and its size as a ratio: in N, m, turns, minutes, kW."""
+"""Kind of a factor of a unit, and the size as a ratio, in N, m, turns, minutes or kW."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
-"""The pound in kg and the foot in m (International Yard and Pound, 1959), standard gravity in
-m/s^2 (3rd CGPM, 1901): exact."""
+"""Pound in kg and foot in m (International Yard and Pound, 1959), standard gravity in m/s^2
+(3rd CGPM, 1901). All values are exact."""
 _LBF = (_LB[0] * _G[0], _LB[1] * _G[1])
 
 _PREFIXED: dict[str, _Factor] = {
@@ -30,7 +30,7 @@ _PREFIXED: dict[str, _Factor] = {
     **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
     **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
 }
-"""By their exact letters, with a prefix or without."""
+"""Units that can have a prefix, case-sensitive."""
 _PREFIXES = {
     prefix: (above, below)
     for prefixes, above, below in (
@@ -72,7 +72,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
     )
     for word in words.split()
 }
-"""In letters of any size."""
+"""Units without prefixes, in upper or lower case."""
 
 _KINDS: dict[str, tuple[Quantity, int]] = {
     "speed": ("speed", 1),
@@ -81,16 +81,16 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
     "power": ("power", 1),
     "/time force length": ("power", 60_000),  # N*m/min
 }
-"""Kinds of factors -> what they are together, and by what they are divided."""
+"""Quantity and divisor of each combination of kinds of factors."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
-"""Characters of a unit."""
+"""Maximum number of characters of a unit."""
 
 
 def unit(text: str) -> tuple[Quantity | None, float]:
-    """What a unit measures, and its size in rpm, N*m or kW; none if it is not understood.
+    """Return the quantity and size [rpm, N*m, kW] of a unit; `None` for an unknown unit.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
 
 
 def factors(word: str) -> list[_Factor]:
-    """What a word without signs is made of: N and m for `Nm`, nothing known for `Mm2`."""
+    """Split a word into factors: N and m for `Nm`, an unknown factor for `Mm2`."""
     for end in range(len(word), 0, -1) if word != "1" else ():
         parts = [_factor(part) for part in (word[:end], word[end:]) if part]
         known = [part for part in parts if part]
@@ -144,7 +144,7 @@ def _factor(word: str) -> _Factor | None:
 
 
 QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
-"""A number with a unit, as a pattern for ECMAScript."""
+"""Number with a unit, as a pattern for ECMAScript."""
 
 EXAMPLES: dict[Quantity, str] = {
     "speed": "`2100 rpm` or `220 rad/s`",
@@ -161,19 +161,19 @@ _MEANT = {
     "kgm": "kgf*m",
     "kgcm": "kgf*cm",
 }
-"""What is meant by units that are no speed or torque, without the signs in them."""
+"""Suggestions for wrong units of speed or torque, by the letters of the unit."""
 
 
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
-    """A speed in rpm, a torque in N*m or a power in kW.
+    """Return a speed in rpm, a torque in N*m or a power in kW.
 
     Parameters
     ----------
     text : str
-        A number, or a calculation, and its unit.
+        Number or calculation with its unit.
     kind : {"speed", "torque", "power"}
     or_else : str
-        What could stand there besides, for the message.
+        Alternative to the quantity, for the message.
 
     Raises
     ------
@@ -187,10 +187,10 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     >>> quantity("100 lbf*ft", "torque"), quantity("75 PS", "power")
     (135.58179483314004, 55.1624062...)
     """
-    number, behind = calculated(text) if _has_digits(text) else (0.0, "")
-    found, size = unit(behind)
-    if found != kind:
-        other = f"; this is a {found}" if found else slip(text) or usual(behind, kind)
+    number, behind = calculated(text) if has_digits(text) else (0.0, "")
+    measure, size = unit(behind)
+    if measure != kind:
+        other = f"; this is a {measure}" if measure else slip(text) or usual(behind, kind)
         such = f"expected a {kind} with its unit, such as {EXAMPLES[kind]}"
         raise ValueError(f"{such}{or_else}{other}")
     value = number * size
@@ -199,19 +199,20 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     return value
 
 
-def _has_digits(text: str) -> bool:
+def has_digits(text: str) -> bool:
+    """Check whether a text contains an ASCII digit."""
     return any(sign in "0123456789" for sign in text)
 
 
 def usual(read: str, kind: Quantity | None) -> str:
-    """The usual unit, where another way to write it was read.
+    """Return a hint with the usual spelling of a unit, or an empty text.
 
     >>> usual("Hz", "speed"), usual(",5", None)
     ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
     """
-    told = slip(read)
-    if told or kind is None:
-        return told or mixed_letters(read)
+    hint = slip(read)
+    if hint or kind is None:
+        return hint or mixed_letters(read)
     letters = _letters(read)
     alike = (usual for usual in _USUAL[kind] if _letters(usual) == letters)
     meant = next(alike, _MEANT.get(letters))
@@ -225,28 +226,28 @@ def _letters(text: str) -> str:
 
 
 def with_article(kind: str) -> str:
-    """The words for what is measured: `an inertia`."""
+    """Return the noun of a measure with an article: `an inertia`."""
     noun = kind.removeprefix("si_").replace("_", " ")
     return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
 
 
 class WithUnit(float):
-    """A speed in rpm or a torque in N*m, where others are relative to the input's."""
+    """Speed in rpm or torque in N*m, unlike numbers relative to the input."""
 
     quantity: Quantity
 
     def __new__(cls, value: float, quantity: Quantity) -> Self:
-        """Keep what it is the value of."""
-        made = super().__new__(cls, value)
-        made.quantity = quantity
-        return made
+        """Store the value and the quantity."""
+        value_with_unit = super().__new__(cls, value)
+        value_with_unit.quantity = quantity
+        return value_with_unit
 
     def __format__(self, spec: str) -> str:
         return f"{super().__format__(spec)} {UNITS[self.quantity]}"
 
 
 def relative(text: str, kind: Quantity) -> float:
-    """A speed or torque relative to that of the input, or one with its unit.
+    """Return a number relative to the input, or a speed or torque with a unit.
 
     Raises
     ------
@@ -258,7 +259,7 @@ def relative(text: str, kind: Quantity) -> float:
     >>> relative("1/500", "torque"), relative("3 N*m", "torque")
     (0.002, 3.0)
     """
-    if _has_digits(text):
+    if has_digits(text):
         _, behind = calculated(text)
         if not behind or behind[0] in "%:":
             return dimensionless(text)
@@ -268,7 +269,7 @@ def relative(text: str, kind: Quantity) -> float:
 
 
 def common_unit(text: str) -> tuple[str, str]:
-    """The values of `--vary` with blanks in place of their unit, and this unit.
+    """Split the values of `--vary` from the common unit, replaced by blanks.
 
     Raises
     ------

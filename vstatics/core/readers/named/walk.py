@@ -1,7 +1,7 @@
-"""The walk through a tree of nodes along the declared shape of a case.
+"""Walk through a tree of nodes along the declared shape of a case.
 
-It gives parts of the model and plain values, remembers where each of the model's paths
-stands in the document, and leaves a stand-in where nothing can be read.
+The walk returns parts of the model and plain values, stores the place of each path of the model,
+and returns a stand-in for each unreadable value.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ from vstatics.core.readers.named.compounds import (
     is_merge,
     known_entries,
 )
-from vstatics.core.readers.named.leaves import LEAVES, either_way, parsed, stand_in, values_before
+from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
 from vstatics.core.readers.named.nodes import (
     Listing,
     Mapping,
@@ -61,15 +61,15 @@ from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK, Referenc
 
 _ENDS = ("first", "second")
 _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
-"""What stands in place of a record, so that it is not the record that is missed."""
+"""Nodes that can replace a record; for other nodes the message asks for a mapping."""
 
 
 class Walk:
-    """Reads nodes by their shapes."""
+    """Reader of nodes by shape."""
 
     def __init__(self, spots: Spots) -> None:
         self.spots = spots
-        self.references = References(spots.found)
+        self.references = References(spots.document)
         self._readers: dict[type[Shape], Callable[[Spot, Any], Any]] = {
             ByKey: self._by_key,
             ByName: self._by_name,
@@ -92,16 +92,16 @@ class Walk:
         }
 
     def read(self, spot: Spot, shape: Shape) -> Any:
-        """The value at a spot, or a stand-in after a problem."""
+        """Read the value at a spot, or return a stand-in after an error."""
         self.spots.keep(spot)
         return self._readers[type(shape)](spot, shape)
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """The items of a list, all of one shape."""
+        """Read the items of a list of a single shape."""
         return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
 
     def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
-        """A stand-in for what cannot be read, after the problem."""
+        """Report an unreadable value, and return a stand-in."""
         self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}")
         return stand_in(shape)
 
@@ -133,12 +133,11 @@ class Walk:
             self.references.elements_known &= not elements
             return self.refuse(spot, shape, f"expected a mapping: a name for each {shape.kind}")
         given = list(entries(self.spots, spot))
-        if elements:
-            self.references.set_elements(key.text for key, _ in given)
-        if shape.kind == "mechanism":
-            self.references.set_others("mechanism", (key.text for key, _ in given))
-        if shape.kind == "converter":
-            self.references.add_converters(key.text for key, _ in given)
+        names = [key.text for key, _ in given]
+        if shape.kind in ("shift element", "mechanism"):
+            self.references.set_numbers(shape.kind, names)
+        elif shape.kind == "converter":
+            self.references.add_converters(names)
         items: dict[str, Any] = {}
         for number, (key, value) in enumerate(given, 1):
             inner = spot.key(number, key.text, value)
@@ -165,49 +164,55 @@ class Walk:
     def _ends(self, spot: Spot, shape: Ends) -> Any:
         node = spot.node
         if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
-            one = " or one: [first]" if shape.least == 1 else ""
+            alternative = " or one: [first]" if shape.least == 1 else ""
             self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
-            expected = f"expected two links: [first, second]{one}"
+            expected = f"expected two links: [first, second]{alternative}"
             return self.refuse(spot, shape, expected, length(node))
         inner = [
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
         ]
-        if spot.path[-1] == "links":  # in a record; the model has no such part
-            inner = [one._replace(path=(*spot.path[:-1], one.path[-1])) for one in inner]
-        first, *second = [self.read(one, Leaf("link")) for one in inner]
+        if spot.path[-1] == "links":  # the model has no part `links` within a record
+            inner = [
+                alternative._replace(path=(*spot.path[:-1], alternative.path[-1]))
+                for alternative in inner
+            ]
+        first, *second = [self.read(alternative, Leaf("link")) for alternative in inner]
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """A record, or a list for its one key; of what can't be read the model says no more."""
+        """Read a record, or the short form of the main key.
+
+        If the main key is unreadable, problems of the model about the record are hidden.
+        """
         inner = spot._replace(path=(*spot.path, shape.key))
         if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
-            made = self._by_key(spot, shape.record)
+            record = self._by_key(spot, shape.record)
         elif isinstance(shape.short, Ends) or isinstance(spot.node, _SHORT[type(shape.short)]):
-            made = shape.record.make(**{shape.key: self.read(inner, shape.short)})
+            record = shape.record.make(**{shape.key: self.read(inner, shape.short)})
         else:
             keys = spoken(quoted(key.name) for key in shape.record.keys)
             short = shape.short
-            one = (
+            expected = (
                 LEAVES[short.kind].expected
                 if isinstance(short, Leaf)
                 else f"a list of {short.kind}"
             )
-            return self.refuse(spot, shape, f"expected {one}, or a mapping with {keys}")
+            return self.refuse(spot, shape, f"expected {expected}, or a mapping with {keys}")
         if inner.path in self.spots.unreadable:
             self.spots.unreadable.append(spot.path)
-        return made
+        return record
 
     def _numbers(self, spot: Spot, shape: Numbers) -> Any:
-        """Numbers by that which their keys refer to."""
+        """Read numbers by the names of links, shift elements or other components."""
         node = spot.node
         if not isinstance(node, Mapping):
             return self.refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
-        refer, nobody = self.references.link, NO_LINK
+        refer, unknown = self.references.link, NO_LINK
         if shape.by == "shift element":
-            refer, nobody = self.references.element, NO_ELEMENT
+            refer, unknown = self.references.element, NO_ELEMENT
         elif shape.by != "link":
-            refer, nobody = partial(self.references.other, shape.by), NO_ELEMENT
+            refer, unknown = partial(self.references.other, shape.by), NO_ELEMENT
         values: dict[int, float] = {}
         for key, value in entries(self.spots, spot):
             if self._is_behind_comma(spot, key, value):
@@ -216,27 +221,27 @@ class Walk:
                 place = refer(key.text)
             except ValueError as error:
                 self.spots.complain(spot, f"read {what(key)}, {error}", key)
-                place = nobody
+                place = unknown
             inner = spot.key(place, key.text, value)
             self.spots.keep(inner, key)
             if place in values:
                 self.spots.complain(inner, f"{shape.by} {place} is given twice", key)
             number = self.read(inner, shape.item)
-            if place != nobody:
+            if place != unknown:
                 values[place] = number
         if node.entries and not values:
             self.spots.unreadable.append(spot.path)
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Whether a key is the end of a number with a decimal comma, which is told then."""
+        """Report a key that is the end of a number with a decimal comma."""
         if not is_behind_comma(key, value):
             return False
         self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
         return True
 
     def _shares(self, spot: Spot, shape: Shares) -> Any:
-        """Shares by names of gears, which no document can look up."""
+        """Read shares by the names of gears, which are not checked here."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
         shares: dict[str, float] = {}
@@ -295,7 +300,7 @@ class Walk:
             self.spots.unreadable.append(spot.path)
         return value
 
-    def _scalar(self, node: Scalar, shape: Leaf) -> Any:
+    def _scalar(self, node: Scalar, shape: Leaf) -> Any:  # noqa: PLR0911 - a table
         match shape.kind:
             case "link":
                 return self.references.link(node.text)
@@ -303,14 +308,17 @@ class Walk:
                 return self.references.element(node.text)
             case "relative_speed":
                 speed = self.references.speed_of(node.text)
-                return LEAVES[shape.kind].parse(node.text) if speed is None else speed
+                if speed is not None:
+                    return speed
             case "flag":
                 return scalars.flag(node.text, plain=node.plain)
             case "choice":
                 if node.text not in shape.choices:
-                    hint = self.spots.found.hint(node.text, shape.choices)
+                    hint = self.spots.document.hint(node.text, shape.choices)
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
-        infinite = shape.infinite and node.plain and node.text in scalars.INFINITE
-        read = either_way if shape.straight else parsed
-        return math.inf if infinite else read(node.text, shape.kind)
+        if shape.infinite and node.plain and node.text in scalars.INFINITE:
+            return math.inf
+        if shape.straight:
+            return either_way(node.text, shape.kind)
+        return LEAVES[shape.kind].parse(node.text)

@@ -1,35 +1,26 @@
-"""Numbers where they stand in the text of a document, and other numbers in their places.
+"""Numbers in the text of a document, which can be replaced in place.
 
-All else of the text stays as it is: comments, blanks, ends of lines, units behind the numbers.
+Comments, blanks, line endings and the units behind the numbers remain unchanged.
 """
 
 from __future__ import annotations
 
-import codecs
 import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.readers.named.node_numbers import number_of, number_text
-from vstatics.core.readers.named.nodes import Listing, Node, Scalar, encoding_of
+from vstatics.core.readers.named.nodes import BYTE_ORDER_MARKS, Listing, Node, Scalar, encoding_of
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
 _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
-"""An anchor and a tag, which stand before a value of YAML."""
-
-_MARKED = (  # with the order of bytes, which an encoding that looks for a mark does not keep
-    (codecs.BOM_UTF32_LE, "utf-32-le"),
-    (codecs.BOM_UTF32_BE, "utf-32-be"),
-    (codecs.BOM_UTF8, "utf-8"),
-    (codecs.BOM_UTF16_LE, "utf-16-le"),
-    (codecs.BOM_UTF16_BE, "utf-16-be"),
-)
+"""Anchor and tag, which precede a value in YAML."""
 
 
 class NumberSpot(NamedTuple):
-    """A number of a document, and from where to where it stands in its text."""
+    """Number of a document, with start and end in the text."""
 
     value: float
     unit: str
@@ -38,17 +29,16 @@ class NumberSpot(NamedTuple):
 
 
 def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
-    r"""Where the numbers of a document stand, by the keys that lead there.
+    r"""Find the numbers of a document in the text, by paths of keys.
 
-    A number whose value is not written as it is read, by escapes or over several lines, is left
-    out.
+    Numbers that are written with escapes or over several lines are omitted.
 
     Parameters
     ----------
     text : str
-        With the ends of lines as they are.
+        Text with its original line endings.
     root : Node
-        What was read of it.
+        Nodes of this text.
 
     Examples
     --------
@@ -58,7 +48,7 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
     >>> number_spots(text, yaml_tree(decode(text.encode(), "a.yaml")))
     {('load', 'speed'): NumberSpot(value=1000.0, unit='rpm', start=16, end=21)}
     """
-    starts = [0, *(found.end() for found in _ENDS.finditer(text))]
+    starts = [0, *(ending.end() for ending in _ENDS.finditer(text))]
     spots = {}
     for keys, node in _scalars(root, ()):
         try:
@@ -77,17 +67,17 @@ def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
         case Scalar():
             yield keys, node
         case Listing(items=items):
-            for number, one in enumerate(items, 1):
-                yield from _scalars(one, (*keys, str(number)))
+            for number, value in enumerate(items, 1):
+                yield from _scalars(value, (*keys, str(number)))
         case MappingNode(entries=entries):
-            for key, one in entries:
-                yield from _scalars(one, (*keys, key.text))
+            for key, value in entries:
+                yield from _scalars(value, (*keys, key.text))
 
 
 def _start(text: str, at: int, node: Scalar) -> int:
-    """Where the text of a value begins; -1 where it is written otherwise."""
-    found = _PROPERTIES.match(text, at)
-    at = found.end() if found else at
+    """Return the offset of a value in the text, or -1 for a value with escapes."""
+    match = _PROPERTIES.match(text, at)
+    at = match.end() if match else at
     at += not node.plain and text[at : at + 1] in ("'", '"')
     return at if node.text and text.startswith(node.text, at) else -1
 
@@ -95,21 +85,21 @@ def _start(text: str, at: int, node: Scalar) -> int:
 def with_written(
     data: bytes, spots: Mapping[Keys, NumberSpot], values: Mapping[Keys, float]
 ) -> bytes:
-    """A document with other numbers in its text; one that has its value already stays as written.
+    """Return a document with new numbers in the text; unchanged values stay as written.
 
     Parameters
     ----------
     data : bytes
         The document.
     spots : mapping
-        Its numbers, of `number_spots`.
+        Numbers of the document, from `number_spots`.
     values : mapping of Keys to float
-        In the units that stand behind the numbers.
+        New values, in the units behind the numbers.
 
     Raises
     ------
     ValueError
-        If one place would get two numbers, as two names may stand for one by an alias.
+        If a place would get two numbers, since an alias can give a number two paths.
 
     Examples
     --------
@@ -127,5 +117,8 @@ def with_written(
     for start in sorted(changed, reverse=True):
         end, new = changed[start]
         text = text[:start] + new + text[end:]
-    mark, encoding = next((one for one in _MARKED if data.startswith(one[0])), (b"", "utf-8"))
+    mark, encoding = next(
+        ((mark, encoding) for mark, _, encoding in BYTE_ORDER_MARKS if data.startswith(mark)),
+        (b"", "utf-8"),
+    )
     return mark + text.encode(encoding)

@@ -1,31 +1,30 @@
-"""YAML text -> tree of nodes, from the parser's events.
+"""YAML text -> tree of nodes, from the events of the parser.
 
-Events come one at a time, so a document that nests without end, or expands
-aliases without end, is refused where it starts to. Tags are not obeyed: nothing
-is ever made but texts, lists and mappings.
+Events are read one at a time, so that a document with unbounded nesting or aliases is refused
+early. Tags have no effect: only texts, lists and mappings are created.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import yaml
 
-from vstatics.core.readers.named.nodes import Found, Listing, Mapping, Node, Scalar, shown
+from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 MOST_VALUES = 200_000
-"""Values that aliases may expand a document to."""
+"""Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of its events."""
+"""Message of libyaml from 0.2.6 on, which reads up to 1000 levels ahead of the events."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
-"""Which YAML takes for a list behind a text, within another list."""
+"""Text with a bracket, which YAML takes for the start of a list within a list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
-"""Ratio whose colon YAML takes for the end of a key, as it has a blank on both sides."""
+"""Ratio with blanks around the colon, which YAML takes for the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -34,45 +33,42 @@ _TAGS = {
 }
 
 
-class _Anchored(NamedTuple):
-    node: Node | None  # none as long as it is being read
-    size: int
-
-
-def yaml_tree(found: Found) -> Node:
-    """The tree of the one YAML document of a text.
+def yaml_tree(document: DocumentText) -> Node:
+    """Return the tree of the single YAML document in a text.
 
     Raises
     ------
     ReadError
-        If the text is not YAML, or holds none or several documents, or what no
-        case needs: nesting without end, aliases of themselves.
+        If the text is not YAML, does not contain exactly one document, or is nested too deeply.
     """
-    unprintable = _UNPRINTABLE.search(found.text)
+    unprintable = _UNPRINTABLE.search(document.text)
     if unprintable:
         code = f"U+{ord(unprintable[0]):04X}"
-        found.stop(f"{code}, a character that YAML has not", *found.place(unprintable.start()))
-    return _Builder(found, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).document()
+        document.stop(
+            f"{code}, a character that YAML has not", *document.place(unprintable.start())
+        )
+    return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
 
 
 class _Builder:
-    """Takes the events one after the other, and keeps anchors and sizes."""
+    """Builder of nodes from events, with the sizes of anchors."""
 
-    def __init__(self, found: Found, loader: Any) -> None:
-        self.found = found
-        self.events: Iterator[yaml.Event] = yaml.parse(found.text, Loader=loader)
-        self.anchors: dict[str, _Anchored] = {}
+    def __init__(self, document: DocumentText, loader: Any) -> None:
+        self.document = document
+        self.events: Iterator[yaml.Event] = yaml.parse(document.text, Loader=loader)
+        self.anchors: dict[str, tuple[Node | None, int]] = {}
+        """Node and number of values of each anchor; `None` until the node is complete."""
         self.values = 0
         self.last = (1, 1)
 
-    def document(self) -> Node:
+    def root(self) -> Node:
         self.next()
         if isinstance(self.next(), yaml.StreamEndEvent):
-            self.found.stop("the file is empty, expected a case", 1, 1)
+            self.document.stop("the file is empty, expected a case", 1, 1)
         root = self.node(self.next(), 1)
         self.next()
         if not isinstance(self.next(), yaml.StreamEndEvent):
-            self.found.stop("a second document starts here, expected one in a file", *self.last)
+            self.document.stop("a second document starts here, expected one in a file", *self.last)
         return root
 
     def next(self) -> yaml.Event:
@@ -80,25 +76,29 @@ class _Builder:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
             if error.problem == _READ_AHEAD:
-                _Builder(self.found, yaml.SafeLoader).document()  # stops at the 17th level
+                _Builder(self.document, yaml.SafeLoader).root()  # stops at level 17
             mark = error.problem_mark or error.context_mark
-            place = self.found.place(mark.index) if mark else self.last
-            told = ", ".join(part for part in (error.context, error.problem) if part)
-            if mark and mark.index and _TEXT_WITH_BRACKETS.match(self.found.text, mark.index - 1):
-                told += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
-            told += self._spaced_ratio(mark.index) if mark else ""
-            if mark and self.found.text[mark.index : mark.index + 1] == "\t":
-                told = "read a tab, expected blanks: no tab indents a line"
-            self.found.stop(f"not YAML: {told}", *place)
+            place = self.document.place(mark.index) if mark else self.last
+            reason = ", ".join(part for part in (error.context, error.problem) if part)
+            if (
+                mark
+                and mark.index
+                and _TEXT_WITH_BRACKETS.match(self.document.text, mark.index - 1)
+            ):
+                reason += "; what has brackets in it stands in quotes in a list, as 'ratio[1]'"
+            reason += self._spaced_ratio(mark.index) if mark else ""
+            if mark and self.document.text[mark.index : mark.index + 1] == "\t":
+                reason = "read a tab, expected blanks: no tab indents a line"
+            self.document.stop(f"not YAML: {reason}", *place)
         except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
-            self.found.stop(f"not YAML: {error}", *self.last)
+            self.document.stop(f"not YAML: {error}", *self.last)
         if event.start_mark:
-            self.last = self.found.place(event.start_mark.index)
+            self.last = self.document.place(event.start_mark.index)
         return event
 
     def _spaced_ratio(self, at: int) -> str:
         """Return how to write the ratio at a place of the text, if there is a ratio."""
-        for ratio in _SPACED_RATIO.finditer(self.found.text, max(at - 40, 0), at + 40):
+        for ratio in _SPACED_RATIO.finditer(self.document.text, max(at - 40, 0), at + 40):
             if ratio.start() <= at <= ratio.end():
                 first, second = ratio.groups()
                 number = first if float(second) == 1 else f"{first}/{second}"
@@ -107,14 +107,14 @@ class _Builder:
 
     def node(self, event: yaml.Event, depth: int) -> Node:
         line, column = self.last
-        self.found.check_depth(depth, line, column)
+        self.document.check_depth(depth, line, column)
         if isinstance(event, yaml.AliasEvent):
             return self.alias(event)
         anchor = getattr(event, "anchor", None)
         before = self.values
         self.values += 1
         if anchor:
-            self.anchors[anchor] = _Anchored(None, 0)
+            self.anchors[anchor] = None, 0
         node: Node
         match event:
             case yaml.SequenceStartEvent():
@@ -123,9 +123,12 @@ class _Builder:
                 node = Mapping(list(self.entries(depth)), line, column)
             case _:
                 node = self.scalar(event, line, column)
-        self.check_tag(event, node)
+        tag = getattr(event, "tag", None)
+        if tag and tag not in _TAGS[type(node)]:
+            message = f"tag {shown(tag.replace(_STANDARD, '!!'))} is not taken, expected none"
+            self.document.add(message, line, column)
         if anchor:
-            self.anchors[anchor] = _Anchored(node, self.values - before)
+            self.anchors[anchor] = node, self.values - before
         return node
 
     def items(self, depth: int) -> Iterator[Node]:
@@ -137,11 +140,11 @@ class _Builder:
             key = self.node(event, depth + 1)
             if not isinstance(key, Scalar):
                 message = "a key that is a list or a mapping, expected text"
-                self.found.stop(message, key.line, key.column)
+                self.document.stop(message, key.line, key.column)
             yield key, self.node(self.next(), depth + 1)
 
     def scalar(self, event: Any, line: int, column: int) -> Scalar:
-        self.found.check_characters(event.value, line, column)
+        self.document.check_characters(event.value, line, column)
         plain = not event.style and event.tag not in ("!", _STANDARD + "str")
         return Scalar(event.value, line, column, plain)
 
@@ -150,17 +153,13 @@ class _Builder:
         name = shown(anchor)
         known = self.anchors.get(anchor)
         if known is None:
-            hint = self.found.hint(anchor, self.anchors)
-            self.found.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
-        if known.node is None:
-            self.found.stop(f"alias *{name} stands inside what it repeats", *self.last)
-        self.values += known.size
+            hint = self.document.hint(anchor, self.anchors)
+            self.document.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
+        node, size = known
+        if node is None:
+            self.document.stop(f"alias *{name} stands inside what it repeats", *self.last)
+        self.values += size
         if self.values > MOST_VALUES:
             message = f"alias *{name} makes more than {MOST_VALUES} values of this document"
-            self.found.stop(message, *self.last)
-        return known.node
-
-    def check_tag(self, event: Any, node: Node) -> None:
-        if event.tag and event.tag not in _TAGS[type(node)]:
-            tag = shown(event.tag.replace(_STANDARD, "!!"))
-            self.found.add(f"tag {tag} is not taken, expected none", node.line, node.column)
+            self.document.stop(message, *self.last)
+        return node

@@ -1,8 +1,8 @@
-"""Cases in workbooks: sheets of parts with a row for each, and one of paths and values.
+"""Cases in workbooks: sheets with a row for each part, and a sheet of paths and values.
 
-`parts` opens a workbook, bounded, `cells` gives the cells of its sheets; `tree` makes of them the
-tree of nodes that YAML has, too, so that keys are read and checked there; `sheets` says which
-sheets and headings there are, and how a text stands in a cell, for the writer as well.
+`parts` opens a workbook within bounds, and `cells` reads the cells of its sheets. `tree` builds the
+tree of nodes that YAML has, too, so that both share the checks of keys. `sheets` lists the sheets
+and headings, and converts texts to cells and back, also for the writer.
 """
 
 from vstatics.core.readers.workbook.reader import read

@@ -1,4 +1,4 @@
-"""Gives the cells of the sheets of a workbook, bounded in number whatever the file holds."""
+"""Cells of the sheets of a workbook, bounded in number for any file."""
 
 from __future__ import annotations
 
@@ -11,42 +11,42 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.workbook.parts import PackedParts
 
 MOST_ROWS, MOST_COLUMNS = 10_000, 500
-"""Of a sheet."""
+"""Maximum number of rows and columns of a sheet."""
 MOST_SHEET_CELLS = 200_000
-"""Bound of the cells of a sheet, also of those without a value."""
-MOST_CHARACTERS = 32_767
-"""Of a cell."""
+"""Maximum number of cells of a sheet, including cells without a value."""
+MOST_CELL_CHARACTERS = 32_767
+"""Maximum number of characters of a cell, as in Excel."""
 _PLACE = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})")
 _DATE = "d"
 
 
 class ReadCell(NamedTuple):
-    """A cell that says something."""
+    """Cell with a value."""
 
     text: str
-    """As it stands there; of numbers and switches as YAML has them."""
+    """Text of the cell; numbers and switches are written as in YAML."""
     row: int
     column: int
 
 
 class ReadSheet(NamedTuple):
-    """The cells of a sheet by rows, without those that are empty."""
+    """Cells of a sheet by rows, without empty cells."""
 
     name: str
     rows: list[list[ReadCell]]
 
 
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
-    """The cells of some sheets of a workbook, and names of all others, which have no rows.
+    """Read the cells of the wanted sheets of a workbook; other sheets have no rows.
 
     Raises
     ------
     ReadError
-        If it is no workbook, is larger than any case, or has cells that say nothing.
+        If the file is not a workbook, is too large, or contains cells that cannot be read.
     """
     try:
         parts = PackedParts(data)
-    except Exception as error:  # noqa: BLE001 - whatever a file that is none holds
+    except Exception as error:  # noqa: BLE001 (damaged files raise many classes of errors)
         raise _no_workbook(file, error) from None
     wanted, read, problems = {*wanted}, [], list[Problem]()
     for name, path in parts.sheets.items():
@@ -56,7 +56,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
                 parts.parse(path, sheet.start, sheet.end, sheet.text)
             except ReadError:
                 raise
-            except Exception as error:  # noqa: BLE001 - likewise
+            except Exception as error:  # noqa: BLE001 (as above)
                 raise _no_workbook(file, error, name) from None
         read.append(ReadSheet(name, [row for row in sheet.rows if row]))
     if problems:
@@ -65,49 +65,49 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
 
 
 def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
-    told = " ".join(str(error).split()) or type(error).__name__
+    reason = " ".join(str(error).split()) or type(error).__name__
     of = f"sheet {quoted(sheet)}: " if sheet else ""
-    return ReadError([of_file("E117", file, f"can't be read as a workbook: {of}{told}")])
+    return ReadError([of_file("E117", file, f"can't be read as a workbook: {of}{reason}")])
 
 
 class _SheetElements:
-    """The cells of a sheet, as its elements come."""
+    """Handler of the elements of a sheet, which collects the cells."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
         self.rows: list[list[ReadCell]] = []
         self._place, self._parts, self._problems = place, parts, problems
         self._row = self._column = self._cells = 0
-        self._about: Mapping[str, str] = {}
-        """Of the cell that is being read."""
-        self._said: dict[str, list[str]] = {}
-        """Value, formula and text of it."""
+        self._attributes: Mapping[str, str] = {}
+        """Attributes of the current cell."""
+        self._contents: dict[str, list[str]] = {}
+        """Value, formula and text of the current cell."""
         self._inside: list[str] = []
 
     def start(self, name: str, given: Mapping[str, str]) -> None:
-        """Begin an element."""
+        """Handle the start of an element."""
         self._inside.append(name)
         if name == "row":
             self._begin_row(int(given.get("r", self._row + 1)))
         elif name == "c":
             self._begin_cell(given)
         elif name in ("v", "f", "t"):
-            self._said.setdefault(name, [])
+            self._contents.setdefault(name, [])
         elif name == "mergeCell":
             self._merged(given.get("ref", ""))
 
     def text(self, read: str) -> None:
-        """Keep a text of the cell."""
+        """Add a piece of text to the current cell."""
         if self._inside[-1] in ("v", "f", "t") and "rPh" not in self._inside:
-            self._said[self._inside[-1]].append(read)
+            self._contents[self._inside[-1]].append(read)
 
     def end(self, name: str) -> None:
-        """End an element."""
+        """Handle the end of an element."""
         self._inside.pop()
         if name == "c":
             try:
                 text = self._value()
             except ValueError as error:
-                self._tell(str(error), self._row, self._column)
+                self._report(str(error), self._row, self._column)
                 return
             if text:
                 self.rows[-1].append(ReadCell(text, self._row, self._column))
@@ -124,7 +124,7 @@ class _SheetElements:
         column = _column_of(place[1]) if place else self._column + 1
         if column <= self._column or not self.rows:
             raise ValueError(f"cell {given.get('r', '')} is not in order")
-        self._about, self._said = given, {}
+        self._attributes, self._contents = given, {}
         self._column = column
         self._cells += 1
         self._check()
@@ -136,17 +136,17 @@ class _SheetElements:
             raise ValueError(f"expected at most {MOST_SHEET_CELLS} cells")
 
     def _value(self) -> str:
-        """What the cell says, nothing where it is empty.
+        """Return the text of the current cell, empty for an empty cell.
 
         Raises
         ------
         ValueError
-            If it says nothing to a case.
+            If the cell contains an error, a date, or a formula without its value.
         """
-        kind = self._about.get("t", "n")
-        value = "".join(self._said.get("t" if kind == "inlineStr" else "v", ()))
+        kind = self._attributes.get("t", "n")
+        value = "".join(self._contents.get("t" if kind == "inlineStr" else "v", ()))
         if not value:
-            if "f" in self._said:
+            if "f" in self._contents:
                 message = "a formula without its value: save the file in a spreadsheet program"
                 raise ValueError(message)
             return ""
@@ -159,7 +159,7 @@ class _SheetElements:
         if kind in ("str", "inlineStr"):
             return value.strip()
         number = _number(value) if kind == "n" else value
-        style = self._about.get("s", "0")
+        style = self._attributes.get("s", "0")
         if kind == _DATE or (style != "0" and _index(style) in self._parts.dates):
             read = f"read a date or time, {self._parts.date(value)}"
             hint = "a fraction is a text, '78/30, or a formula, =78/30"
@@ -167,16 +167,16 @@ class _SheetElements:
         return number
 
     def _merged(self, ref: str) -> None:
-        """Cells that are one: only the first of them has a value, the others would be empty."""
+        """Report merged cells, as all but the first would seem empty."""
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
             message = (
                 f"{ref} are merged into one cell, expected a value in each: unmerge and fill them"
             )
-            self._tell(message, int(place[2]), _column_of(place[1]))
+            self._report(message, int(place[2]), _column_of(place[1]))
 
-    def _tell(self, message: str, row: int, column: int) -> None:
+    def _report(self, message: str, row: int, column: int) -> None:
         at = CellPlace.of(self._place._replace(line=row, column=column), self._place.sheet)
         self._problems.append(Problem("E118", message, (), at))
         if len(self._problems) >= MOST_PROBLEMS:
@@ -184,7 +184,7 @@ class _SheetElements:
 
 
 def _column_of(letters: str) -> int:
-    """The number of a column from 1.
+    """Return the number of a column, from 1.
 
     >>> _column_of("A"), _column_of("XFD")
     (1, 16384)
@@ -196,7 +196,7 @@ def _column_of(letters: str) -> int:
 
 
 def _number(text: str) -> str:
-    """A number as Python writes it.
+    """Return a number in the notation of Python.
 
     >>> _number("-3.5"), _number("1E3"), _number("97")
     ('-3.5', '1000.0', '97')
@@ -209,12 +209,12 @@ def _number(text: str) -> str:
 
 
 def _index(text: str) -> int:
-    """A number of a shared text or a format, from 0.
+    """Return the index of a shared text or a format, from 0.
 
     Raises
     ------
     LookupError
-        If it is something else: the workbook is damaged.
+        If the text is not an index, as the workbook is damaged.
     """
     if not (text.isascii() and text.isdecimal() and len(text) < 10):
         raise LookupError(f"there is no text or format {quoted(text[:40])}")

@@ -1,4 +1,4 @@
-"""Parts of a workbook file, bounded in size: its sheets, shared texts and formats of dates."""
+"""Parts of a workbook file within bounds: sheets, shared texts and formats of dates."""
 
 from __future__ import annotations
 
@@ -11,42 +11,45 @@ from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any
 
-MOST_BYTES = 10_000_000
-"""Bound of all parts that are read, unpacked."""
+MOST_UNPACKED_BYTES = 10_000_000
+"""Bound on the unpacked size of all parts that are read. [bytes]"""
 MOST_STYLE_BYTES = 20_000_000
-"""Bound of the part of formats, of which only numbers of dates are kept."""
+"""Bound on the part of formats, of which only the numbers of dates are stored. [bytes]"""
 MOST_NESTED_ELEMENTS = 100
 MOST_WORKBOOK_SHEETS = 1000
 _PART_PIECE = 2**16
 """Size of the pieces in which a part is parsed. [bytes]"""
 _BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
-"""Numbers of formats that are dates or times without being described."""
+"""Numbers of built-in formats for dates or times."""
 _NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
-"""What stands in a format as it is: texts, colours, single letters."""
+"""Literal parts of a format: texts, colours, single letters."""
 
 Start = Callable[[str, Mapping[str, str]], object]
 End = Callable[[str], object]
 
 
-def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = None) -> None:
-    """Go through the elements of a part; names are without their namespace.
+def parse(
+    stream: io.BufferedIOBase | Any, start: Start, end: End = lambda _: None, text: Any = None
+) -> None:
+    """Parse the elements of a part, and call the handlers with names without the namespace.
 
     Raises
     ------
     ValueError
-        If it has a document type, whose entities may be anything, or is nested too deeply.
+        If the part is nested too deeply, or has a document type, whose entities can be hostile.
     ExpatError
+        If the part is not valid XML.
     """
     from xml.parsers import expat  # costs start-up time
 
     depth = 0
 
-    def started(name: str, given: Mapping[str, str]) -> None:
+    def started(name: str, attributes: Mapping[str, str]) -> None:
         nonlocal depth
         depth += 1
         if depth > MOST_NESTED_ELEMENTS:
             raise ValueError(f"nested deeper than {MOST_NESTED_ELEMENTS} levels")
-        start(name.rpartition(":")[2], given)
+        start(name.rpartition(":")[2], attributes)
 
     def ended(name: str) -> None:
         nonlocal depth
@@ -64,90 +67,92 @@ def parse(stream: io.BufferedIOBase | Any, start: Start, end: End, text: Any = N
         parser.CharacterDataHandler = text
     while piece := stream.read(_PART_PIECE):
         parser.Parse(piece)
-    parser.Parse(b"", True)  # noqa: FBT003 - of expat
+    parser.Parse(b"", True)  # noqa: FBT003 (signature of expat)
 
 
 class PackedParts:
-    """The parts of a workbook.
+    """Parts of a workbook.
 
     Raises
     ------
+    ValueError
+        If the workbook is larger than any case.
     Exception
-        Of some kind each, if it is damaged; a ValueError if it is larger than any case.
+        Of various classes if the workbook is damaged.
     """
 
     def __init__(self, data: bytes) -> None:
         """Find the sheets."""
         self._packed = zipfile.ZipFile(io.BytesIO(data))
-        self._left = MOST_BYTES
+        self._left = MOST_UNPACKED_BYTES
         roots = self._relations("")
         self._book = next((path for kind, path in roots.values() if kind == "officeDocument"), "")
         self._book = self._book or "xl/workbook.xml"
         self.sheets: dict[str, str] = {}
-        """Names, with the parts of those that are sheets of cells; empty of a chart."""
-        self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 - days have no zone
+        """Part of each sheet of cells by its name; empty for a chart."""
+        self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 (days have no time zone)
         self._named: list[tuple[str, str]] = []
         with self._open(self._book) as part:
-            parse(part, self._sheet, lambda _: None)
+            parse(part, self._sheet)
         self._related = self._relations(self._book)
         for name, key in self._named:
             kind, path = self._related.get(key, ("", ""))
             self.sheets[name] = path if kind == "worksheet" else ""
 
-    def parse(self, path: str, start: Start, end: End, text: Any = None) -> None:
-        """Go through the elements of a part."""
+    def parse(self, path: str, start: Start, end: End = lambda _: None, text: Any = None) -> None:
+        """Parse the elements of a part."""
         with self._open(path) as part:
             parse(part, start, end, text)
 
-    def _sheet(self, name: str, given: Mapping[str, str]) -> None:
-        if name == "workbookPr" and given.get("date1904") in ("1", "true"):
+    def _sheet(self, name: str, attributes: Mapping[str, str]) -> None:
+        if name == "workbookPr" and attributes.get("date1904") in ("1", "true"):
             self._first_day = dt.datetime(1904, 1, 1)  # noqa: DTZ001
         if name == "sheet":
-            key = next((value for key, value in given.items() if key.endswith(":id")), "")
-            self._named.append((given.get("name", ""), key))
+            key = next((value for key, value in attributes.items() if key.endswith(":id")), "")
+            self._named.append((attributes.get("name", ""), key))
             if len(self._named) > MOST_WORKBOOK_SHEETS:
                 raise ValueError(f"expected at most {MOST_WORKBOOK_SHEETS} sheets")
 
     def _open(self, path: str) -> Any:
-        about = self._packed.getinfo(path)
-        self._left -= about.file_size
+        member = self._packed.getinfo(path)
+        self._left -= member.file_size
         if self._left < 0:
-            size = (MOST_BYTES - self._left) / 1e6
+            size = (MOST_UNPACKED_BYTES - self._left) / 1e6
             raise ValueError(
-                f"{size:.0f} MB when unpacked, expected at most {MOST_BYTES / 1e6:.0f}"
+                f"{size:.0f} MB when unpacked, expected at most {MOST_UNPACKED_BYTES / 1e6:.0f}"
             )
-        return self._packed.open(about)
+        return self._packed.open(member)
 
     def _relations(self, of: str) -> dict[str, tuple[str, str]]:
         folder, name = posixpath.split(of)
         relations: dict[str, tuple[str, str]] = {}
 
-        def start(name: str, given: Mapping[str, str]) -> None:
-            if name == "Relationship" and given.get("TargetMode") != "External":
-                path = posixpath.normpath(posixpath.join("/", folder, given["Target"]))
-                kind = given.get("Type", "").rpartition("/")[2]
-                relations[given.get("Id", "")] = kind, path.lstrip("/")
+        def start(name: str, attributes: Mapping[str, str]) -> None:
+            if name == "Relationship" and attributes.get("TargetMode") != "External":
+                path = posixpath.normpath(posixpath.join("/", folder, attributes["Target"]))
+                kind = attributes.get("Type", "").rpartition("/")[2]
+                relations[attributes.get("Id", "")] = kind, path.lstrip("/")
 
         path = posixpath.join(folder, "_rels", f"{name}.rels")
         if path in self._packed.NameToInfo:
-            self.parse(path, start, lambda _: None)
+            self.parse(path, start)
         return relations
 
     def date(self, value: str) -> str:
-        """The date and time that a number of days stands for, or the value as it is."""
+        """Return the date and time after a number of days, or an invalid value unchanged."""
         try:
             return str(self._first_day + dt.timedelta(days=float(value)))
         except (OverflowError, ValueError):
             return value
 
     def _part(self, kind: str) -> str:
-        """The part of a kind that the workbook refers to; empty if there is none."""
+        """Return the path of a part by kind, or an empty text."""
         paths = [path for of, path in self._related.values() if of == kind]
         return next((path for path in paths if path in self._packed.NameToInfo), "")
 
     @cached_property
     def texts(self) -> list[str]:
-        """Texts that cells share, without what says how they are spoken."""
+        """Texts shared by cells, without phonetic hints."""
         texts: list[str] = []
         parts: list[str] = []
         inside: list[str] = []
@@ -172,33 +177,33 @@ class PackedParts:
 
     @cached_property
     def dates(self) -> frozenset[int]:
-        """Numbers of the cell formats that are dates or times."""
+        """Numbers of the cell formats for dates or times."""
         codes: dict[str, str] = {}
         formats: list[str] = []
         section = ""
 
-        def start(name: str, given: Mapping[str, str]) -> None:
+        def start(name: str, attributes: Mapping[str, str]) -> None:
             nonlocal section
             if name == "xf":
-                formats.extend([given.get("numFmtId", "0")] * (section == "cellXfs"))
+                formats.extend([attributes.get("numFmtId", "0")] * (section == "cellXfs"))
             elif name == "numFmt":
-                codes[given.get("numFmtId", "")] = given.get("formatCode", "")
+                codes[attributes.get("numFmtId", "")] = attributes.get("formatCode", "")
             elif name in ("cellXfs", "cellStyleXfs", "dxfs"):
                 section = name
 
         if path := self._part("styles"):
-            about = self._packed.getinfo(path)
-            if about.file_size > MOST_STYLE_BYTES:
+            member = self._packed.getinfo(path)
+            if member.file_size > MOST_STYLE_BYTES:
                 most = MOST_STYLE_BYTES / 1e6
-                message = f"formats of {about.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
+                message = f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
                 raise ValueError(message)
-            with self._packed.open(about) as part:
-                parse(part, start, lambda _: None)
+            with self._packed.open(member) as part:
+                parse(part, start)
         return frozenset(n for n, key in enumerate(formats) if _is_date(key, codes.get(key)))
 
 
 def _is_date(number: str, code: str | None) -> bool:
-    """Whether a format is of dates or times.
+    """Check whether a format is for dates or times.
 
     >>> _is_date("14", None), _is_date("165", "[h]:mm"), _is_date("165", '0.0 "days"')
     (True, True, False)

@@ -1,8 +1,8 @@
-"""Reads cases in workbooks: bytes -> cells -> tree of nodes -> as YAML."""
+"""Reader of cases in workbooks: bytes -> cells -> tree of nodes, which is read like YAML."""
 
 from __future__ import annotations
 
-from vstatics.core.readers.named.nodes import Found
+from vstatics.core.readers.named.nodes import DocumentText
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 from vstatics.core.readers.named.reader import read_case_tree
 from vstatics.core.readers.reading import Reading
@@ -12,31 +12,46 @@ from vstatics.core.readers.workbook.tree import TreeOfSheets, WorkbookSource
 
 
 def read(data: bytes, file: str) -> Reading:
-    """Read a case in a workbook (XLSX); what is wrong is told with its sheet and cell.
+    """Read a case from a workbook (XLSX).
 
     Parameters
     ----------
     data : bytes
+        The content of a file.
     file : str
-        The name that problems give.
+        Name of the file, for messages.
+
+    Returns
+    -------
+    Reading
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
-        With every problem that can be told from the others.
+        With every problem, its sheet and its cell.
+
+    Examples
+    --------
+    >>> from vstatics.core.errors import ReadError
+    >>> try:
+    ...     read(b"PK", "case.xlsx")
+    ... except ReadError as error:
+    ...     error.problems[0].id
+    'E117'
     """
-    root, found = workbook_tree(data, file)
-    return read_case_tree(root, found)
+    root, document = workbook_tree(data, file)
+    return read_case_tree(root, document)
 
 
-def workbook_tree(data: bytes, file: str) -> tuple[MappingNode, Found]:
-    """The tree of nodes of a workbook, and its places.
+def workbook_tree(data: bytes, file: str) -> tuple[MappingNode, DocumentText]:
+    """Read the tree of nodes of a workbook, and return the tree with the text and places.
 
     Raises
     ------
     ReadError
-        If it can't be read as a workbook, or has no sheets of a case.
+        If the file is not a workbook, or has no sheets of a case.
     """
     sheets = read_sheets(data, file, SHEETS)
-    found = Found(WorkbookSource(file, [sheet.name for sheet in sheets]))
-    return TreeOfSheets(sheets, found).root(), found
+    document = DocumentText(WorkbookSource(file, [sheet.name for sheet in sheets]))
+    return TreeOfSheets(sheets, document).root(), document

@@ -1,7 +1,7 @@
-"""Which sheets a case in a workbook has, and how texts and paths stand in their cells.
+"""Sheets of a case in a workbook, and the conversion of texts and paths to cells and back.
 
-A text that begins with a bracket, a brace or a double quote is read as YAML has it, so a list
-stands in one cell; whatever else stands in a cell is a text as it is.
+A cell whose text begins with a bracket, a brace or a double quote is read like YAML, so that a list
+fits into a cell. Every other cell is a plain text.
 """
 
 from __future__ import annotations
@@ -17,37 +17,37 @@ from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
 
 CASE_SHEET = "case"
-"""Of paths and values: what has no sheet of its own."""
+"""Sheet of paths and values, for all keys without a sheet."""
 LINKS = "links"
-"""Of names alone."""
+"""Sheet with a single column, of names."""
 GEARS = "gears"
-"""Whose columns are shift elements, too."""
+"""Sheet whose columns can also be shift elements."""
 ENGAGED = "x"
-MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # the x of Russian, of times
+MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin, Cyrillic, times
 MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
-"""Whether an element is engaged, by what stands in a shift table in place of a number."""
+"""Whether a shift element is engaged, by the mark in a shift table."""
 LONGEST_NUMBER = 9
-"""Digits of the number of an item; nothing has so many items."""
+"""Maximum number of digits of the number of an item."""
 
 Part = str | int
-"""Of a path: a key, or the number of an item from 1."""
+"""Part of a path: a key, or the number of an item from 1."""
 
 _SPECIAL = ("[", "{", '"')
 _WORDS = frozenset({"", "~", "null", "Null", "NULL"})
 _UNSAFE = re.compile(
     r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)"
 )
-"""What XML, YAML or a spreadsheet program would change; `_x000a_` is a character to these."""
+"""Characters that XML, YAML or spreadsheet programs change, such as the escape `_x000a_`."""
 _ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 
 
 class PartSheet(NamedTuple):
-    """A sheet with a row for each part of a case, its name in the first column."""
+    """Sheet with a row for each part of a case, and the name of the part in the first column."""
 
     first: dict[str, tuple[Part, ...]]
-    """Headings that always stand first, and the paths that they are."""
+    """Headings that always come first, with paths."""
     known: frozenset[str]
-    """Keys with which the path of a heading begins."""
+    """Keys with which the path of a heading can begin."""
 
 
 def _keys(shape: ByKey) -> frozenset[str]:
@@ -56,7 +56,7 @@ def _keys(shape: ByKey) -> frozenset[str]:
 
 def _of_elements() -> frozenset[str]:
     [key] = (key for key in with_elements(CASE).keys if key.name == "elements")
-    assert isinstance(key.shape, ByName)  # noqa: S101 - so they are declared
+    assert isinstance(key.shape, ByName)  # noqa: S101 (as declared)
     assert isinstance(key.shape.item, ByKind)  # noqa: S101
     return frozenset().union(*map(_keys, key.shape.item.records.values()))
 
@@ -67,12 +67,12 @@ PART_SHEETS = {
     "elements": PartSheet({}, _of_elements()),
     GEARS: PartSheet({}, _keys(GEAR)),
 }
-"""By the key of the case that they are."""
+"""Sheets of parts by the key in a case."""
 SHEETS = (CASE_SHEET, LINKS, *PART_SHEETS)
 
 
 def text_cell(text: str) -> str:
-    r"""A text as it stands in a cell: in quotes where it would be taken for something else.
+    r"""Return a text as a cell, in quotes if the plain text would be read differently.
 
     >>> text_cell("sun"), text_cell("[1] a"), text_cell(" a\r")
     ('sun', '"[1] a"', '" a\\r"')
@@ -83,17 +83,17 @@ def text_cell(text: str) -> str:
 
 
 def flow_cell(value: Any) -> str:
-    """Plain data on one line, as JSON and YAML have it.
+    """Return plain data on a single line, valid in JSON and YAML.
 
     >>> flow_cell([["a", 2.5], []])
     '[["a", 2.5], []]'
     """
-    told = json.dumps(value, ensure_ascii=False)
-    return _UNSAFE.sub(lambda found: f"\\u{ord(found[0]):04x}", told)
+    text = json.dumps(value, ensure_ascii=False)
+    return _UNSAFE.sub(lambda match: f"\\u{ord(match[0]):04x}", text)
 
 
 def is_flow(text: str) -> bool:
-    """Whether the text of a cell is read as YAML has it.
+    """Check whether the text of a cell is read like YAML.
 
     >>> is_flow("[[0, 1]]"), is_flow("3000 rpm")
     (True, False)
@@ -102,51 +102,51 @@ def is_flow(text: str) -> bool:
 
 
 def can_be_path(keys: Sequence[str]) -> bool:
-    """Whether keys can be written in a path: none has both kinds of quotes, or is empty."""
+    """Check whether keys can be written in a path: not empty, and with a single kind of quotes."""
     return not any(not key or ('"' in key and "'" in key) for key in keys)
 
 
 def path_cell(parts: Sequence[Part]) -> str:
-    """A path as it stands in a cell; items of lists by their numbers in brackets.
+    """Return a path as a cell; items of lists are numbers in brackets.
 
     >>> path_cell(("teeth", "sun")), path_cell(("speeds", "a.b")), path_cell(("points", 2, 1))
     ('teeth.sun', 'speeds."a.b"', 'points[2][1]')
     """
-    told = ""
+    path = ""
     for part in parts:
-        told += f"[{part}]" if isinstance(part, int) else "." * bool(told) + written([part])
-    return told
+        path += f"[{part}]" if isinstance(part, int) else "." * bool(path) + written([part])
+    return path
 
 
 def quoted_path_cell(parts: Sequence[Part]) -> str:
-    """The same with its first key in quotes, so that it is no name of a shift element.
+    """Return a path as a cell, with a quoted first key, unlike the name of a shift element.
 
     >>> quoted_path_cell(("speeds", "C1"))
     '"speeds".C1'
     """
-    more = path_cell(parts[1:])
-    dot = "." if more and not more.startswith("[") else ""
-    return f"{in_quotes(str(parts[0]))}{dot}{more}"
+    below = path_cell(parts[1:])
+    dot = "." if below and not below.startswith("[") else ""
+    return f"{in_quotes(str(parts[0]))}{dot}{below}"
 
 
 def path_parts(text: str) -> tuple[Part, ...]:
-    """The parts of a path that stands in a cell.
+    """Split the path in a cell into parts.
 
     Raises
     ------
     NoValueError
-        If it is none.
+        If the text is not a path.
 
     Examples
     --------
     >>> path_parts('speeds."a[1]".x'), path_parts("points[2][1]")
     (('speeds', 'a[1]', 'x'), ('points', 2, 1))
     """
-    return tuple(one for part in split(text) for one in _with_items(part, text))
+    return tuple(item for part in split(text) for item in _with_items(part, text))
 
 
 def _with_items(part: PathPart, text: str) -> tuple[Part, ...]:
-    """A part of a path, and the items of it that are named in brackets."""
+    """Return the key of a part of a path, and the numbers in brackets behind the key."""
     items = None if text[part.at] in "\"'" else _ITEM.fullmatch(part.name)
     if items is None:
         return (part.name,)

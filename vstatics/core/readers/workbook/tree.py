@@ -1,13 +1,12 @@
-"""Cells of sheets -> tree of nodes, as of a text in YAML, with the places of the cells."""
+"""Tree of nodes from the cells of sheets, like the tree of a text in YAML."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NoReturn
+from collections.abc import Mapping, Sequence
 
 from vstatics.core.errors import CellPlace, Place, ReadError, quoted
 from vstatics.core.model.paths import NoValueError
-from vstatics.core.readers.named.nodes import Found, Listing, Node, Scalar
+from vstatics.core.readers.named.nodes import DocumentText, Listing, Node, Scalar
 from vstatics.core.readers.named.nodes import Mapping as MappingNode
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
@@ -23,6 +22,7 @@ from vstatics.core.readers.workbook.sheets import (
     PART_SHEETS,
     SHEETS,
     Part,
+    PartSheet,
     is_flow,
     path_parts,
     text_cell,
@@ -30,39 +30,39 @@ from vstatics.core.readers.workbook.sheets import (
 from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
-"""A node has one number for its line, so that of its sheet stands above its row."""
+"""Step between the lines of two sheets, as a node has a single number for sheet and row."""
 
 
 class WorkbookSource(Source):
-    """A workbook, whose places are cells."""
+    """Workbook whose places are cells."""
 
     def __init__(self, file: str, sheets: Sequence[str]) -> None:
         super().__init__(file, "")
         self.sheets = sheets
 
     def place(self, line: int, column: int = 1) -> Place:
-        """The cell at a line, that of its sheet and row; line 0 is the file as a whole."""
+        """Return the cell at a line, which encodes sheet and row; line 0 is the whole file."""
         number, row = divmod(line, _ROWS)
         place = Place(self.file, row, column if row else 0)
         return CellPlace.of(place, self.sheets[number]) if row else place
 
 
 class TreeOfSheets:
-    """Makes the tree of a case."""
+    """Builder of the tree of a case."""
 
-    def __init__(self, sheets: Sequence[ReadSheet], found: Found) -> None:
-        self.found = found
+    def __init__(self, sheets: Sequence[ReadSheet], document: DocumentText) -> None:
+        self.document = document
         self.sheets = {sheet.name: sheet.rows for sheet in sheets}
         self.first = {sheet.name: number * _ROWS for number, sheet in enumerate(sheets)}
         self.sheet = CASE_SHEET
 
     def root(self) -> MappingNode:
-        """The whole tree.
+        """Return the whole tree.
 
         Raises
         ------
         ReadError
-            If sheets or headings are not those of a case, or a value is given twice.
+            If sheets or headings are unknown, or a value is given twice.
         """
         self._check_names()
         root = GrownNode(0, 0)
@@ -79,15 +79,15 @@ class TreeOfSheets:
         if CASE_SHEET in self.sheets:
             self.sheet = CASE_SHEET
             self._paths(root)
-        node = root.node(self.found)
-        assert isinstance(node, MappingNode)  # noqa: S101 - its parts are keys
+        node = root.node(self.document)
+        assert isinstance(node, MappingNode)  # noqa: S101 (all parts of the root are keys)
         return node
 
     def _check_names(self) -> None:
-        """Other sheets may be there, but none that looks like a mistyped one."""
+        """Check the names of sheets; unknown names are allowed unless similar to a known name."""
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
-            self.found.stop(f"no sheet of a case, expected some of {names}", 0, 1)
+            self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
         for name in self.sheets.keys() - {*SHEETS}:
             hint = nearest(name, SHEETS)
             if hint:
@@ -100,20 +100,20 @@ class TreeOfSheets:
         self._refuse_at(*self._at(cell), message)
 
     def _refuse_at(self, line: int, column: int, message: str) -> None:
-        self.found.add(message, line, column, identity="E118")
+        self.document.add(message, line, column, identity="E118")
 
-    def _below_heading(self, name: str) -> Iterator[list[ReadCell]]:
-        """The rows of a sheet behind that of its headings, which begins with `name`."""
+    def _below_heading(self, name: str) -> list[list[ReadCell]]:
+        """Return the rows of a sheet below the headings, of which the first must be `name`."""
         rows = self.sheets[name]
         if not rows:
-            return iter(())
+            return []
         head = rows[0][0]
         if (head.row, head.column, head.text) != (1, 1, "name"):
             self._refuse(ReadCell("", 1, 1), "expected the heading `name`")
-            return iter(())
-        return iter(rows[1:])
+            return []
+        return rows[1:]
 
-    def _links(self, grown: GrownNode, rows: Iterator[list[ReadCell]]) -> None:
+    def _links(self, grown: GrownNode, rows: Sequence[list[ReadCell]]) -> None:
         for number, row in enumerate(rows, 1):
             for cell in row:
                 if cell.column > 1:
@@ -121,8 +121,8 @@ class TreeOfSheets:
             if row[0].column == 1:
                 grown.add(number, self._value(row[0]))
 
-    def _parts(self, grown: GrownNode, name: str, rows: Iterator[list[ReadCell]]) -> None:
-        """Parts with a row each."""
+    def _parts(self, grown: GrownNode, name: str, rows: Sequence[list[ReadCell]]) -> None:
+        """Add parts with a row each."""
         elements = self._shift_elements() if name == GEARS else {}
         paths, engaged = self._headings(name, elements)
         for row in rows:
@@ -144,29 +144,29 @@ class TreeOfSheets:
                 self._refuse(row[0], f"the name {quoted(text)} is given twice")
 
     def _shift_elements(self) -> dict[str, str]:
-        """Their names by the headings that they have."""
+        """Return the names of shift elements by heading."""
         rows = self.sheets.get("shift_elements", [])[1:]
         headings = [row[0].text for row in rows if row[0].column == 1]
         for row in self.sheets.get(CASE_SHEET, [])[1:]:
             try:
                 parts = path_parts(row[0].text)
-            except NoValueError:  # told where paths are read
+            except NoValueError:  # reported by `_paths`
                 continue
             if parts[0] == "shift_elements" and len(parts) > 1:
                 headings.append(text_cell(str(parts[1])))
-        return {one: self._plain(one) for one in headings}
+        return {heading: self._plain(heading) for heading in headings}
 
     def _plain(self, heading: str) -> str:
-        """The name that a heading is."""
+        """Return the name in a heading."""
         node = self._value(ReadCell(heading, 1, 1))
         return node.text if isinstance(node, Scalar) else heading
 
     def _headings(
         self, name: str, elements: Mapping[str, str]
     ) -> tuple[dict[int, tuple[Part, ...]], dict[int, str]]:
-        """Paths, and shift elements, by their columns."""
-        paths, engaged, sheet = dict[int, tuple[Part, ...]](), dict[int, str](), PART_SHEETS[name]
-        rows = self.sheets[name]
+        """Return the paths and the shift elements in the headings, by columns."""
+        paths, engaged = dict[int, tuple[Part, ...]](), dict[int, str]()
+        sheet, rows = PART_SHEETS[name], self.sheets[name]
         given: set[str] = set()
         for cell in rows[0][1:] if rows else ():
             if cell.text in given:
@@ -174,27 +174,23 @@ class TreeOfSheets:
             elif cell.text in elements:
                 engaged[cell.column] = elements[cell.text]
             else:
-                paths[cell.column] = self._path(cell, sheet.first, sheet.known, elements)
+                paths[cell.column] = self._path(cell, sheet, elements)
             given.add(cell.text)
         return paths, engaged
 
     def _path(
-        self,
-        cell: ReadCell,
-        first: Mapping[str, tuple[Part, ...]],
-        known: frozenset[str],
-        elements: Mapping[str, str],
+        self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]
     ) -> tuple[Part, ...]:
-        """The path that a heading is; none, with a message, where it is none."""
-        if cell.text in first:
-            return first[cell.text]
+        """Return the path in a heading; report a wrong heading and return an empty path."""
+        if cell.text in sheet.first:
+            return sheet.first[cell.text]
         try:
             parts = path_parts(cell.text)
         except NoValueError as error:
             self._refuse(cell, f"{quoted(cell.text)}: {error}")
             return ()
-        if parts[0] not in known:
-            others = [*first, *elements, *sorted(known)]
+        if parts[0] not in sheet.known:
+            others = [*sheet.first, *elements, *sorted(sheet.known)]
             of = "a key or the name of a shift element" if self.sheet == GEARS else "a key"
             hint = nearest(str(parts[0]), others)
             self._refuse(cell, f"unknown heading {quoted(cell.text)}, expected {of}{hint}")
@@ -204,13 +200,13 @@ class TreeOfSheets:
     def _engage(
         self, part: GrownNode, cells: Sequence[ReadCell], engaged: Mapping[int, str]
     ) -> None:
-        """The engaged shift elements of a gear, in the order of columns or of their numbers.
+        """Add the engaged shift elements of a gear, in the order of columns or given numbers.
 
-        A shift table of 1 and 0 is one, too: orders count from 1, and 0 is not engaged.
+        A shift table of 1 and 0 is read alike: orders count from 1, and 0 is disengaged.
         """
-        found = []
+        engagements = []
         for cell in cells:
-            number = cell.text.removesuffix(".0")  # as programs write a column with gaps
+            number = cell.text.removesuffix(".0")  # programs write `.0` in columns with empty cells
             is_number = number.isdecimal() and len(number) <= LONGEST_NUMBER
             order = int(number) if is_number else 0
             is_engaged = bool(order) if is_number else MARKS.get(cell.text.casefold())
@@ -219,23 +215,23 @@ class TreeOfSheets:
                 self._refuse(cell, message)
             elif is_engaged:
                 name = Scalar(engaged[cell.column], *self._at(cell), plain=False)
-                found.append((order, name))
-        if found:
-            found.sort(key=lambda one: one[0])
-            items: list[Node] = [node for _, node in found]
+                engagements.append((order, name))
+        if engagements:
+            engagements.sort(key=lambda engagement: engagement[0])
+            items: list[Node] = [node for _, node in engagements]
             part.add("engaged", Listing(items, items[0].line, items[0].column))
 
     def _paths(self, root: GrownNode) -> None:
-        """What the sheet of paths and values says."""
+        """Add the values of the sheet of paths and values."""
         rows = self.sheets[CASE_SHEET]
         if rows and [cell.text for cell in rows[0]] != ["path", "value"]:
             self._refuse(ReadCell("", 1, 1), "expected the headings `path` and `value`")
             return
         for path, *values in rows[1:]:
-            beside = [cell for cell in (path, *values) if cell.column > 2]
-            if beside:
-                message = f"read {quoted(beside[0].text)}, but beside path and value nothing stands"
-                self._refuse(beside[0], f"{message}; a note goes to a sheet of its own")
+            notes = [cell for cell in (path, *values) if cell.column > 2]
+            if notes:
+                message = f"read {quoted(notes[0].text)}, but beside path and value nothing stands"
+                self._refuse(notes[0], f"{message}; a note goes to a sheet of its own")
                 continue
             if path.column > 1 or [cell.column for cell in values] != [2]:
                 self._refuse(path, "expected a path and a value")
@@ -248,7 +244,7 @@ class TreeOfSheets:
             self._put(root, parts, path, self._value(values[0]))
 
     def _put(self, grown: GrownNode, parts: Sequence[Part], cell: ReadCell, value: Node) -> None:
-        """Put a value where its path leads; an empty one is of a heading that was refused."""
+        """Add a value at a path; the path is empty after a refused heading."""
         if not parts:
             return
         for part in parts[:-1]:
@@ -266,7 +262,7 @@ class TreeOfSheets:
         grown.add(parts[-1], value)
 
     def _value(self, cell: ReadCell) -> Node:
-        """The node of a cell."""
+        """Return the node of a cell."""
         at = self._at(cell)
         text = with_plain_blanks(cell.text)
         if not is_flow(text):
@@ -274,10 +270,7 @@ class TreeOfSheets:
         from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
         try:
-            return moved(yaml_tree(Found(Source("", text))), *at)
+            return moved(yaml_tree(DocumentText(Source("", text))), *at)
         except ReadError as error:
-            self._no_value(cell, error.problems[-1].message)
-
-    def _no_value(self, cell: ReadCell, why: str) -> NoReturn:
-        hint = 'a text that begins with a bracket or a quote goes in double quotes, as "[1]"'
-        self.found.stop(f"{why}; {hint}", *self._at(cell))
+            hint = 'a text that begins with a bracket or a quote goes in double quotes, as "[1]"'
+            self.document.stop(f"{error.problems[-1].message}; {hint}", *at)
