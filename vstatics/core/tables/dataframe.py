@@ -1,4 +1,4 @@
-"""Results as a pandas table."""
+"""Results as a table of pandas."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
 
 
 def to_dataframe(results: Results) -> pd.DataFrame:
-    """One row per variant and gear, a column per table and row.
+    """Convert results to a DataFrame with a row per variant and gear.
 
     Parameters
     ----------
     results : Results
-        Of one case or of arrays of variants, with any axes.
+        Results of one case, or of arrays of variants with any axes.
 
     Returns
     -------
     DataFrame
-        Indexed by the number of the variant, from 0 in the order of the arrays, and the name
-        of the gear; by the gear alone for one case. Columns are a table and its row:
-        ``("speeds", "C1")``, with a load also ``("speeds_rpm", "C1")``; a table without rows
-        has ``""`` there, so that pandas takes ``"ratio"`` for it.
+        Values, indexed by the number of the variant, from 0 in the order of the arrays, and the
+        name of the gear; for one case by the gear alone. A column is named by a table and its
+        row: ``("speeds", "C1")``, with an operating point also ``("speeds_rpm", "C1")``. A table
+        of one value per gear has the row ``""``, so that ``"ratio"`` selects the column.
 
     Raises
     ------
@@ -60,15 +60,15 @@ def to_dataframe(results: Results) -> pd.DataFrame:
         if axes
         else pd.Index(gears, name="gear")
     )
-    found = list(_columns(results))
-    columns = pd.MultiIndex.from_tuples([name for name, _ in found], names=["table", "row"])
-    return pd.DataFrame(dict(enumerate(values for _, values in found)), index=index).set_axis(
+    named = list(_columns(results))
+    columns = pd.MultiIndex.from_tuples([name for name, _ in named], names=["table", "row"])
+    return pd.DataFrame(dict(enumerate(values for _, values in named)), index=index).set_axis(
         columns, axis=1
     )
 
 
 def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
-    """Each column with its name."""
+    """Yield the columns with their names."""
     in_units = (quantity.name for quantity in with_units(results))
     for name in (*ARRAYS, *in_units):
         table = results.existing(name)
