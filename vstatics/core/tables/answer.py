@@ -218,9 +218,9 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
     return {**front, "file": name, **data} if front else data
 
 
-def text(value: Any) -> str:
-    """Format plain data as JSON on several lines, without a final line end."""
-    return _lines(value)
+text = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
+"""Formats plain data as JSON on several lines, without a final line end."""
+_line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def line(value: Any) -> str:
@@ -232,10 +232,6 @@ def as_json(answer: Answer, form: str | None) -> str:
     """Format an answer as JSON, on a single line for the form `jsonl`."""
     data = answer if isinstance(answer, dict) else plain_data(answer)
     return line(data) if form == "jsonl" else text(data) + "\n"
-
-
-_lines = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
-_line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def list_of(items: Schema) -> Schema:
@@ -292,7 +288,10 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
     if origin is Literal:
         return {"enum": [first, *more]}
     if origin in (Union, UnionType):
-        return _either(of(first), *map(of, more))
+        choices = [of(part) for part in (first, *more)]
+        if choices[1:] == [NULL] and choices[0].get("type") in ("string", "integer"):
+            return choices[0] | {"type": [choices[0]["type"], "null"]}
+        return {"anyOf": choices}
     if issubclass(origin, Mapping):
         items = {} if more[0] is Any else {"additionalProperties": of(more[0])}
         return {"type": "object", **items}
@@ -307,13 +306,6 @@ def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
     if isinstance(mark, dict):
         return of(kind) | mark
     return of(kind) if mark in _MARKS else {"enum": [*mark]}
-
-
-def _either(first: Schema, *others: Schema) -> Schema:
-    """Return the schema of a union; with null, texts and integers have two types."""
-    if others == (NULL,) and first.get("type") in ("string", "integer"):
-        return first | {"type": [first["type"], "null"]}
-    return {"anyOf": [first, *others]}
 
 
 def _of_keys(kind: Any, definitions: Schema | None) -> Schema:

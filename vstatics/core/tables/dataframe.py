@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.statics.results import Results
@@ -54,26 +53,21 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     import pandas as pd
 
     axes = results.ratio.shape[:-1]
-    gears = [gear.name for gear in results.case.gears]
-    index = (
-        pd.MultiIndex.from_product([range(math.prod(axes)), gears], names=["variant", "gear"])
-        if axes
-        else pd.Index(gears, name="gear")
-    )
-    named = list(_columns(results))
-    columns = pd.MultiIndex.from_tuples([name for name, _ in named], names=["table", "row"])
-    return pd.DataFrame(dict(enumerate(values for _, values in named)), index=index).set_axis(
-        columns, axis=1
-    )
 
-
-def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
-    """Yield the columns with their names."""
-    in_units = (quantity.name for quantity in with_units(results))
-    for name in (*ARRAYS, *in_units):
+    names, columns = [], []
+    for name in (*ARRAYS, *(quantity.name for quantity in with_units(results))):
         table = results.existing(name)
         if BY_NAME[name].rows == "one":
-            yield (name, ""), table.ravel()
-            continue
+            names.append((name, ""))
+            columns.append(table.ravel())
         for index, row in enumerate(table_rows(name, results.case)):
-            yield (name, row), table[..., index].ravel()
+            names.append((name, row))
+            columns.append(table[..., index].ravel())
+    variants = range(math.prod(axes))
+    gears = [gear.name for gear in results.case.gears]
+    return pd.DataFrame(
+        dict(enumerate(columns)),
+        index=pd.MultiIndex.from_product([variants, gears], names=["variant", "gear"])
+        if axes
+        else pd.Index(gears, name="gear"),
+    ).set_axis(pd.MultiIndex.from_tuples(names, names=["table", "row"]), axis=1)

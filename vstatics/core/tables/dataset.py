@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.names import table_rows
-from vstatics.core.tables.quantities import BY_NAME, UNITS, Quantity
+from vstatics.core.tables.quantities import BY_NAME, UNITS
 from vstatics.core.tables.values import with_units
 from vstatics.core.tables.written_results import GEAR
 
@@ -73,19 +73,14 @@ def to_xarray(results: Results) -> xr.Dataset:
     coordinates: dict[str, Any] = dict(zip(names, map(range, axes), strict=True))
     coordinates[GEAR] = [gear.name for gear in case.gears]
     variables = {}
-    for quantity, attributes in _described(results):
+    for quantity in (*(BY_NAME[name] for name in ARRAYS), *with_units(results)):
         along = [*names, GEAR]
         if quantity.rows != "one":
             along.append(DIMENSIONS[quantity.rows])
             coordinates[along[-1]] = list(table_rows(quantity.name, case))
+        attributes = {"long_name": quantity.title}
+        if quantity.unit:
+            unit = UNITS[quantity.unit].text
+            attributes = {"long_name": quantity.title.removesuffix(f", {unit}"), "units": unit}
         variables[quantity.name] = along, results.existing(quantity.name), attributes
     return xr.Dataset(variables, coordinates, {"case": case.name})
-
-
-def _described(results: Results) -> Iterator[tuple[Quantity, dict[str, str]]]:
-    """Yield the quantities with the attributes of their variables."""
-    for name in ARRAYS:
-        yield BY_NAME[name], {"long_name": BY_NAME[name].title}
-    for quantity in with_units(results):
-        unit = UNITS[quantity.unit].text
-        yield quantity, {"long_name": quantity.title.removesuffix(f", {unit}"), "units": unit}

@@ -112,10 +112,9 @@ class Grid(NamedTuple):
     def data(self) -> list[list[Datum]]:
         """Values of all cells; the first cell of a row is always a name."""
         named = bool(self.columns) and not self.columns[0].is_number
-        rows = [[cell.datum for cell in row] for row in self.cells]
         return [
-            [row[0].text, *data[1:]] if named else data
-            for row, data in zip(self.cells, rows, strict=True)
+            [cell.text if named and not place else cell.datum for place, cell in enumerate(row)]
+            for row in self.cells
         ]
 
     @property

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator
-from functools import cache
 from html import escape
 from itertools import groupby
 
@@ -50,14 +49,8 @@ def tag(name: str, /, *children: str, **attributes: object) -> Markup:
 def _attribute(key: str, value: object) -> str:
     if value is False:
         return ""
-    name = _written(key)
+    name = key.removesuffix("_").replace("_", "-")
     return f" {name}" if value is True else f' {name}="{escape(str(value))}"'
-
-
-@cache
-def _written(key: str) -> str:
-    """Return the written name of an attribute."""
-    return key.removesuffix("_").replace("_", "-")
 
 
 def joined(*parts: str) -> Markup:

@@ -267,23 +267,17 @@ def _selected(results: Results, name: str, selection: list[Any]) -> Any:
     quantity = quantity_named(name)
     if quantity.columns == "devices":
         array, wanted = distribution_matrix(results.case), "its name: it is of no gear"
-    elif quantity.rows == "one":
-        array, wanted = results.existing(quantity.name), "(table, gear)"
     else:
-        array, wanted = results.existing(quantity.name), "(table, row, gear)"
-        row = selection.pop(0) if selection else ALL
-        if row in (ALL, ":"):
-            gear = selection.pop(0) if selection else ALL
-            array = array if gear in (ALL, ":") else array[..., _gear(results, gear), :]
-        else:
-            array = array[..., row_named(str(row), quantity.rows, results.case)]
-    if selection and quantity.columns == "gears":
-        gear = selection.pop(0)
-        array = array if gear in (ALL, ":") else array[..., _gear(results, gear)]
+        array, wanted = results.existing(quantity.name), "(table, gear)"
+        indices: list[Any] = []
+        if quantity.rows != "one":
+            wanted = "(table, row, gear)"
+            row = selection.pop(0) if selection else ALL
+            is_name = row not in (ALL, ":")
+            indices = [row_named(str(row), quantity.rows, results.case) if is_name else ALL]
+        gear: Any = selection.pop(0) if selection else ALL
+        indices.insert(0, ALL if gear in (ALL, ":") else results.case.gear_number(gear) - 1)
+        array = array[(..., *indices)]
     if selection:
         raise ValueError(f"read {selection[0]!r} too many, expected no more than {wanted}")
     return array if getattr(array, "ndim", 0) else array.item()
-
-
-def _gear(results: Results, gear: Any) -> int:
-    return results.case.gear_number(gear) - 1

@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.physical import gear_scales
-from vstatics.core.statics.ports import GearPorts, Port, ports
+from vstatics.core.statics.ports import Port, ports
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
 from vstatics.core.tables.answer import Sometimes, told
@@ -61,8 +60,11 @@ class PortTable(NamedTuple):
         return [
             NamedPort(
                 name,
-                *(port.way or None, port.is_output, port.speed),
-                *map(self.relative, (port.torque, port.power)),
+                port.way or None,
+                port.is_output,
+                port.speed,
+                self.relative(port.torque),
+                self.relative(port.power),
                 *self._with_units((port.speed, port.torque, port.power)),
             )
             for name, port in self.rows
@@ -96,21 +98,17 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
     """Return the ports of a gear, with the scales of the gear from `gear_scales`."""
     case, of_gear = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in of_gear.ports]
-    losses, name = list(_losses(case, of_gear)), state.gear.name
-    return PortTable(name, rows, losses, by_unit, case.input_torque(state.gear))
-
-
-def _losses(case: Transmission, of_gear: GearPorts) -> Iterator[tuple[str, float]]:
-    """Yield the losses of each kind, and the sum of several."""
-    lost = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
-    if not all(mechanism.kind for mechanism in case.mechanisms) or not lost:
-        lost = {"meshes": of_gear.meshes, **lost}
+    losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
+    if not all(mechanism.kind for mechanism in case.mechanisms) or not losses:
+        losses = {"meshes": of_gear.meshes, **losses}
     if case.has_drag:
-        lost["drag"] = of_gear.drag
-    yield from lost.items()
-    if len(lost) > 1:
-        together = "meshes and drag" if lost.keys() == {"meshes", "drag"} else "all together"
-        yield together, math.fsum(lost.values())
+        losses["drag"] = of_gear.drag
+    if len(losses) > 1:
+        total = "meshes and drag" if losses.keys() == {"meshes", "drag"} else "all together"
+        losses[total] = math.fsum(losses.values())
+    return PortTable(
+        state.gear.name, rows, [*losses.items()], by_unit, case.input_torque(state.gear)
+    )
 
 
 def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
