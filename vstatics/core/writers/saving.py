@@ -1,4 +1,4 @@
-"""Cases as files of any format: what a format cannot keep is told."""
+"""Cases as files of any format, with a list of the parts that a format cannot contain."""
 
 from __future__ import annotations
 
@@ -19,32 +19,34 @@ SUFFIXES = {
     ".json": "json",
     ".xlsx": "xlsx",
 }
-"""Of cases, and the format that each tells."""
+"""Formats of case files, by suffix."""
 
 
 @refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
-    """Write a case, whole or not at all; its suffix tells the format.
+    """Write a case to a file, in the format of the suffix.
+
+    The file is written completely or not at all.
 
     Parameters
     ----------
     case : Transmission
     path : path-like
-        Ends with .yaml, .json, .xlsx or .dat (a deck).
+        File, with the suffix .yaml, .json, .xlsx or .dat (a deck).
 
     Returns
     -------
     list of str
-        What the format cannot keep.
+        Parts of the case that the format cannot contain.
 
     Raises
     ------
     CaseError
-        If what is left of the case in the format would be another case.
+        If the case would have other results without these parts.
     ValueError
         If no format has the suffix.
     OSError
-        If it can't be written.
+        If the file cannot be written.
 
     Examples
     --------
@@ -67,12 +69,12 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
 
 
 def case_data(case: Transmission, form: str) -> tuple[bytes, list[str]]:
-    """A case as a file of a format holds it, and what the format cannot keep of it.
+    """Return a case as the bytes of a file, and the parts that the format cannot contain.
 
     Raises
     ------
     CaseError
-        If what is left of it in the format would be another case.
+        If the case would have other results without these parts.
     """
     if form == "xlsx":
         from vstatics.core.writers import workbook
