@@ -54,7 +54,29 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 def template(case: Transmission) -> Iterator[str]:
     """Yield the fields of the published template with English headings."""
-    yield from _structure(case)
+    elements, mechanisms = case.shift_elements, case.mechanisms
+    planets = {
+        number: mechanism.planet_ratio
+        for number, mechanism in enumerate(mechanisms, 1)
+        if mechanism.planet_ratio is not None
+    }
+    yield "STRUCTURE"
+    yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
+    if elements:
+        yield from _lists("shift_elements", elements)
+    yield from _lists("mechanisms", mechanisms)
+    if planets:
+        yield "Mechanisms with a planet ratio of their own:"
+        yield _row("NNM(K),K=1,KNM:", planets)
+        yield "Ratios from the first link to the planet:"
+        yield "UAQ(K),K=1,KNM:"
+        yield _row("", map(exponent, planets.values()))
+    if case.springs:
+        yield SPRINGS
+        yield f"{KSPR}= {len(case.springs)}"
+        for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
+            form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
+            yield f"{SPRING}{' '.join(form)}: {spring.name}"
     yield from _gears(case)
 
 
@@ -101,32 +123,6 @@ def _unkept(part: object, shape: ByKey) -> Iterator[str]:
     for key in shape.keys:
         if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
             yield key.name
-
-
-def _structure(case: Transmission) -> Iterator[str]:
-    elements, mechanisms = case.shift_elements, case.mechanisms
-    planets = {
-        number: mechanism.planet_ratio
-        for number, mechanism in enumerate(mechanisms, 1)
-        if mechanism.planet_ratio is not None
-    }
-    yield "STRUCTURE"
-    yield f"KJG= {case.links} KL= {len(elements)} KG= {len(mechanisms)} KNM= {len(planets)}"
-    if elements:
-        yield from _lists("shift_elements", elements)
-    yield from _lists("mechanisms", mechanisms)
-    if planets:
-        yield "Mechanisms with a planet ratio of their own:"
-        yield _row("NNM(K),K=1,KNM:", planets)
-        yield "Ratios from the first link to the planet:"
-        yield "UAQ(K),K=1,KNM:"
-        yield _row("", map(exponent, planets.values()))
-    if case.springs:
-        yield SPRINGS
-        yield f"{KSPR}= {len(case.springs)}"
-        for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
-            form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
-            yield f"{SPRING}{' '.join(form)}: {spring.name}"
 
 
 def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:

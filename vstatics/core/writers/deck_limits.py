@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+import numpy as np
+
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import CaseError, Path, Problem, listed
 from vstatics.core.model.parts import Law
@@ -94,8 +96,18 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
     case = results.case
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
-    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_law)
-    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second)
+    yield (
+        "efficiencies over speed or torque",
+        _mechanisms(case, "efficiency", lambda part: isinstance(part.efficiency, Law)),
+    )
+    yield (
+        "second efficiencies",
+        _mechanisms(
+            case,
+            "back_efficiency",
+            lambda part: part.back_efficiency not in (None, part.efficiency),
+        ),
+    )
     yield (
         "the drag of shift elements",
         {
@@ -129,11 +141,12 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
             for index in case.unloaded
         },
     )
-    conflicts = zip(case.gears, results.conflict.tolist(), strict=True)
-    in_conflict = {gear.name for gear, is_conflict in conflicts if is_conflict}
     yield (
         "freewheels in conflict in gears",
-        _gears(case, "engaged", lambda gear: gear.name in in_conflict),
+        {
+            case.gears[index].name: ("gears", index + 1, "engaged")
+            for index in np.flatnonzero(results.conflict).tolist()
+        },
     )
 
 
@@ -156,14 +169,6 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 def _load_path(index: int, key: str, of_gear: object) -> Path:
     """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
-
-
-def _has_law(part: Mechanism) -> bool:
-    return isinstance(part.efficiency, Law)
-
-
-def _has_second(part: Mechanism) -> bool:
-    return part.back_efficiency not in (None, part.efficiency)
 
 
 def _acts(drag: float) -> bool:

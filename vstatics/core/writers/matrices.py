@@ -7,8 +7,7 @@ from vstatics.core.model.parts import HOUSING, OwnDevice
 from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
-OF_ELEMENTS = {"sun": "a", "carrier": "h", "ring": "b"}
-MEMBERS = OF_ELEMENTS | {"first": "a", "third": "h", "second": "b"}
+MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
 """Letters of the members of a gear set or of a mechanism, in order."""
 
 

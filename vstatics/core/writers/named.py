@@ -129,8 +129,7 @@ def _wholes(case: Transmission) -> set[float]:
     convert back when the case is read again.
     """
     loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
-    given = [load for load in loads if load]
-    return {load.torque_size for load in given} | {abs(load.speed or 0.0) for load in given}
+    return {size for load in loads if load for size in (load.torque_size, abs(load.speed or 0.0))}
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:

@@ -29,7 +29,10 @@ def github(problems: Iterable[Problem]) -> str:
             file, line, column, _ = problem.place
             where = {"line": str(line), "col": str(column)} if line else {}
             parts = {"file": _relative(file), **where, **parts}
-        properties = ",".join(f"{key}={_property(value)}" for key, value in parts.items())
+        properties = ",".join(
+            f"{key}={_data(value).replace(':', '%3A').replace(',', '%2C')}"
+            for key, value in parts.items()
+        )
         lines.append(f"::{_COMMANDS[problem.severity]} {properties}::{_data(problem.message)}\n")
     return "".join(lines)
 
@@ -40,10 +43,6 @@ def _relative(file: str) -> str:
 
 def _data(text: str) -> str:
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-
-
-def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
 
 
 def sarif(problems: Sequence[Problem]) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable
 from functools import cache
 from typing import Any
@@ -47,8 +48,11 @@ def document(results: Results) -> dict[str, Any]:
     if case.has_own_rows:
         result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
     for table in shown:
-        quantity = table.quantity
-        rows = [_row(row, quantity.kind) for row in table.values.tolist()]
+        quantity, kind = table.quantity, table.quantity.kind
+        rows = [
+            [None if math.isnan(value) else kind(value) for value in row]
+            for row in table.values.tolist()
+        ]
         result[quantity.key] = rows[0] if quantity.rows == "one" else rows
     result["messages"] = [str(message) for message in results.messages]
     return result
@@ -67,12 +71,6 @@ def to_json(results: Results, file: str = "") -> str:
     expect_one_case(results, "to_json")
     data = document(results)
     return printable(text(with_file(data, file) if file else data), lines=True) + "\n"
-
-
-def _row(values: list[float], kind: type) -> list[Any]:
-    if kind is float:
-        return [None if value != value else value for value in values]  # noqa: PLR0124 - NaN
-    return [None if value != value else kind(value) for value in values]  # noqa: PLR0124
 
 
 def text(data: dict[str, Any]) -> str:

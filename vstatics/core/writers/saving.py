@@ -76,33 +76,30 @@ def case_data(case: Transmission, form: str) -> tuple[bytes, list[str]]:
     CaseError
         If the case would have other results without these parts.
     """
+    lost: list[str] = []
     if form == "xlsx":
         from vstatics.core.writers import workbook
 
-        return workbook.write(case), []
-    text, lost = _as_text(case, form)
-    return printable(text, lines=True).encode(), lost
-
-
-def _as_text(case: Transmission, form: str) -> tuple[str, list[str]]:
+        return workbook.write(case), lost
     if form == "deck":
-        from vstatics.core.writers.deck import lost
-        from vstatics.core.writers.deck import write as write_deck
+        from vstatics.core.writers import deck
         from vstatics.core.writers.deck_limits import check_deck
 
         check_deck(case)
         results = solve(case)
-        conflicts = [
+        text = deck.write(results.with_numbers_only)
+        lost = deck.lost(case)
+        lost += [
             f"that gear {gear.name} is in conflict: a deck does without the freewheel"
-            for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
-            if is_so
+            for gear, is_in_conflict in zip(case.gears, results.conflict.tolist(), strict=True)
+            if is_in_conflict
         ]
-        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
-    if form == "matrices":
+    elif form == "matrices":
         from vstatics.core.writers import matrices
 
-        return matrices.write(case), []
-    from vstatics.core.writers import named
+        text = matrices.write(case)
+    else:
+        from vstatics.core.writers import named
 
-    writer = named.write_yaml if form == "yaml" else named.write_json
-    return writer(case), []
+        text = named.write_yaml(case) if form == "yaml" else named.write_json(case)
+    return printable(text, lines=True).encode(), lost

@@ -191,10 +191,9 @@ def _cell(value: Any) -> Any:
     CaseError
         If a text is too long for a cell.
     """
-    if isinstance(value, bool) or not isinstance(value, str):
-        exact = isinstance(value, bool) or value == float(value)
-        finite = isinstance(value, bool) or abs(value) < float("inf")
-        return value if exact and finite else repr(value)
+    if not isinstance(value, str):
+        is_exact = value == float(value) and abs(value) < float("inf")
+        return value if is_exact else repr(value)
     text = text_cell(value)
     if len(text) > MOST_CHARACTERS:
         message = f"a text has {len(text)} characters, a cell at most {MOST_CHARACTERS}"
