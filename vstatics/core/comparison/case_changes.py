@@ -85,21 +85,16 @@ def _changes(
             yield from _changes((*path, str(key)), here, there, atol, rtol)
     elif _is_same(path, actual, expected, atol, rtol):
         return
-    elif _are_numbered(actual, expected):
+    elif (
+        isinstance(actual, list)
+        and isinstance(expected, list)
+        and len(actual) == len(expected)
+        and not any(isinstance(item, str) for item in (*actual, *expected))
+    ):  # the items have numbers as paths
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
             yield from _changes((*path, str(number)), here, there, atol, rtol)
     else:
         yield CaseChange(dotted(path), expected, actual)
-
-
-def _are_numbered(actual: Any, expected: Any) -> bool:
-    """Check that two values are lists of equal length whose items have numbers as paths."""
-    lists = isinstance(actual, list) and isinstance(expected, list)
-    return (
-        lists
-        and len(actual) == len(expected)
-        and not any(isinstance(item, str) for item in (*actual, *expected))
-    )
 
 
 def _is_same(path: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float) -> bool:

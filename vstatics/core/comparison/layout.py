@@ -68,8 +68,8 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
     }
     for number in verdict.differences:
         if verdict.is_sweep or number.table != "case":
-            place = _place(number, is_sweep=verdict.is_sweep)
-            kinds.setdefault(number.table, []).append(_cells(number, place))
+            cells = _cells(number, is_sweep=verdict.is_sweep)
+            kinds.setdefault(number.table, []).append(cells)
     count = sum(map(len, kinds.values()))
     if all_numbers:
         return [row for rows in kinds.values() for row in rows], []
@@ -92,18 +92,16 @@ def _in_turn(kinds: Sequence[str], rows: dict[str, list[Cells]]) -> Iterator[str
     return (kind for turn in turns for kind in turn if kind is not None)
 
 
-def _place(difference: Difference, *, is_sweep: bool) -> str:
-    if difference.table == "step" and not is_sweep:
-        return f"{difference.gear}-{difference.row}"
-    row = difference.row.removeprefix(VARIANT) if difference.table == "variant" else difference.row
-    return ", ".join(filter(None, (row, difference.gear)))
-
-
-def _cells(difference: Difference, place: str) -> Cells:
-    if isinstance(difference.actual, str) or isinstance(difference.expected, str):
-        return difference.table, place, str(difference.expected), str(difference.actual), ""
-    old, new = _numbers(difference.expected, difference.actual)
-    return difference.table, place, old, new, percent(difference.shown_deviation)
+def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
+    table, row, gear, actual, expected = difference
+    if table == "variant":
+        row = row.removeprefix(VARIANT)
+    place = ", ".join(filter(None, (row, gear)))
+    if table == "step" and not is_sweep:
+        place = f"{gear}-{row}"
+    if isinstance(actual, str) or isinstance(expected, str):
+        return table, place, str(expected), str(actual), ""
+    return table, place, *_numbers(expected, actual), percent(difference.shown_deviation)
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:

@@ -26,11 +26,6 @@ class Difference(NamedTuple):
     expected: float | str
 
     @property
-    def is_number(self) -> bool:
-        """True if both values are numbers."""
-        return not isinstance(self.actual, str) and not isinstance(self.expected, str)
-
-    @property
     def deviation(self) -> float:
         """Deviation [-] relative to the magnitude of the expected number, NaN if undefined."""
         if isinstance(self.actual, str) or isinstance(self.expected, str) or not self.expected:
@@ -199,12 +194,11 @@ def _lacking(
 
     An empty table is not printed, and a listing of the source has published tables only.
     """
-    owner = actual if quantity.key in actual.tables else expected
-    other = expected if owner is actual else actual
-    if not any(owner.tables.get(quantity.key, ())):
-        return
-    if quantity.published or not other.is_of_source:
-        values = (THERE, NOT_THERE) if owner is actual else (NOT_THERE, THERE)
+    is_new = quantity.key in actual.tables
+    owner, other = (actual, expected) if is_new else (expected, actual)
+    is_filled = any(owner.tables.get(quantity.key, ()))
+    if is_filled and (quantity.published or not other.is_of_source):
+        values = (THERE, NOT_THERE) if is_new else (NOT_THERE, THERE)
         yield Difference(quantity.key, "", "", *values)
 
 

@@ -152,12 +152,19 @@ def _paired(
 
     Files get only as many folders as necessary, as the cases can have been in different folders.
     """
-    ways = [pair for pair in _names(actual, expected) if all(map(all, pair))]
-    best = max(ways, key=lambda pair: sum(len(set(side)) for side in pair), default=None)
-    keys = best or [[f"result {n}" for n, _ in enumerate(s, 1)] for s in (actual, expected)]
+    sides = actual, expected
+    paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]
+    ways = [
+        [["/".join(path[-depth:]) for path in side] for side in paths]
+        for depth in range(1, max(len(path) for side in paths for path in side) + 1)
+    ]
+    ways.append([[result.case_name for result in side] for side in sides])
+    complete = [pair for pair in ways if all(map(all, pair))]
+    best = max(complete, key=lambda pair: sum(len(set(side)) for side in pair), default=None)
+    keys = best or [[f"result {n}" for n, _ in enumerate(side, 1)] for side in sides]
     return [
         dict(zip(_numbered(names), side, strict=True))
-        for names, side in zip(keys, (actual, expected), strict=True)
+        for names, side in zip(keys, sides, strict=True)
     ]
 
 
@@ -166,13 +173,6 @@ def _numbered(names: Iterable[str]) -> Iterator[_Key]:
     for name in names:
         times[name] += 1
         yield name, times[name]
-
-
-def _names(*sides: Sequence[WrittenResult]) -> Iterator[list[list[str]]]:
-    ways = [[SEPARATORS.split(result.file) for result in side] for side in sides]
-    for depth in range(1, max(len(way) for side in ways for way in side) + 1):
-        yield [["/".join(way[-depth:]) for way in side] for side in ways]
-    yield [[result.case_name for result in side] for side in sides]
 
 
 def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:

@@ -187,18 +187,16 @@ def compared(
         return CaseVerdict(name, "gone" if actual is None else "added", differs=True)
     if actual.is_of_source != expected.is_of_source and (actual.has_own or expected.has_own):
         return unreadable(name, [Problem("E110", OTHER_ROWS)])
-    found_differences = list(differences(actual, expected, **how._asdict()))
-    steps, counts = _steps(actual, expected, found_differences, how)
-    changes = _changes(actual, expected, found_differences, how)
+    unequal = list(differences(actual, expected, **how._asdict()))
+    steps, counts = _steps(actual, expected, unequal, how)
+    changes = _changes(actual, expected, unequal, how)
     numbers = [
         item._replace(table=MAIN.get(item.table, item.table))
-        for item in (*found_differences, *steps)
+        for item in (*unequal, *steps)
         if item.table
     ]
-    state: State = "changed" if changes or found_differences else "same"
-    return CaseVerdict(
-        name, state, changes, largest_first(numbers), counts, bool(found_differences)
-    )
+    state: State = "changed" if changes or unequal else "same"
+    return CaseVerdict(name, state, changes, largest_first(numbers), counts, bool(unequal))
 
 
 def largest_first(items: Iterable[Difference]) -> list[Difference]:
@@ -216,7 +214,7 @@ def _size(difference: Difference) -> float:
 def _steps(
     actual: WrittenResult,
     expected: WrittenResult,
-    items: Sequence[Difference],
+    unequal: Sequence[Difference],
     how: Tolerances,
 ) -> tuple[Sequence[Difference], dict[str, int]]:
     """Return the differing steps, and the number of compared ratios, steps and efficiencies."""
@@ -225,7 +223,7 @@ def _steps(
         gears[0] = gears[1]
     cases = actual.case or expected.case, expected.case or actual.case
     here, there = map(steps_of, (actual, expected), gears, cases)
-    ratios = {item.gear for item in items if item.table in ("ratio", "")}
+    ratios = {item.gear for item in unequal if item.table in ("ratio", "")}
     steps = list(step_differences(here, there, ratios, how.atol, how.rtol))
     if "ratio" in how.leave_out:
         steps = []
@@ -250,12 +248,12 @@ def _count(result: WrittenResult, table: str) -> int:
 def _changes(
     actual: WrittenResult,
     expected: WrittenResult,
-    items: Sequence[Difference],
+    unequal: Sequence[Difference],
     how: Tolerances,
 ) -> list[CaseChange] | None:
     """Return the changes of the case, including new and missing gears."""
     gears: list[CaseChange] = []
-    for item in items:
+    for item in unequal:
         if not item.table:
             values: list[Any] = [None if text == "not there" else text for text in item[3:]]
             gears.append(CaseChange(f"gears.{item.gear}", values[1], values[0]))
@@ -265,8 +263,6 @@ def _changes(
         or any(result.is_of_source for result in (actual, expected))
     ):
         return gears or None
-    changes = list(
-        case_changes(actual.case, expected.case, atol=how.atol, rtol=how.rtol),
-    )
+    changes = list(case_changes(actual.case, expected.case, atol=how.atol, rtol=how.rtol))
     paths = {change.path for change in changes}
     return [*(change for change in gears if change.path not in paths), *changes]
