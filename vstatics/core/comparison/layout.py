@@ -14,9 +14,9 @@ from vstatics.core.errors import plural
 from vstatics.core.tables.markdown import escaped
 from vstatics.core.tables.numbers import fixed, rounded
 
-MOST_LINES = 20
+CASE_LINES = 20
 """Number of lines for a case, unless all are requested."""
-LONGEST = 60
+LONGEST_VALUE = 60
 """Number of shown characters of a value of the case."""
 Cells = tuple[str, str, str, str, str]
 """Texts of a row: kind, place, expected value, actual value, deviation."""
@@ -77,7 +77,7 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
         kind for kind in kinds if kind != CHANGES
     ]
     order = list(_in_turn([CHANGES, *first], kinds))
-    taken = order[: MOST_LINES - 1 if len(order) == count < MOST_LINES else MOST_LINES - 2]
+    taken = order[: CASE_LINES - 1 if len(order) == count < CASE_LINES else CASE_LINES - 2]
     rows = [row for kind, of_kind in kinds.items() for row in of_kind[: taken.count(kind)]]
     changes = len(kinds[CHANGES]) - taken.count(CHANGES)
     omitted = [f"{changes} more {plural('change', changes)}"] * bool(changes)
@@ -130,12 +130,12 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Format two values of a case, shortened to `LONGEST`."""
+    """Format two values of a case, shortened to `LONGEST_VALUE`."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (old, new)
     ]
     first, second = (
-        text if len(text) <= LONGEST else text[: LONGEST - 3] + "..." for text in texts
+        text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 3] + "..." for text in texts
     )
     return first, second
