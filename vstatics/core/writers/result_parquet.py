@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.values import tables
 
+T = TypeVar("T")
 NAMES = ("case", "table", "row", "gear")
 GROUP = 262_144
 """Intended number of rows of a row group, exceeded by less than a case."""
@@ -55,26 +56,33 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     schema = pa.schema([*((name, pa.string()) for name in NAMES), ("value", pa.float64())])
+    read = (pa.ipc.open_stream(part).read_all().cast(schema) for part in filter(None, parts))
     sink = _Drained()
     with parquet.ParquetWriter(pa.PythonFile(sink, mode="w"), schema) as writer:
-        for group in _groups(parts, schema):
-            writer.write_table(group, row_group_size=2 * GROUP)
+        for group in row_groups(read, len):
+            writer.write_table(pa.concat_tables(group), row_group_size=2 * GROUP)
             yield sink.drained()
     yield sink.drained()
 
 
-def _groups(parts: Iterable[bytes], schema: Any) -> Iterator[Any]:
-    """Yield tables of several parts, large enough for a row group."""
-    pa = import_module("pyarrow")
-    group, count = list[Any](), 0
-    for part in filter(None, parts):
-        group.append(pa.ipc.open_stream(part).read_all().cast(schema))
-        count += len(group[-1])
+def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
+    """Yield consecutive tables together that are large enough for a row group.
+
+    Parameters
+    ----------
+    tables : iterable
+    rows : callable
+        Function that returns the number of rows of a table.
+    """
+    group, count = list[T](), 0
+    for table in tables:
+        group.append(table)
+        count += rows(table)
         if count >= GROUP:
-            yield pa.concat_tables(group)
+            yield group
             group, count = [], 0
     if group:
-        yield pa.concat_tables(group)
+        yield group
 
 
 class _Drained(io.RawIOBase):

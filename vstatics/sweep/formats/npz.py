@@ -71,29 +71,27 @@ def layout(
     central: list[bytes] = []
     place = 0
     starts = [0] * len(accounts)  # where a column begins in the data of each piece
-    for index, column in enumerate(columns):
-        array = _array_head(column.dtype, rows)
-        segments = [account.segments[index] for account in accounts]
-        crc = zlib.crc32(array)
-        for segment in segments:
-            crc = combined_crc(crc, segment.crc, segment.length)
-        size = len(array) + sum(segment.length for segment in segments)
-        local, entry = _heads(f"{column.name}.npy", crc, size, place)
-        central.append(entry)
-        texts.append((place, local + array))
-        place += len(local) + len(array)
-        for number, (account, segment) in enumerate(zip(accounts, segments, strict=True)):
-            copies.append(Copy(account.piece, starts[number], place, segment.length))
-            starts[number] += segment.length
-            place += segment.length
+    members = [
+        (column.name, _array_head(column.dtype, rows), [a.segments[index] for a in accounts])
+        for index, column in enumerate(columns)
+    ]
     for name, words in codes.items():
         file = io.BytesIO()
         np.lib.format.write_array(file, np.array(words))
-        data = file.getvalue()
-        local, entry = _heads(f"{name}.npy", zlib.crc32(data), len(data), place)
+        members.append((name, file.getvalue(), []))
+    for name, text, segments in members:
+        crc = zlib.crc32(text)
+        for segment in segments:
+            crc = combined_crc(crc, segment.crc, segment.length)
+        size = len(text) + sum(segment.length for segment in segments)
+        local, entry = _heads(f"{name}.npy", crc, size, place)
         central.append(entry)
-        texts.append((place, local + data))
-        place += len(local) + len(data)
+        texts.append((place, local + text))
+        place += len(local) + len(text)
+        for number, segment in enumerate(segments):
+            copies.append(Copy(accounts[number].piece, starts[number], place, segment.length))
+            starts[number] += segment.length
+            place += segment.length
     end = _end(central, place)
     texts.append((place, end))
     return ArchiveLayout(texts, copies, place + len(end))

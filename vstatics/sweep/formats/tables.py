@@ -15,11 +15,9 @@ from vstatics.core.tables import latex, markdown, xlsx
 from vstatics.core.tables.grid import Cell, Column, Values, exact, grid_of
 from vstatics.core.tables.grid import text as words
 from vstatics.core.tables.written_results import GEAR
+from vstatics.core.writers.result_parquet import GROUP, row_groups
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
-
-GROUP = 262_144
-"""Intended number of rows of a row group, exceeded by less than a piece."""
 
 
 def write_parquet(
@@ -41,23 +39,9 @@ def write_parquet(
         for name in headings
     )
     with parquet.ParquetWriter(file, schema) as writer:
-        for group in _groups(chunks):
+        for group in row_groups(chunks, lambda chunk: len(chunk.variants)):
             batches = [_batch(chunk, schema) for chunk in group]
             writer.write_table(pa.Table.from_batches(batches, schema), row_group_size=2 * GROUP)
-
-
-def _groups(chunks: Iterable[Chunk]) -> Iterator[list[Chunk]]:
-    """Yield groups of chunks, large enough for a row group."""
-    group: list[Chunk] = []
-    rows = 0
-    for chunk in chunks:
-        group.append(chunk)
-        rows += len(chunk.variants)
-        if rows >= GROUP:
-            yield group
-            group, rows = [], 0
-    if group:
-        yield group
 
 
 def _batch(chunk: Chunk, schema: Any) -> Any:

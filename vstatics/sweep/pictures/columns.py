@@ -110,11 +110,6 @@ def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> l
     return row_groups
 
 
-def statuses_of(sweep: WrittenSweep, part: DrawnRows) -> str:
-    """Return the different statuses of rows, in words."""
-    return ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
-
-
 def rows_by(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[DrawnRows]:
     """Yield the rows by gear or by the values of the column `by`, or all rows together.
 

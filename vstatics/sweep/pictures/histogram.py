@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.written_results import WrittenSweep
-from vstatics.pictures.drawing.head import Meaning, headed, sheet_head
+from vstatics.pictures.drawing.head import headed, sheet_head
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest, wrapped
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
@@ -78,10 +78,15 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     if len(shown) < len(every):
         note += f"; {style.text('columns')}: {len(shown)} / {len(every)}"
     figures, wide = [], (style.width - 2 * MARGIN + HISTOGRAM_GAP) / across
-    head = sheet_head(title, note, _key(style), style.width - 2 * MARGIN, style).high
+    quantiles = ", ".join(f"{100 * part:g}" for part in PARTS)
+    key = [
+        (True, "mean", _mean(style)),
+        (True, style.text("{parts} % are below", parts=quantiles), _quantile(style)),
+    ]
+    head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
     for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
         highs = [_high(row, wide) for row in page]
-        pen = headed(title, note, _key(style), (style.width, sum(highs) + MARGIN / 2), style)
+        pen = headed(title, note, key, (style.width, sum(highs) + MARGIN / 2), style)
         top = sum(highs) + MARGIN / 2
         for row, high in zip(page, highs, strict=True):
             for place, item in enumerate(row):
@@ -101,14 +106,6 @@ def _histograms(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[Histogr
             values = values[np.isfinite(values)]
             if len(values) and (selected.y or statistics(values).deviation > 0):
                 yield histogram(", ".join(filter(None, (name, part.name))), values)
-
-
-def _key(style: Style) -> list[Meaning]:
-    parts = ", ".join(f"{100 * part:g}" for part in PARTS)
-    return [
-        (True, "mean", _mean(style)),
-        (True, style.text("{parts} % are below", parts=parts), _quantile(style)),
-    ]
 
 
 def _mean(style: Style) -> Look:
@@ -153,7 +150,9 @@ def _draw(pen: Pen, item: Histogram) -> None:
     wide = whole - left - HISTOGRAM_GAP
     low, top = 1.6 * LINE_HEIGHT * SIZE, HISTOGRAM_SIZE[1]
     x, y = pen.corner
-    across = AxisScale(*_apart(item.edges))
+    low_edge, high_edge = float(item.edges[0]), float(item.edges[-1])
+    gap = 0.02 * (high_edge - low_edge)
+    across = AxisScale(low_edge - gap, high_edge + gap)
     panel = pen.panel(
         (x + left, y + low), (wide, top), across, AxisScale(0.0, max(item.counts) * 1.05)
     )
@@ -180,12 +179,6 @@ def _draw(pen: Pen, item: Histogram) -> None:
     mean = panel.across(item.statistics.mean)
     panel.line((mean, 0.0), (mean, top), title=number(item.statistics.mean), **_mean(style))
     pen.text(0.0, low + top + 5, _head(item, whole), va="bottom", bold=False)
-
-
-def _apart(edges: Floats) -> tuple[float, float]:
-    low, high = float(edges[0]), float(edges[-1])
-    room = 0.02 * (high - low)
-    return low - room, high + room
 
 
 def _crowded(values: Sequence[float], pen: Pen) -> bool:

@@ -31,7 +31,6 @@ from vstatics.sweep.pictures.columns import (
     parts,
     results_of,
     running,
-    statuses_of,
 )
 
 MAP_SIZE = (300.0, 230.0)
@@ -83,26 +82,26 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     z = selected.z or next(iter(results_of(sweep, [x, y, selected.by])), "")
     if not z:
         raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
-    surfaces = [
-        _surface(part, *(numbers(sweep, name)[part.rows] for name in (x, y, z)))._replace(
-            instead=f"{style.text('no number')}: {statuses_of(sweep, part)}"
-        )
-        for part in parts(sweep, selected, (x, y))
-    ]
+    surfaces = []
+    for part in parts(sweep, selected, (x, y)):
+        surface = _surface(part, *(numbers(sweep, name)[part.rows] for name in (x, y, z)))
+        statuses = ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
+        instead = f"{style.text('no number')}: {statuses}"
+        surfaces.append(surface._replace(instead=instead))
     values = np.concatenate([surface.z[np.isfinite(surface.z)] for surface in surfaces])
     if not values.size:
         raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
     levels = contour_levels(values)
-    ends = _ends(surfaces, "x"), _ends(surfaces, "y")
+    scales = _axis_scale(surfaces, "x"), _axis_scale(surfaces, "y")
     limits = any(0 < np.isfinite(surface.z).mean() < 1 for surface in surfaces)
     meanings = [(limits, "limit of operation", _limit_look(style))]
-    named = f"{z}: {x}, {y}"
+
     columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
     wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)
     size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
     up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
     across = columns * (MAP_SCALE_WIDTH + wide + MARGIN) + MARGIN
-    head = sheet_head(named, "", meanings, across - 2 * MARGIN, style)
+    head = sheet_head(f"{z}: {x}, {y}", "", meanings, across - 2 * MARGIN, style)
     most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
     figures = []
     for start in range(0, len(surfaces), most):
@@ -115,15 +114,15 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
                 column * (MAP_SCALE_WIDTH + wide + MARGIN) + MAP_SCALE_WIDTH,
                 (rows - 1 - row) * up + MAP_SCALE_HEIGHT,
             )
-            panel = pen.panel(corner, size, *(AxisScale(*pair) for pair in ends))
+            panel = pen.panel(corner, size, *scales)
             _draw(panel, surface, levels, (x, y))
         figures.append(pen.figure)
     return figures
 
 
-def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:
+def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
     values = np.concatenate([getattr(surface, name) for surface in surfaces])
-    return float(values.min()), float(values.max())
+    return AxisScale(float(values.min()), float(values.max()))
 
 
 def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
