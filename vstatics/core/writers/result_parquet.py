@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.parquet import GROUP, row_groups
 from vstatics.core.tables.values import tables
 
-T = TypeVar("T")
 NAMES = ("case", "table", "row", "gear")
-GROUP = 262_144
-"""Intended number of rows of a row group, exceeded by less than a case."""
 
 
 def rows(file: str, results: Results) -> bytes:
@@ -63,26 +61,6 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
             writer.write_table(pa.concat_tables(group), row_group_size=2 * GROUP)
             yield sink.drained()
     yield sink.drained()
-
-
-def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
-    """Yield consecutive tables together that are large enough for a row group.
-
-    Parameters
-    ----------
-    tables : iterable
-    rows : callable
-        Function that returns the number of rows of a table.
-    """
-    group, count = list[T](), 0
-    for table in tables:
-        group.append(table)
-        count += rows(table)
-        if count >= GROUP:
-            yield group
-            group, count = [], 0
-    if group:
-        yield group
 
 
 class _Drained(io.RawIOBase):

@@ -14,8 +14,8 @@ from typing import IO, Any
 from vstatics.core.tables import latex, markdown, xlsx
 from vstatics.core.tables.grid import Cell, Column, Values, exact, grid_of
 from vstatics.core.tables.grid import text as words
+from vstatics.core.tables.parquet import GROUP, row_groups
 from vstatics.core.tables.written_results import GEAR
-from vstatics.core.writers.result_parquet import GROUP, row_groups
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
 
