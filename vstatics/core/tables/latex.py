@@ -95,8 +95,15 @@ def _pages(grid: Grid) -> Iterator[Grid]:
 
 
 def _lengths(grid: Grid) -> list[int]:
-    """Return the characters of each column, with the gap to the next."""
-    return [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
+    """Return the characters of each column, with the gap to the next.
+
+    Headings of numbers are stacked, so only their longest word counts.
+    """
+    headings = [
+        max(column.heading.split() or [""], key=len) if column.is_number else column.heading
+        for column in grid.columns
+    ]
+    return [max(map(len, column)) + 2 for column in zip(headings, *grid.texts, strict=True)]
 
 
 def _lines(grid: Grid) -> Iterator[str]:
@@ -136,15 +143,6 @@ def _lines(grid: Grid) -> Iterator[str]:
     yield r"\end{tabular}" + "}" * is_small
 
 
-def _shown(grid: Grid) -> Iterator[list[str]]:
-    """Yield the shown headings, over numbers only the longest word, and the texts of the rows."""
-    yield [
-        max(column.heading.split() or [""], key=len) if column.is_number else column.heading
-        for column in grid.columns
-    ]
-    yield from grid.texts
-
-
 def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
     """Return the characters of a line, and the widths of broken columns by index."""
     long = {
@@ -172,14 +170,10 @@ def _heading(text: str) -> str:
 def _cell(cell: Cell, column: Column) -> str:
     if cell.math:
         return f"${cell.math}$"
-    return _number(cell.text) if column.is_number else escaped(cell.text)
-
-
-def _number(cell: str) -> str:
-    """Write a number with a minus sign, or a dash for a missing number."""
-    if cell == NOTHING:
+    if column.is_number and cell.text == NOTHING:
         return "--"
-    return f"${cell}$" if cell.startswith("-") else escaped(cell)
+    is_negative = column.is_number and cell.text.startswith("-")
+    return f"${cell.text}$" if is_negative else escaped(cell.text)
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
