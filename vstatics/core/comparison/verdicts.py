@@ -13,7 +13,7 @@ from vstatics.core.comparison.steps import step_differences, steps_of
 from vstatics.core.comparison.sweeps import sweep_headline
 from vstatics.core.comparison.tolerances import Tolerances
 from vstatics.core.errors import Problem
-from vstatics.core.tables.answer import Sometimes, told
+from vstatics.core.tables.answer import Sometimes, json_keys
 from vstatics.core.tables.written_results import WrittenResult
 from vstatics.core.texts import tr
 
@@ -38,7 +38,7 @@ class NumberRecord(NamedTuple):
     """Deviation relative to the magnitude of the expected number. [-]"""
 
 
-@told("name", "state", "case", "numbers", "errors")
+@json_keys("name", "state", "case", "numbers", "errors")
 class CaseVerdict(NamedTuple):
     """Verdict on a result compared with the expected result."""
 
@@ -121,7 +121,7 @@ class CaseVerdict(NamedTuple):
         return f"{self.name}: {count}; {summary}"
 
 
-@told("same", "changed", "added", "gone", "cases", unreadable="some_unreadable")
+@json_keys("same", "changed", "added", "gone", "cases", unreadable="some_unreadable")
 class Verdict(NamedTuple):
     """Verdict on many results, as written in JSON."""
 

@@ -1,6 +1,6 @@
 """The output of a command is a record: its JSON and JSON Schema are derived from its types.
 
-A record is a named tuple. Its keys are its fields, unless `told` names other attributes. A
+A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
 `document` begins with its format and version. Annotations describe keys that are not plain:
 `Sometimes`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
 """
@@ -86,7 +86,7 @@ _SIMPLE: Mapping[Any, Schema] = {
     Any: {},
 }
 _FORMS: dict[Any, str] = {}
-_TOLD: dict[Any, Mapping[str, str]] = {}
+_JSON_KEYS: dict[Any, Mapping[str, str]] = {}
 _DEFINED: dict[Any, str] = {}
 
 
@@ -112,7 +112,7 @@ def defined(name: str) -> Callable[[T], T]:
     return _registering(_DEFINED, name)
 
 
-def told(*names: str, **attributes: str) -> Callable[[T], T]:
+def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
     """List the attributes that are the keys of a record, instead of all fields.
 
     Parameters
@@ -123,7 +123,7 @@ def told(*names: str, **attributes: str) -> Callable[[T], T]:
         Names of further attributes by key, without a final underscore of the key.
     """
     renamed = {key.rstrip("_"): name for key, name in attributes.items()}
-    return _registering(_TOLD, dict(zip(names, names, strict=True)) | renamed)
+    return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
 
 
 def _registering(registry: dict[Any, V], value: V) -> Callable[[T], T]:
@@ -146,7 +146,7 @@ def _keys(kind: Any) -> Sequence[_Key]:
     """Return the keys of a type of record."""
     hints, keys = get_type_hints(kind, include_extras=True), []
     fields = {field.rstrip("_"): field for field in kind._fields}
-    for name, attribute in _TOLD.get(kind, fields).items():
+    for name, attribute in _JSON_KEYS.get(kind, fields).items():
         if attribute not in hints:  # a property
             returned = get_type_hints(getattr(kind, attribute).fget, include_extras=True)
             hints[attribute] = returned["return"]

@@ -10,7 +10,7 @@ from vstatics.core.statics.physical import gear_scales
 from vstatics.core.statics.ports import Port, ports
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
-from vstatics.core.tables.answer import Sometimes, told
+from vstatics.core.tables.answer import Sometimes, json_keys
 from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
@@ -40,7 +40,7 @@ class LostPower(NamedTuple):
     power_kW: Sometimes[float] = None  # noqa: N815
 
 
-@told("gear", "ports", "lost")
+@json_keys("gear", "ports", "lost")
 class PortTable(NamedTuple):
     """Ports of a gear with the names of the links, and the scales of physical units."""
 
