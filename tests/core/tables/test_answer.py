@@ -11,7 +11,15 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.answer import Count, Failure, Flat, Sometimes, plain_data, schema, told
+from vstatics.core.tables.answer import (
+    Count,
+    Failure,
+    Flat,
+    Sometimes,
+    json_keys,
+    plain_data,
+    schema,
+)
 
 
 class Inner(NamedTuple):
@@ -21,7 +29,7 @@ class Inner(NamedTuple):
     b: Sometimes[Mapping[str, float]] = None
 
 
-@told("name", "inner", from_="begin", moduli="values", error="error")
+@json_keys("name", "inner", from_="begin", moduli="values", error="error")
 class Outer(NamedTuple):
     """One of all marks."""
 

@@ -109,7 +109,7 @@ def compare(
             made = verdict([unreadable(file_stem(actual), error.problems)])
     for one in made.cases:
         files.show(one.problems)
-    count = sum(len(one.found) or one.differs for one in made.cases)
+    count = sum(len(one.differences) or one.differs for one in made.cases)
     if form == "json":
         lines = [json.dumps(plain_data(made), ensure_ascii=False, indent=1)]
     elif form == "junit":

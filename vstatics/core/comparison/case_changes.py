@@ -1,4 +1,4 @@
-"""What is other in a case, by paths as of a sweep: `P4.teeth.ring`, `gears.3.engaged`."""
+"""Changes of a case by path, as in a sweep: `P4.teeth.ring`, `gears.3.engaged`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.writers.named import mapping
 
 
 class CaseChange(NamedTuple):
-    """A value of a case that is not as expected; None where there is none."""
+    """Changed value of a case, or None for a missing value."""
 
     path: str
     expected: Any
@@ -21,38 +21,39 @@ class CaseChange(NamedTuple):
 
 
 _WORDS = ("name", "description", "source")
-"""They change nothing."""
+"""Keys without any effect on results."""
 _SETS = ("engaged", "allow")
-"""Lists whose order says nothing."""
+"""Lists whose order has no meaning."""
 
 
 def case_changes(
     actual: Transmission, expected: Transmission, *, atol: float = ATOL, rtol: float = RTOL
 ) -> Iterator[CaseChange]:
-    """All that is other in a case, in the order of its keys.
+    """Yield all changes of a case, in the order of the keys.
 
-    What is new or gone is one path. Numbers are the same as those of results are.
+    A part that is new or gone is a single change. Numbers are compared as in results; see
+    `differences`.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement
     >>> parts = [ShiftElement(1, 2), ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)]
-    >>> one, other = (Transmission(3, *parts, [Gear(held)]) for held in ([1], [2]))
-    >>> for change in case_changes(other, one):
+    >>> old, new = (Transmission(3, *parts, [Gear(held)]) for held in ([1], [2]))
+    >>> for change in case_changes(new, old):
     ...     print(*change)
     gears.1.engaged ['F1'] ['T2']
     """
-    told = [mapping(case) for case in (actual, expected)]
+    data = [mapping(case) for case in (actual, expected)]
     plain = [mapping(case, units=False) for case in (actual, expected)]
-    if any(one == other for one, other in zip(told, plain, strict=True)):
-        told = plain  # one of them knows no units, as a deck, so both are parts of the load
+    if any(units == relative for units, relative in zip(data, plain, strict=True)):
+        data = plain  # a deck has no units, so both cases are compared in relative values
     ports = _ports(actual, expected), _ports(expected, actual)
-    here, there = (_by_path({**one, **port}) for one, port in zip(told, ports, strict=True))
+    here, there = (_by_path({**case, **port}) for case, port in zip(data, ports, strict=True))
     yield from _changes((), here, there, atol, rtol)
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
-    """Input and output, where they are links of both: an order of links may tell them, too."""
+    """Return input and output, as far as the other case has such links."""
     ports = {"input": case.link_name(case.input)}
     if not (case.outputs or other.outputs):
         ports["output"] = case.link_name(case.output)
@@ -60,50 +61,45 @@ def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
 
 
 def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
-    """The case with its parts under their own names, without what changes nothing."""
-    found: dict[str, Any] = {}
+    """Return the case with parts by name, without keys that have no effect."""
+    parts: dict[str, Any] = {}
     for key, value in case.items():
         if key in (*PARTS, "converters"):
             for name, part in value.items():
-                found[name] = {"links": part} if isinstance(part, list) else part
+                parts[name] = {"links": part} if isinstance(part, list) else part
         elif key == "inertias":
-            found |= {dotted(by_name((key, str(link)))): inertia for link, inertia in value.items()}
+            parts |= {dotted(by_name((key, str(link)))): inertia for link, inertia in value.items()}
         elif key == "links" and isinstance(value, list):
-            found[key] = {name: name for name in value}
+            parts[key] = {name: name for name in value}
         elif key not in _WORDS:
-            found[key] = value
-    return found
+            parts[key] = value
+    return parts
 
 
 def _changes(
-    way: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float
+    path: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float
 ) -> Iterator[CaseChange]:
     if isinstance(actual, Mapping) and isinstance(expected, Mapping):
         for key in [*expected, *(key for key in actual if key not in expected)]:
             here, there = actual.get(key), expected.get(key)
-            yield from _changes((*way, str(key)), here, there, atol, rtol)
-    elif _is_same(way, actual, expected, atol, rtol):
+            yield from _changes((*path, str(key)), here, there, atol, rtol)
+    elif _is_same(path, actual, expected, atol, rtol):
         return
-    elif _are_numbered(actual, expected):
-        for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
-            yield from _changes((*way, str(number)), here, there, atol, rtol)
-    else:
-        yield CaseChange(dotted(way), expected, actual)
-
-
-def _are_numbered(actual: Any, expected: Any) -> bool:
-    """Whether two values are lists whose items have paths by their numbers: not those of names."""
-    lists = isinstance(actual, list) and isinstance(expected, list)
-    return (
-        lists
+    elif (
+        isinstance(actual, list)
+        and isinstance(expected, list)
         and len(actual) == len(expected)
         and not any(isinstance(item, str) for item in (*actual, *expected))
-    )
+    ):  # the items have numbers as paths
+        for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
+            yield from _changes((*path, str(number)), here, there, atol, rtol)
+    else:
+        yield CaseChange(dotted(path), expected, actual)
 
 
-def _is_same(way: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float) -> bool:
+def _is_same(path: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float) -> bool:
     if isinstance(actual, float) and isinstance(expected, int | float):
         return math.isclose(actual, expected, rel_tol=0, abs_tol=atol + rtol * abs(expected))
-    if isinstance(actual, list) and isinstance(expected, list) and way[-1] in _SETS:
+    if isinstance(actual, list) and isinstance(expected, list) and path[-1] in _SETS:
         return sorted(map(str, actual)) == sorted(map(str, expected))
     return bool(actual == expected)

@@ -1,4 +1,4 @@
-"""`compare` in Python: results, files of them, or directories of such files."""
+"""Function `compare`, for results, files of results or directories of such files."""
 
 from __future__ import annotations
 
@@ -30,39 +30,40 @@ def compare(
     rtol: float = RTOL,
     leave_out: str | Iterable[str] = (),
 ) -> Verdict:
-    """What changed in cases, and which numbers differ by that.
+    """Compare results with expected results: changes of the cases and differing numbers.
 
     Parameters
     ----------
     actual, expected : path-like or Results
-        Files of `run`: listing, JSON, JSON lines, CSV, Parquet; two sweeps; or two directories
-        of such files.
+        Files written by `run` as a listing, JSON, JSON lines, CSV or Parquet; two files of sweeps;
+        or two directories of such files.
     atol, rtol : float
-        Absolute tolerance, and that relative to the expected number.
+        Absolute tolerance, and tolerance relative to the expected number.
     leave_out : str or iterable of str
         Tables that are not compared.
 
     Returns
     -------
     Verdict
-        `same`, `changed`, `added`, `gone` and `unreadable` count cases; `cases` tell of each what
-        is other. Messages are not compared, nor the name, description and source of a case.
+        Numbers of cases that are `same`, `changed`, `added`, `gone` and `unreadable`, and the
+        differences of each of the `cases`. Messages are not compared, nor are the name,
+        description and source of a case.
 
     Raises
     ------
     ReadError
-        If a file holds no results, of two directories neither of them, or a table is none.
+        If a file or both directories have no results, or a table does not exist.
     OSError
-        If a file cannot be opened; in a directory it is one that is unreadable.
+        If a file cannot be opened; in a directory such a file counts as unreadable.
     ValueError
-        If a tolerance is below 0 or not finite.
+        If a tolerance is negative or not finite.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
-    >>> one, other = (solve(Transmission(2, [], [Mechanism(1, 2, 0, u)], [Gear()])) for u in (3, 2))
-    >>> made = compare(one, other)
-    >>> made.changed, made.cases[0].case[0]
+    >>> new, old = (solve(Transmission(2, [], [Mechanism(1, 2, 0, u)], [Gear()])) for u in (3, 2))
+    >>> verdict = compare(new, old)
+    >>> verdict.changed, verdict.cases[0].case[0]
     (1, CaseChange(path='D1.ratio', expected=2.0, actual=3.0))
     """
     try:
@@ -77,12 +78,11 @@ def compare(
 
 
 def _folder(given: Compared) -> str:
-    """The directory that is given; empty where it is something else."""
+    """Return the path of a directory, or an empty text for anything else."""
     return "" if isinstance(given, Results) or not os.path.isdir(given) else os.fspath(given)  # noqa: PTH112
 
 
 def _written(given: Compared) -> tuple[Content, str]:
-    """Results as they are written, and the name of their file."""
     if isinstance(given, Results):
         return content(given.to_json().encode(), given.case.name), given.case.name
     file = os.fspath(given)

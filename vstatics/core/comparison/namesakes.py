@@ -1,4 +1,4 @@
-"""Links and parts of two cases that are the same under other names, by what they join."""
+"""Matching of renamed links and parts of two cases, by their connections."""
 
 from __future__ import annotations
 
@@ -11,19 +11,22 @@ from vstatics.core.tables.written_results import WrittenResult
 
 LINK = "link"
 ROUNDS = 4
-"""A link or part is told from others by what is so near: what is far may have changed."""
+"""Distance, in links and parts, of the neighbourhood that identifies a link or part.
+
+Links and parts farther away can have changed.
+"""
 Key = tuple[str, str]
-"""What it is, a link or a kind of part, and its name."""
+"""Kind, `LINK` or a kind of part, and name."""
 
 
 class _JoiningPart(NamedTuple):
     kind: str
     name: str
     links: Sequence[int]
-    says: object
-    """What tells it from others between the same links."""
+    data: object
+    """Data that distinguish parts with equal links."""
     rows: Sequence[str]
-    """What rows and columns are called for it; those of its members begin with its name."""
+    """Names of the rows and columns of the part, including members of a gear set."""
 
     @property
     def key(self) -> Key:
@@ -31,7 +34,7 @@ class _JoiningPart(NamedTuple):
 
 
 def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., str]:
-    """What tells how a row of the actual result is called in the expected one, by their cases."""
+    """Return a function that translates names of rows of the actual to the expected result."""
     if not (actual.case and expected.case):
         return lambda name, _rows="": name
     links, parts = row_names_of(actual.case, expected.case)
@@ -46,24 +49,25 @@ def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., st
 
 
 def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str, str], ...]:
-    """What rows of the actual result are called in the expected one, where that is another name.
+    """Match renamed rows of the actual result with rows of the expected result.
 
-    What has one name is the same. Of the others those are the same that join the same links and
-    have the same numbers, else that join the same links; else, where as many are left of a
-    kind, those in turn.
+    Links and parts with equal names match. The others match if they have the same connections and
+    data, otherwise if they have the same connections, and finally in order if equally many of a
+    kind are left.
 
     Returns
     -------
     links, parts : dict
+        Expected names by actual names, without equal names of links.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission
-    >>> one, other = (
+    >>> new, old = (
     ...     Transmission(3, [], [Mechanism(1, 2, 3, u, name=m) for m, u in s], [Gear()])
     ...     for s in ([("X", -3.0), ("Y", -2.5)], [("P", -2.5), ("Q", -3.0)])
     ... )
-    >>> links, parts = row_names_of(one, other)
+    >>> links, parts = row_names_of(new, old)
     >>> parts["X"], parts["Y"]
     ('Q', 'P')
     """
@@ -75,13 +79,13 @@ def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str
         for case, side in zip(cases, sides, strict=True)
     ]
     same = _same(cases, sides, names)
-    links = {now: then for (kind, now), then in same.items() if kind == LINK and now != then}
+    links = {new: old for (kind, new), old in same.items() if kind == LINK and new != old}
     parts: dict[str, str] = {}
     for key, part in sides[0].items():
         other = sides[1].get((key[0], same.get(key, "")))
         if other and len(part.rows) == len(other.rows):
-            for one, two in zip(part.rows, other.rows, strict=True):
-                parts |= {one: two, one.partition(".")[0]: two.partition(".")[0]}
+            for new, old in zip(part.rows, other.rows, strict=True):
+                parts |= {new: old, new.partition(".")[0]: old.partition(".")[0]}
     return links, parts
 
 
@@ -91,16 +95,19 @@ def _links(case: Transmission) -> Sequence[str]:
 
 def _parts(case: Transmission, gears: Collection[str]) -> Iterator[_JoiningPart]:
     for number, element in enumerate(case.shift_elements, 1):
-        held = sorted(one.name for one in case.gears if number in one.engaged and one.name in gears)
-        says = element.kind, element.capacity, held
+        held = sorted(
+            gear.name for gear in case.gears if number in gear.engaged and gear.name in gears
+        )
+        data = element.kind, element.capacity, held
         yield _JoiningPart(
-            "element", element.name, (element.first, element.second), says, [element.name]
+            "element", element.name, (element.first, element.second), data, [element.name]
         )
     for device in case.own_devices:
         sets = [case.mechanisms[index] for index in device.mechanisms]
-        rows = [device.name, *(one.name for one in sets)]
+        rows = [device.name, *(mechanism.name for mechanism in sets)]
         links = [member.link for member in device.members]
-        yield _JoiningPart("device", device.name, links, [one.ratio for one in sets], rows)
+        ratios = [mechanism.ratio for mechanism in sets]
+        yield _JoiningPart("device", device.name, links, ratios, rows)
     for spring in case.springs:
         yield _JoiningPart(
             "spring", spring.name, [*spring.form], [*spring.form.values()], [spring.name]
@@ -112,17 +119,18 @@ def _same(
     sides: Sequence[Mapping[Key, _JoiningPart]],
     names: Sequence[Sequence[Key]],
 ) -> dict[Key, str]:
-    """What each link and part of the actual case is called in the expected one."""
+    """Return the expected name of each matched link and part of the actual case."""
     same = {key: key[1] for key in names[0] if key in names[1]}
     exact = True
     while True:
         known = same, {(kind, name): name for (kind, _), name in same.items()}
         left = [
-            [key for key in own if key not in one] for own, one in zip(names, known, strict=True)
+            [key for key in keys if key not in matched]
+            for keys, matched in zip(names, known, strict=True)
         ]
         if not all(left):
             return same
-        looks = [_looks(*one, exact=exact) for one in zip(cases, sides, known, strict=True)]
+        looks = [_looks(*side, exact=exact) for side in zip(cases, sides, known, strict=True)]
         pairs = _pairs(left, looks)
         if pairs:
             same |= pairs
@@ -133,28 +141,29 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Those of one look, if that is of no other; else the first two of one look."""
-    counts = [Counter(one[key] for key in own) for own, one in zip(left, looks, strict=True)]
-    alike = [(one, two) for one in left[0] for two in left[1] if looks[0][one] == looks[1][two]]
+    """Match links and parts with equal unique looks, otherwise the first two with equal looks."""
+    counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
+    alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]
-    return {one: two[1] for one, two in sure or alike[:1]}
+    return {new: old[1] for new, old in sure or alike[:1]}
 
 
 def _in_turn(left: Sequence[Sequence[Key]]) -> dict[Key, str]:
-    found: dict[Key, str] = {}
+    matched: dict[Key, str] = {}
     for kind in dict.fromkeys(kind for kind, _ in left[0]):
-        here, there = ([key for key in own if key[0] == kind] for own in left)
+        here, there = ([key for key in keys if key[0] == kind] for keys in left)
         if len(here) == len(there):
-            found |= {one: two[1] for one, two in zip(here, there, strict=True)}
-    return found
+            matched |= {new: old[1] for new, old in zip(here, there, strict=True)}
+    return matched
 
 
 def _looks(
     case: Transmission, parts: Mapping[Key, _JoiningPart], known: Mapping[Key, str], *, exact: bool
 ) -> dict[Key, int]:
-    """What links and parts look like from where they are: of those that are known, the name.
+    """Return a hash of the surroundings of each link and part; matched names count as known.
 
-    A link looks like the parts at it, a part like its links, so each round sees one further.
+    The hash of a link depends on its parts and the hash of a part on its links, so each round
+    extends the surroundings by one.
     """
     links = {number: (LINK, name) for number, name in enumerate(_links(case), 1)}
     ports = {case.link_name(case.input): "input", case.link_name(case.output): "output"}
@@ -165,9 +174,9 @@ def _looks(
     for _ in range(ROUNDS):
         at: dict[int, list[int]] = {number: [] for number in links}
         for key, part in parts.items():
-            says = repr(part.says) if exact else ""
-            own = known.get(key) or tuple(seen.get(link, 0) for link in part.links)
-            looks[key] = hash((part.kind, own, "" if key in known else says))
+            data = repr(part.data) if exact else ""
+            joined = known.get(key) or tuple(seen.get(link, 0) for link in part.links)
+            looks[key] = hash((part.kind, joined, "" if key in known else data))
             for place, link in enumerate(part.links):
                 if link in at:
                     at[link].append(hash((looks[key], place)))

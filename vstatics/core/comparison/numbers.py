@@ -1,4 +1,4 @@
-"""Results against results, number by number: for golden files in CI."""
+"""Comparison of results number by number, for example with golden files in CI."""
 
 from __future__ import annotations
 
@@ -15,32 +15,27 @@ from vstatics.core.tables.written_results import Figure, Figures, WrittenResult
 
 
 class Difference(NamedTuple):
-    """A number, or the shape of a table, that is not as expected."""
+    """Difference of a number, or of the shape of a table, from the expected result."""
 
     table: str
     row: str
     gear: str
-    """Or the device, in AJK."""
+    """Gear, or device in AJK."""
     actual: float | str
-    """NaN is no value; a text tells of a whole gear, table or row."""
+    """Number, NaN for a missing number, or a text about a whole gear, table or row."""
     expected: float | str
 
     @property
-    def is_number(self) -> bool:
-        """Whether both are numbers, or none."""
-        return not isinstance(self.actual, str) and not isinstance(self.expected, str)
-
-    @property
     def deviation(self) -> float:
-        """By the expected number without its sign; NaN where that is nothing or none."""
+        """Deviation [-] relative to the magnitude of the expected number, NaN if undefined."""
         if isinstance(self.actual, str) or isinstance(self.expected, str) or not self.expected:
             return math.nan
         deviation = (self.actual - self.expected) / abs(self.expected)
         return deviation if math.isfinite(deviation) else math.nan
 
     @property
-    def told_deviation(self) -> float:
-        """The same for people: NaN also where what is expected is rounding noise."""
+    def shown_deviation(self) -> float:
+        """Deviation [-] for readers, NaN also if the expected number is rounding noise."""
         if not isinstance(self.expected, str) and abs(self.expected) <= ATOL:
             return math.nan
         return self.deviation
@@ -57,20 +52,20 @@ def differences(
     rtol: float = RTOL,
     leave_out: Container[str] = (),
 ) -> Iterator[Difference]:
-    """Every place in which two results differ.
+    """Yield all differences between two results.
 
-    A number from a listing matches anything within half of its last digit. Otherwise
-    ``|actual - expected| <= atol + rtol*|expected|``. What does not exist matches
-    only what does not exist. Tables that the report of the source lacks are compared
-    where both results have them. Gears are those of the same name, where both tell names
-    and have one in common; else those of the same number.
+    Numbers agree if ``|actual - expected| <= atol + rtol*|expected|``; a number from a listing can
+    also differ by half a unit of the last digit. A missing number agrees only with a missing
+    number. Tables that are not in the report of the source are compared if both results have them.
+    Gears are matched by name if the results share a name, otherwise by number.
 
     Parameters
     ----------
     actual, expected : WrittenResult
     atol, rtol : float
+        Absolute and relative tolerance.
     leave_out : container of str
-        Keys of tables, `Quantity.key`, that are not compared.
+        Keys of excluded tables, `Quantity.key`.
     """
     if actual.errors or expected.errors:
         if actual.errors != expected.errors:
@@ -80,7 +75,7 @@ def differences(
     gears = expected.gear_names or actual.gear_names
     if set(actual.gear_names) & set(expected.gear_names):
         actual, expected, gears = yield from same_gears(actual, expected)
-    called = renaming(actual, expected)
+    renamed = renaming(actual, expected)
     for quantity in QUANTITIES:
         if quantity.key in leave_out:
             continue
@@ -91,9 +86,9 @@ def differences(
             names = _PlaceNames(quantity, expected.case or actual.case, gears)
             rows = _rows(quantity, actual, expected)
             if all(rows):
-                rows[0] = [called(name, quantity.rows) for name in rows[0]]
+                rows[0] = [renamed(name, quantity.rows) for name in rows[0]]
                 names.rows, here, there = yield from _by_name(quantity.key, rows, (here, there))
-            devices = [called(name) for name in actual.device_names], expected.device_names
+            devices = [renamed(name) for name in actual.device_names], expected.device_names
             if quantity.columns == "devices" and all(devices):
                 paired = _same_devices(quantity.key, devices, (here, there))
                 names.columns, here, there = yield from paired
@@ -103,24 +98,34 @@ def differences(
 def same_gears(
     actual: WrittenResult, expected: WrittenResult
 ) -> Generator[Difference, None, tuple[WrittenResult, WrittenResult, Sequence[str]]]:
-    """Both results with the gears that both have, in one order; the others are a line each."""
-    found, wanted = (
-        {name: place for place, name in enumerate(one.gear_names)} for one in (actual, expected)
+    """Yield a difference for each unmatched gear, and return both results with the common gears.
+
+    Returns
+    -------
+    actual, expected : WrittenResult
+    gears : sequence of str
+        Names of the common gears.
+    """
+    here, there = (
+        {name: place for place, name in enumerate(result.gear_names)}
+        for result in (actual, expected)
     )
-    for name in wanted:
-        if name not in found:
+    for name in there:
+        if name not in here:
             yield Difference("", "", name, NOT_THERE, THERE)
-    for name in found:
-        if name not in wanted:
+    for name in here:
+        if name not in there:
             yield Difference("", "", name, THERE, NOT_THERE)
-    both = [name for name in wanted if name in found]
-    pairs = (actual, found), (expected, wanted)
-    one, other = (_picked(result, [places[name] for name in both]) for result, places in pairs)
-    return one, other, both
+    both = [name for name in there if name in here]
+    pairs = (actual, here), (expected, there)
+    first, second = (
+        _with_gears(result, [places[name] for name in both]) for result, places in pairs
+    )
+    return first, second, both
 
 
-def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
-    """A result with some of its gears; a table that has other columns is left as it is."""
+def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
+    """Return a result with selected gears; tables with other columns are unchanged."""
     count, tables = len(result.gear_names), dict[str, Figures]()
     for key, rows in result.tables.items():
         is_by_gear = BY_NAME[key].columns != "devices" and all(len(row) == count for row in rows)
@@ -131,21 +136,21 @@ def _picked(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
 def _rows(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> list[Sequence[str]]:
-    """The names of a table's rows in both results.
+    """Return the names of a table's rows in both results, empty if names are repeated.
 
-    A drawn case has rows of its own, which are not those of mechanisms.
+    Written names come first, as the rows of a drawn case are not mechanisms.
     """
     both = actual, expected
-    rows = [one.rows.get(quantity.key, ()) for one in both]
-    if any(rows) or all(one.case for one in both):
-        rows = [own or _named(one, quantity) for own, one in zip(rows, both, strict=True)]
+    rows = [result.rows.get(quantity.key, ()) for result in both]
+    if any(rows) or all(result.case for result in both):
+        rows = [names or _named(result, quantity) for names, result in zip(rows, both, strict=True)]
     if any(len({*names}) != len(names) for names in rows):
         rows = [(), ()]
     return rows
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """The rows of a table by the case, where they are as many; the source has numbers only."""
+    """Return the names of a table's rows in the case, empty if the number differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.key]) else ()
@@ -154,22 +159,22 @@ def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
 def _by_name(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """The rows that both results have, in one order, after those that only one has."""
-    found, wanted = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
-    new = [name for name in found if name not in wanted]
-    gone = [name for name in wanted if name not in found]
+    """Yield a difference for each unmatched row, and return names and rows of the others."""
+    here, there = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
+    new = [name for name in here if name not in there]
+    gone = [name for name in there if name not in here]
     for name in new:
         yield Difference(table, name, "", THERE, NOT_THERE)
     for name in gone:
         yield Difference(table, name, "", NOT_THERE, THERE)
-    both = [name for name in wanted if name in found]
-    return both, [found[name] for name in both], [wanted[name] for name in both]
+    both = [name for name in there if name in here]
+    return both, [here[name] for name in both], [there[name] for name in both]
 
 
 def _same_devices(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """The columns that both results have, in one order, after those that only one has."""
+    """Yield a difference for each unmatched column, and return names and columns of the others."""
     is_whole = all(
         rows and {len(row) for row in rows} == {len({*devices})}
         for devices, rows in zip(names, figures, strict=True)
@@ -185,32 +190,31 @@ def _same_devices(
 def _lacking(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> Iterator[Difference]:
-    """A table that only one of the results has.
+    """Yield the difference of an unmatched table.
 
-    Empty tables are not printed; and a listing of the source has its own tables only.
+    An empty table is not printed, and a listing of the source has published tables only.
     """
-    one = actual if quantity.key in actual.tables else expected
-    other = expected if one is actual else actual
-    if not any(one.tables.get(quantity.key, ())):
-        return
-    if quantity.published or not other.is_of_source:
-        found = (THERE, NOT_THERE) if one is actual else (NOT_THERE, THERE)
-        yield Difference(quantity.key, "", "", *found)
+    is_new = quantity.key in actual.tables
+    owner, other = (actual, expected) if is_new else (expected, actual)
+    is_filled = any(owner.tables.get(quantity.key, ()))
+    if is_filled and (quantity.published or not other.is_of_source):
+        values = (THERE, NOT_THERE) if is_new else (NOT_THERE, THERE)
+        yield Difference(quantity.key, "", "", *values)
 
 
 class _PlaceNames:
-    """Names of the rows and columns of a table, numbers where no case tells them."""
+    """Names of the rows and columns of a table, or numbers if unknown."""
 
     def __init__(self, quantity: Quantity, case: Transmission | None, gears: Sequence[str]) -> None:
         self.table = quantity.key
-        self.one = quantity.rows == "one"
+        self.is_list = quantity.rows == "one"
         self.rows: Sequence[str] = row_names(case, quantity.rows) if case else ()
         self.columns = gears
         if quantity.columns == "devices":
             self.columns = case.devices if case else ()
 
     def row(self, number: int) -> str:
-        if self.one:
+        if self.is_list:
             return ""
         return self.rows[number] if number < len(self.rows) else str(number + 1)
 
@@ -229,20 +233,20 @@ def _table(
             counts = f"{len(row)} columns", f"{len(other)} columns"
             yield Difference(names.table, names.row(number), "", *counts)
             continue
-        for column, (one, two) in enumerate(zip(row, other, strict=True)):
-            if not is_same(one, two, atol, rtol):
+        for column, (figure, expected) in enumerate(zip(row, other, strict=True)):
+            if not is_same(figure, expected, atol, rtol):
                 place = names.table, names.row(number), names.column(column)
-                yield Difference(*place, one.value, two.value)
+                yield Difference(*place, figure.value, expected.value)
 
 
-def is_same(one: Figure, two: Figure, atol: float, rtol: float) -> bool:
-    """Whether two numbers agree as `differences` says."""
-    if math.isnan(one.value) or math.isnan(two.value):
-        return math.isnan(one.value) and math.isnan(two.value)
-    slack = max(one.slack, two.slack) * (1 + ROUNDED_PART)  # .5 of a digit is itself rounded
-    return abs(one.value - two.value) <= slack + atol + rtol * abs(two.value)
+def is_same(actual: Figure, expected: Figure, atol: float, rtol: float) -> bool:
+    """Check that two numbers agree within the tolerances; see `differences`."""
+    if math.isnan(actual.value) or math.isnan(expected.value):
+        return math.isnan(actual.value) and math.isnan(expected.value)
+    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # half a digit is rounded, too
+    return abs(actual.value - expected.value) <= slack + atol + rtol * abs(expected.value)
 
 
 def shown(value: float) -> str:
-    """A number in the words of a difference; NaN stands for no number."""
+    """Return the text of a number in a difference."""
     return "no value" if math.isnan(value) else repr(value)

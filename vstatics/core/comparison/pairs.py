@@ -1,4 +1,4 @@
-"""Which result is held against which: of two files, or of two directories by relative paths."""
+"""Pairing of results for a comparison, from two files or two directories."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from vstatics.core.tables.suffixes import known, suffix_of
 from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 
 Content = list[WrittenResult] | WrittenSweep
-"""Of a file that is compared."""
+"""Content of a compared file."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
-"""Of the files in a directory that are compared."""
+"""Suffixes of the compared files of a directory."""
 SEPARATORS = re.compile(r"[/\\]")
-"""Of folders, wherever a result was written."""
+"""Separators of folders, of any operating system."""
 
 
 def content(data: bytes, file: str) -> Content:
-    """The results of a file, or the sweep.
+    """Read the results or the sweep of a file.
 
     Raises
     ------
     ReadError
-        If it holds neither.
+        If the file contains neither.
     """
     if sweep_tables.is_workbook(data):
         try:
@@ -49,38 +49,38 @@ def content(data: bytes, file: str) -> Content:
 def verdicts_of_files(
     actual: Content, expected: Content, names: tuple[str, str], how: Tolerances
 ) -> list[CaseVerdict]:
-    """What is said of each result of two files, or of the sweeps in them.
+    """Return the verdicts on the results or the sweeps of two files.
 
     Parameters
     ----------
     actual, expected : list of WrittenResult, or WrittenSweep
-        Two of a kind; an empty list is a file that is not there.
+        Contents of the same kind; an empty list is a missing file.
     names : (str, str)
-        Of the files.
+        Names of the files.
     how : Tolerances
 
     Raises
     ------
     ReadError
-        If one is a sweep, the other is not.
+        If only one of the contents is a sweep.
     """
     of_file_names = [file_stem(name) for name in names if name != STDIN_NAME]
     if isinstance(actual, WrittenSweep) or isinstance(expected, WrittenSweep):
         name = next(filter(None, of_file_names), "sweep")
         return [_sweeps_compared(name, actual, expected, names, how)]
     if max(len(actual), len(expected)) == 1:
-        one, other = (next(iter(side), None) for side in (actual, expected))
-        told = [_called(result) for result in (one, other) if result]
-        name = next(filter(None, (*told, *of_file_names)), "result")
-        return [compared(name, one, other, how)]
-    found, wanted = _paired(actual, expected)
-    called = {key: _called(result, key[0]) for key, result in {**wanted, **found}.items()}
+        new, old = (next(iter(side), None) for side in (actual, expected))
+        names_of_cases = [_called(result) for result in (new, old) if result]
+        name = next(filter(None, (*names_of_cases, *of_file_names)), "result")
+        return [compared(name, new, old, how)]
+    here, there = _paired(actual, expected)
+    called = {key: _called(result, key[0]) for key, result in {**there, **here}.items()}
     seen = Counter((short, time) for (_, time), short in called.items())
     return [
         compared(
             _counted(short if short and seen[short, time] == 1 else way, time),
-            found.get((way, time)),
-            wanted.get((way, time)),
+            here.get((way, time)),
+            there.get((way, time)),
             how,
         )
         for (way, time), short in called.items()
@@ -88,12 +88,12 @@ def verdicts_of_files(
 
 
 def sweep_alone(actual: Content, expected: Content, names: tuple[str, str]) -> str:
-    """What is said where one is a sweep, the other is not; else nothing."""
-    sweeps = [isinstance(one, WrittenSweep) for one in (actual, expected)]
+    """Return the message about a sweep compared with results, otherwise an empty text."""
+    sweeps = [isinstance(file, WrittenSweep) for file in (actual, expected)]
     if sweeps[0] == sweeps[1]:
         return ""
-    one, other = names if sweeps[0] else names[::-1]
-    return f"{one} is a sweep, {other} is not: expected two of a kind"
+    sweep, other = names if sweeps[0] else names[::-1]
+    return f"{sweep} is a sweep, {other} is not: expected two of a kind"
 
 
 def _sweeps_compared(
@@ -103,18 +103,21 @@ def _sweeps_compared(
         return CaseVerdict(name, "added" if actual else "gone", differs=True)
     if not (isinstance(actual, WrittenSweep) and isinstance(expected, WrittenSweep)):
         raise ReadError([of_file("E050", names[0], sweep_alone(actual, expected, names))])
-    found = largest_first(sweep_places(actual, expected, **how._asdict()))
+    differences = largest_first(sweep_places(actual, expected, **how._asdict()))
     counts = sweep_counts(actual, expected, how.leave_out)
-    return CaseVerdict(name, "changed" if found else "same", None, found, counts, bool(found))
+    return CaseVerdict(
+        name, "changed" if differences else "same", None, differences, counts, bool(differences)
+    )
 
 
 def _called(result: WrittenResult, way: str = "") -> str:
-    """What a result is called: the file of its case without suffix, else its name.
+    """Return the name of a result: the file without suffix, or the name of the case.
 
     Parameters
     ----------
+    result : WrittenResult
     way : str
-        That file with the folders that tell it apart, where these do.
+        File with the folders that distinguish it from other files, if they are needed.
     """
     file = "" if result.file == STDIN_NAME else result.file
     if file and SEPARATORS.search(way) and file.endswith(way):
@@ -123,16 +126,16 @@ def _called(result: WrittenResult, way: str = "") -> str:
 
 
 def file_stem(file: str) -> str:
-    """The name of a file without folders and suffix, also of another system."""
+    """Return the name of a file without folders and suffix, from any operating system."""
     return os.path.splitext(SEPARATORS.split(file)[-1])[0]  # noqa: PTH122
 
 
 _Key = tuple[str, int]
-"""What tells a result from the others: file or name of its case, and which time it is there."""
+"""Key of a result: file or name of the case, and a count of equal names."""
 
 
 def _counted(name: str, time: int) -> str:
-    """The name of a result that may be there again.
+    """Return the name of a result, with a count of equal names.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')
@@ -145,47 +148,45 @@ def _counted(name: str, time: int) -> str:
 def _paired(
     actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
 ) -> list[dict[_Key, WrittenResult]]:
-    """Both by what tells most results of each apart; those of one name in their order.
+    """Return the results of both sides by the keys that distinguish most results.
 
-    Of its folders a file has so many as it takes, as the same cases may have been named from
-    another place.
+    Files get only as many folders as necessary, as the cases can have been in different folders.
     """
-    ways = [pair for pair in _names(actual, expected) if all(map(all, pair))]
-    best = max(ways, key=lambda pair: sum(len(set(side)) for side in pair), default=None)
-    keys = best or [[f"result {n}" for n, _ in enumerate(s, 1)] for s in (actual, expected)]
+    sides = actual, expected
+    paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]
+    ways = [
+        [["/".join(path[-depth:]) for path in side] for side in paths]
+        for depth in range(1, max(len(path) for side in paths for path in side) + 1)
+    ]
+    ways.append([[result.case_name for result in side] for side in sides])
+    complete = [pair for pair in ways if all(map(all, pair))]
+    best = max(complete, key=lambda pair: sum(len(set(side)) for side in pair), default=None)
+    keys = best or [[f"result {n}" for n, _ in enumerate(side, 1)] for side in sides]
     return [
         dict(zip(_numbered(names), side, strict=True))
-        for names, side in zip(keys, (actual, expected), strict=True)
+        for names, side in zip(keys, sides, strict=True)
     ]
 
 
 def _numbered(names: Iterable[str]) -> Iterator[_Key]:
-    """Each name with the number of times it has been there."""
     times = Counter[str]()
     for name in names:
         times[name] += 1
         yield name, times[name]
 
 
-def _names(*sides: Sequence[WrittenResult]) -> Iterator[list[list[str]]]:
-    ways = [[SEPARATORS.split(one.file) for one in side] for side in sides]
-    for depth in range(1, max(len(way) for side in ways for way in side) + 1):
-        yield [["/".join(way[-depth:]) for way in side] for side in ways]
-    yield [[one.case_name for one in side] for side in sides]
-
-
 def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:
-    """What is said of each file of two directories, also of one that can't be read.
+    """Yield the verdicts on the files of two directories, also on unreadable files.
 
-    Files are paired by their relative paths without suffix; a file of several results has a name
-    for each, behind its own.
+    Files are paired by their relative paths without suffix. Results of a file with several results
+    are named by the file and the case.
 
     Raises
     ------
     ReadError
-        If there is no result in either of them.
+        If neither directory has a result.
     """
-    here, there = _found(actual), _found(expected)
+    here, there = _result_files(actual), _result_files(expected)
     if not (here or there):
         message = f"no result is there, nor in {expected}, so there is nothing to compare"
         suffixes = spoken(SUFFIXES, "or")
@@ -210,15 +211,15 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
         return
     try:
         parts = verdicts_of_files(contents[0], contents[1], (paths[0], paths[1]), how)
-    except ReadError as error:  # one is a sweep
+    except ReadError as error:  # only one of the files is a sweep
         yield unreadable(name, error.problems)
         return
     for part in parts:
         yield part._replace(name=f"{name}/{part.name}" if len(parts) > 1 else name)
 
 
-def _found(folder: str) -> dict[str, str]:
-    """Files of results below a folder by their relative paths, without suffix if that tells."""
+def _result_files(folder: str) -> dict[str, str]:
+    """Find files of results below a folder, by relative path without unnecessary suffixes."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]

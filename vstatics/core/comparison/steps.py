@@ -1,4 +1,4 @@
-"""Steps between the gears of two written results, as the design table has them."""
+"""Comparison of step ratios, defined as in the design table."""
 
 from __future__ import annotations
 
@@ -12,24 +12,25 @@ from vstatics.core.summary.design_table import ranges_of
 from vstatics.core.tables.written_results import Figure, WrittenResult
 
 Steps = dict[tuple[str, str], Figure]
-"""By the lower gear and the next."""
+"""Step ratios by the lower gear and the next gear."""
 
 
 def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | None) -> Steps:
-    """The steps of a result.
+    """Return the step ratios of a result.
 
     Parameters
     ----------
     result : WrittenResult
     gears : sequence of str
-        Names of its gears, as many as it has.
+        Names of all gears of the result.
     case : Transmission or None
-        Tells which gears can be compared; without it those of one direction can.
+        Case, from which comparable gears are known; without a case gears of one direction are
+        comparable.
 
     Examples
     --------
-    >>> made = WrittenResult({"ratio": [[Figure(-2.0), Figure(3.0), Figure(1.5)]]}, None, False)
-    >>> steps_of(made, ["R", "1", "2"], None)
+    >>> result = WrittenResult({"ratio": [[Figure(-2.0), Figure(3.0), Figure(1.5)]]}, None, False)
+    >>> steps_of(result, ["R", "1", "2"], None)
     {('1', '2'): Figure(value=2.0, slack=0.0)}
     """
     [ratios] = result.tables.get("ratio") or [[]]
@@ -42,33 +43,38 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
             for gear in case.gears
         ]
     return {
-        (gears[one], gears[other]): _step(ratios[one], ratios[other])
-        for indices in ranges_of([one.value for one in ratios], kinds, gears)
-        for one, other in pairwise(indices)
+        (gears[lower], gears[upper]): _step(ratios[lower], ratios[upper])
+        for indices in ranges_of([ratio.value for ratio in ratios], kinds, gears)
+        for lower, upper in pairwise(indices)
     }
 
 
-def _step(one: Figure, other: Figure) -> Figure:
-    if not (one.value and other.value):
+def _step(lower: Figure, upper: Figure) -> Figure:
+    if not (lower.value and upper.value):
         return Figure(math.nan)
-    step = one.value / other.value
-    return Figure(step, abs(step) * (one.slack / abs(one.value) + other.slack / abs(other.value)))
+    step = lower.value / upper.value
+    return Figure(
+        step, abs(step) * (lower.slack / abs(lower.value) + upper.slack / abs(upper.value))
+    )
 
 
 def step_differences(
     actual: Steps, expected: Steps, ratios: Collection[str], atol: float, rtol: float
 ) -> Iterator[Difference]:
-    """Steps that differ, of gears whose ratios do: `row` is the next gear.
+    """Yield the differing steps of gears with differing ratios; `row` is the next gear.
 
-    So no step tells apart results whose tables agree.
+    Other steps are not compared, so that results with equal tables never differ.
 
     Parameters
     ----------
+    actual, expected : Steps
     ratios : collection of str
-        The gears whose ratios differ.
+        Names of the gears whose ratios differ.
+    atol, rtol : float
+        Absolute and relative tolerance.
     """
-    none = Figure(float("nan"))
+    missing = Figure(float("nan"))
     for pair in [*expected, *(pair for pair in actual if pair not in expected)]:
-        one, other = actual.get(pair, none), expected.get(pair, none)
-        if {*pair} & {*ratios} and not is_same(one, other, atol, rtol):
-            yield Difference("step", pair[1], pair[0], one.value, other.value)
+        here, there = actual.get(pair, missing), expected.get(pair, missing)
+        if {*pair} & {*ratios} and not is_same(here, there, atol, rtol):
+            yield Difference("step", pair[1], pair[0], here.value, there.value)

@@ -1,4 +1,4 @@
-"""Sweeps against sweeps: variants by their number, columns by their name."""
+"""Comparison of sweeps, with variants matched by number and columns by name."""
 
 from __future__ import annotations
 
@@ -22,28 +22,28 @@ def sweep_places(
     rtol: float = RTOL,
     leave_out: Container[str] = (),
 ) -> Iterator[Difference]:
-    """Every place in which two sweeps differ: `table` is the column, `row` the variant.
+    """Yield all differences between two sweeps; `table` is the column, `row` the variant.
 
-    A variant that only one has is of the table `variant`, a column has no row.
+    The difference of an unmatched variant has the table `variant`, of a column no row.
     """
     here, there = (
-        {row: place for place, row in enumerate(_rows(one))} for one in (actual, expected)
+        {row: place for place, row in enumerate(_rows(sweep))} for sweep in (actual, expected)
     )
     yield from (Difference("variant", *row, NOT_THERE, THERE) for row in there if row not in here)
     yield from (Difference("variant", *row, THERE, NOT_THERE) for row in here if row not in there)
-    found, wanted = (
-        {name: column for name, column in one.columns.items() if _table(name) not in leave_out}
-        for one in (actual, expected)
+    new, old = (
+        {name: column for name, column in sweep.columns.items() if _table(name) not in leave_out}
+        for sweep in (actual, expected)
     )
-    yield from (Difference(n, "", "", NOT_THERE, THERE) for n in wanted if n not in found)
-    yield from (Difference(n, "", "", THERE, NOT_THERE) for n in found if n not in wanted)
+    yield from (Difference(n, "", "", NOT_THERE, THERE) for n in old if n not in new)
+    yield from (Difference(n, "", "", THERE, NOT_THERE) for n in new if n not in old)
     both = [(row, here[row], place) for row, place in there.items() if row in here]
-    for row, one, other in both:
-        if actual.status[one] != expected.status[other]:
-            yield Difference("status", *row, actual.status[one], expected.status[other])
-    for name in (name for name in wanted if name in found):
-        for row, one, other in both:
-            values = found[name][one], wanted[name][other]
+    for row, place, other in both:
+        if actual.status[place] != expected.status[other]:
+            yield Difference("status", *row, actual.status[place], expected.status[other])
+    for name in (name for name in old if name in new):
+        for row, place, other in both:
+            values = new[name][place], old[name][other]
             if not is_same(Figure(values[0]), Figure(values[1]), atol, rtol):
                 yield Difference(name, *row, *values)
 
@@ -51,52 +51,51 @@ def sweep_places(
 def sweep_counts(
     actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
 ) -> dict[str, int]:
-    """How many variants, or rows of their gears, and columns both have."""
+    """Return the numbers of common variants, or rows of gears, and of common columns."""
     rows, columns = (
-        [set(names(one)) for one in (actual, expected)]
-        for names in (_rows, lambda one: [n for n in one.columns if _table(n) not in leave_out])
+        [set(names(sweep)) for sweep in (actual, expected)]
+        for names in (_rows, lambda sweep: [n for n in sweep.columns if _table(n) not in leave_out])
     )
     row = "row" if actual.gears or expected.gears else "variant"
     return {row: len(rows[0] & rows[1]), "column": len(columns[0] & columns[1])}
 
 
-def sweep_headline(found: Sequence[Difference], counts: Mapping[str, int]) -> str:
-    """What is other in a sweep, in a line.
+def sweep_headline(differences: Sequence[Difference], counts: Mapping[str, int]) -> str:
+    """Summarise the differences between two sweeps in a line.
 
-    >>> found = [Difference("ratio[1]", "variant 3", "", 2.5, 2.0)]
-    >>> found += [Difference("variant", "variant 4", "", NOT_THERE, THERE)]
-    >>> sweep_headline(found, {"variant": 9, "column": 2})
+    >>> differences = [Difference("ratio[1]", "variant 3", "", 2.5, 2.0)]
+    >>> differences += [Difference("variant", "variant 4", "", NOT_THERE, THERE)]
+    >>> sweep_headline(differences, {"variant": 9, "column": 2})
     '1 of 9 variants, 1 of 2 columns differ; 1 variant gone'
     """
-    both = [one for one in found if one.row and one.table != "variant"]
-    columns = {one.table for one in both}
-    statuses = sum(one.table == "status" for one in both)
-    differing = [len({(one.row, one.gear) for one in both}), len(columns - {"status"})]
-    told = [
+    both = [item for item in differences if item.row and item.table != "variant"]
+    columns = {item.table for item in both}
+    statuses = sum(item.table == "status" for item in both)
+    differing = [len({(item.row, item.gear) for item in both}), len(columns - {"status"})]
+    numbers = [
         f"{number} of {count} {plural(kind, count)}"
         for number, (kind, count) in zip(differing, counts.items(), strict=True)
         if number
     ]
-    told += [f"{statuses} status{'es' * (statuses > 1)}"] * bool(statuses)
-    parts = [f"{', '.join(told)} {'differ' if len(told) > 1 else 'differs'}"] * bool(told)
+    numbers += [f"{statuses} status{'es' * (statuses > 1)}"] * bool(statuses)
+    parts = [f"{', '.join(numbers)} {'differ' if len(numbers) > 1 else 'differs'}"] * bool(numbers)
     row = next(iter(counts))
-    for kind, lacking in (
-        (row, [one for one in found if one.table == "variant"]),
-        ("column", [one for one in found if not one.row]),
+    for kind, unmatched in (
+        (row, [item for item in differences if item.table == "variant"]),
+        ("column", [item for item in differences if not item.row]),
     ):
         for side, word in ((THERE, "added"), (NOT_THERE, "gone")):
-            number = sum(one.actual == side for one in lacking)
+            number = sum(item.actual == side for item in unmatched)
             parts += [f"{number} {plural(kind, number)} {word}"] * bool(number)
     return "; ".join(parts)
 
 
 def _rows(sweep: WrittenSweep) -> list[tuple[str, str]]:
-    """What names each row: its variant, and its gear where it has one."""
     pairs = zip_longest(sweep.variants, sweep.gears, fillvalue="")
     return [(f"{VARIANT}{number}", gear) for number, gear in pairs]
 
 
 def _table(column: str) -> str:
-    """The key of the table that a column is of, such as ``W[C1,low]``."""
+    """Return the key of the table of a column, such as ``W[C1,low]``."""
     quantity = BY_NAME.get(column.partition("[")[0])
     return quantity.key if quantity else ""

@@ -1,4 +1,4 @@
-"""How results are compared: by which tolerances, and without which tables."""
+"""Settings of a comparison: tolerances and excluded tables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.core.tables.names import quantity_named
 
 
 class Tolerances(NamedTuple):
-    """How numbers are compared, and keys of the tables that are not."""
+    """Tolerances of a comparison, and keys of the excluded tables."""
 
     atol: float = ATOL
     rtol: float = RTOL
@@ -20,11 +20,12 @@ class Tolerances(NamedTuple):
 
 
 def tolerance(number: float) -> float:
-    """A tolerance that can be one.
+    """Check and return a tolerance.
 
     Raises
     ------
     ValueError
+        If the tolerance is negative or not finite.
     """
     if not 0 <= number < math.inf:
         raise ValueError(f"read {number:g}, expected a finite number of 0 or more")
@@ -32,12 +33,12 @@ def tolerance(number: float) -> float:
 
 
 def left_out(names: str | Iterable[str]) -> frozenset[str]:
-    """The keys of tables that are not compared, by a name or several.
+    """Return the keys of excluded tables, from a name or several names.
 
     Raises
     ------
     ReadError
-        If there is no such table.
+        If a table does not exist.
 
     Examples
     --------

@@ -274,6 +274,6 @@ def _asked(quantity: Quantity, blanks: Sequence[Blank], *, solved: bool) -> Grid
         head = "quantity"
     else:
         rows = [(blank.row, cell(blank)) for blank in blanks]
-        head = "torque of" if quantity.rows == "torques" else ROWS[quantity.rows].one
+        head = "torque of" if quantity.rows == "torques" else ROWS[quantity.rows].singular
     columns = [text(head), Column("value")]
     return grid_of(f"{quantity.title} [{quantity.key}]", columns, rows, key=quantity.key)

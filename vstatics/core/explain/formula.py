@@ -15,7 +15,7 @@ from vstatics.core.explain.names import Names
 from vstatics.core.explain.shares import NoFormula, shares
 from vstatics.core.extras import missing
 from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
-from vstatics.core.tables.answer import Flat, told
+from vstatics.core.tables.answer import Flat, json_keys
 
 FOLLOWS = "there is no formula, as the speed of link {link} is given by that of {other}"
 """Reason for the missing formula of a gear with dependent speeds."""
@@ -48,7 +48,7 @@ class NumberedSpeed(NamedTuple):
     value: float
 
 
-@told(
+@json_keys(
     *("left", "text", "expression"),
     symbols="numbered_symbols",
     speeds="numbered_speeds",

@@ -7,7 +7,7 @@ from functools import partial
 from typing import NamedTuple
 
 from vstatics.core.statics.matrix import GIVEN_SPEED, INPUT_SPEED
-from vstatics.core.tables.answer import defined, told
+from vstatics.core.tables.answer import defined, json_keys
 from vstatics.core.tables.numbers import short
 from vstatics.core.texts import tr
 
@@ -27,7 +27,7 @@ class Term(NamedTuple):
     """Value of the coefficient. [-]"""
 
 
-@told("of", "symbols", "numbers", "terms", "right")
+@json_keys("of", "symbols", "numbers", "terms", "right")
 class Equation(NamedTuple):
     """Linear equation, ``sum(coefficient x unknown) = right``."""
 

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Literal, NamedTuple
 
 from vstatics.core.numerics.tolerances import CYCLE
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 from vstatics.core.texts import translated
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag"]
@@ -34,7 +34,7 @@ class Node(NamedTuple):
         return self.name
 
 
-@told(from_="source", to="target", power="power")
+@json_keys(from_="source", to="target", power="power")
 class Edge(NamedTuple):
     """Power from one node to the next, above 0."""
 
@@ -53,7 +53,7 @@ class CommonLinks(NamedTuple):
     """Names of the common links, two at least."""
 
 
-@told("power", "nodes", "note")
+@json_keys("power", "nodes", "note")
 class Loop(NamedTuple):
     """Cycle of power: nodes in the direction of power, each once, and the recirculating power."""
 

@@ -11,7 +11,7 @@ from vstatics.core.flow.circulation import Edge, Loop, Node
 from vstatics.core.flow.graph_cycles import edges_on_cycles
 from vstatics.core.flow.teeth import ToothPower
 from vstatics.core.statics.status import Status
-from vstatics.core.tables.answer import Flat, defined, told
+from vstatics.core.tables.answer import Flat, defined, json_keys
 from vstatics.core.tables.html import shown as in_notebook
 from vstatics.core.tables.ports import PortTable
 
@@ -47,7 +47,7 @@ class NodeLoss(NamedTuple):
 
 
 @defined("side")
-@told(
+@json_keys(
     *("entering", "leaving", "lost", "balance"),
     *("circulating", "circulating_share", "doubtful"),
     throughput="node_powers",
@@ -138,7 +138,7 @@ class PowerFlow(NamedTuple):
         return self.circulating / self.entering if self.entering else math.nan
 
 
-@told(
+@json_keys(
     *("gear", "note"),
     input_link_kW="kilowatts",
     by_convention="by_convention",

@@ -11,12 +11,12 @@ import numpy as np
 from vstatics.core.statics.physical import gear_scales
 from vstatics.core.statics.results import Results
 from vstatics.core.summary.design_table import ranges
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 
 WORDS = ("none", "single", "double", "triple")
 
 
-@told(
+@json_keys(
     *("start", "end", "skipped", "released", "engaged", "changes", "slip_power", "slip_power_kW"),
     kind="word",
 )

@@ -1,4 +1,4 @@
-"""From arrays to tables: what each quantity is called, its rows, its values in each unit.
+"""Tables of the results: the name of each quantity, its rows, its values in each unit.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve
@@ -8,8 +8,9 @@
 >>> speeds.quantity.title, list(speeds.rows), speeds.columns, speeds.values.tolist()
 ('Speeds of the links', ['1', '2'], ['1'], [[1.0], [-0.4]])
 
-What is declared of a quantity stands in `quantities`; `values` fills its table, `names` writes
-its rows and finds both by what a person types. `grid` holds tables of texts, that `text`,
-`markdown` and `latex` lay out. `written_results` are results as they were written. By `answer`
-what a command answers is one record, of whose types its JSON and its schema follow.
+`quantities` declares all quantities, `values` fills their tables, `names` names the rows and finds
+quantities and rows by the names that users type. `grid` holds tables of texts, which `text`,
+`markdown`, `latex`, `html` and `terminal` format; `csv` and `xlsx` write the numbers behind them.
+`written_results` describes results that were read from a file. `answer` derives the JSON and the
+JSON Schema of a command's output from the types of a record.
 """

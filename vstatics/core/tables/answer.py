@@ -1,8 +1,8 @@
-"""What a command answers is one record: its JSON and its JSON Schema follow from its types.
+"""The output of a command is a record: its JSON and JSON Schema are derived from its types.
 
-A record is a named tuple, its keys are its fields; `told` names others. One of a `form` is a
-document, which begins with that. Types say what is not plain: `Sometimes`, `Flat`, `Failure`,
-`Count`, `Known`. What does not exist is null.
+A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
+`document` begins with its format and version. Annotations describe keys that are not plain:
+`Sometimes`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
 """
 
 from __future__ import annotations
@@ -35,38 +35,38 @@ T = TypeVar("T")
 V = TypeVar("V")
 Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
-"""A record, or what is plain data already."""
+"""A record, or data that are plain already."""
 VERSION = 1
-"""Of every format of a document."""
+"""Version of the format of every document."""
 
 
 class Words(dict[str, Any]):
-    """What a schema says beside the type, as in ``Annotated[int, Words(minimum=0)]``."""
+    """Keywords added to the schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
 
-    __hash__ = object.__hash__  # type: ignore[assignment] # of a type it is a part
+    __hash__ = object.__hash__  # type: ignore[assignment] # arguments of a type are hashed
 
 
 class Provided(str):
-    """Name of a type that an annex provides, as in ``Annotated[object, Provided("Damages")]``."""
+    """Name of a type from an annex, as in ``Annotated[object, Provided("Damages")]``."""
 
     __slots__ = ()
 
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Of a key that is left out where it is None, or an empty mapping."""
+"""Type of a key that is omitted if the value is None or an empty mapping."""
 Flat = Annotated[T, FLAT]
-"""Of a record whose keys stand among those of the record that has it."""
+"""Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Of a key that stands beside the first one in place of all others, unless it is empty."""
+"""Type of a message that, unless empty, replaces all keys but the first."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Of a key that is None only where a failure stands in its place."""
+"""Type of a key that is None only beneath a failure, which replaces all keys."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
-"""Of a number that always exists."""
+"""Type of a number that is never null."""
 
 NUMBER: Schema = {"type": ["number", "null"]}
-"""None where it does not exist."""
+"""Schema of a number, or of null for a missing number."""
 TEXT: Schema = {"type": "string"}
 NULL: Schema = {"type": "null"}
 _SIMPLE: Mapping[Any, Schema] = {
@@ -86,7 +86,7 @@ _SIMPLE: Mapping[Any, Schema] = {
     Any: {},
 }
 _FORMS: dict[Any, str] = {}
-_TOLD: dict[Any, Mapping[str, str]] = {}
+_JSON_KEYS: dict[Any, Mapping[str, str]] = {}
 _DEFINED: dict[Any, str] = {}
 
 
@@ -104,37 +104,37 @@ def document(form: str) -> Callable[[T], T]:
     >>> schema(Steps)["required"]
     ['format', 'version', 'case', 'count']
     """
-    return _kept(_FORMS, form)
+    return _registering(_FORMS, form)
 
 
 def defined(name: str) -> Callable[[T], T]:
-    """Say that the schema of a record stands by itself, and others refer to it."""
-    return _kept(_DEFINED, name)
+    """Give a record a named schema, to which other schemas refer."""
+    return _registering(_DEFINED, name)
 
 
-def told(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Say which attributes of a record are its keys, in their order, in place of its fields.
+def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
+    """List the attributes that are the keys of a record, instead of all fields.
 
     Parameters
     ----------
+    *names
+        Attributes whose keys have their names.
     **attributes
-        By key, where it has another name; a last underscore of a key is left out.
+        Names of further attributes by key, without a final underscore of the key.
     """
-    others = {key.rstrip("_"): name for key, name in attributes.items()}
-    return _kept(_TOLD, dict(zip(names, names, strict=True)) | others)
+    renamed = {key.rstrip("_"): name for key, name in attributes.items()}
+    return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
 
 
-def _kept(where: dict[Any, V], value: V) -> Callable[[T], T]:
-    def keep(kind: T) -> T:
-        where[kind] = value
+def _registering(registry: dict[Any, V], value: V) -> Callable[[T], T]:
+    def register(kind: T) -> T:
+        registry[kind] = value
         return kind
 
-    return keep
+    return register
 
 
 class _Key(NamedTuple):
-    """A key of a record."""
-
     name: str
     attribute: str
     kind: Any
@@ -143,26 +143,26 @@ class _Key(NamedTuple):
 
 @cache
 def _keys(kind: Any) -> Sequence[_Key]:
-    """The keys of a kind of record."""
-    hints, found = get_type_hints(kind, include_extras=True), []
-    own = {one.rstrip("_"): one for one in kind._fields}
-    for name, attribute in _TOLD.get(kind, own).items():
+    """Return the keys of a type of record."""
+    hints, keys = get_type_hints(kind, include_extras=True), []
+    fields = {field.rstrip("_"): field for field in kind._fields}
+    for name, attribute in _JSON_KEYS.get(kind, fields).items():
         if attribute not in hints:  # a property
             returned = get_type_hints(getattr(kind, attribute).fget, include_extras=True)
             hints[attribute] = returned["return"]
-        one, mark = hints[attribute], ""
-        if get_origin(one) is Annotated and get_args(one)[1] in _MARKS:
-            one, mark = get_args(one)
-            if NoneType in get_args(one):
-                one = Union[tuple(part for part in get_args(one) if part is not NoneType)]  # noqa: UP007
-        found.append(_Key(name, attribute, one, mark))
-    return found
+        hint, mark = hints[attribute], ""
+        if get_origin(hint) is Annotated and get_args(hint)[1] in _MARKS:
+            hint, mark = get_args(hint)
+            if NoneType in get_args(hint):
+                hint = Union[tuple(part for part in get_args(hint) if part is not NoneType)]  # noqa: UP007
+        keys.append(_Key(name, attribute, hint, mark))
+    return keys
 
 
 def plain_data(value: Any) -> Any:
-    """A record as mappings, lists, texts and numbers, in any depth; None is what does not exist.
+    """Convert a record to mappings, lists, texts and numbers, at any depth.
 
-    Of an array of complex numbers their moduli are told.
+    A missing value becomes None, an array of complex numbers the list of their moduli.
 
     >>> from vstatics.core.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
@@ -178,11 +178,11 @@ def plain_data(value: Any) -> Any:
     if isinstance(value, complex):
         value = {"real": value.real, "imag": value.imag}
     if isinstance(value, Mapping):
-        return {key: plain_data(one) for key, one in value.items()}
+        return {key: plain_data(item) for key, item in value.items()}
     if isinstance(value, np.ndarray):
         value = (np.abs(value) if np.iscomplexobj(value) else value).tolist()
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return [plain_data(one) for one in value]
+        return [plain_data(item) for item in value]
     return value
 
 
@@ -190,21 +190,22 @@ def _of_record(record: Any) -> dict[str, Any]:
     kind: Any = type(record)
     values = [(key, getattr(record, key.attribute)) for key in _keys(kind)]
     failed = [(key, value) for key, value in values if key.mark == FAILURE and value]
-    found = {"format": _FORMS[kind], "version": VERSION} if kind in _FORMS else {}
+    data = {"format": _FORMS[kind], "version": VERSION} if kind in _FORMS else {}
     for key, value in [values[0], *failed] if failed else values:
         if key.mark == FLAT:
-            found |= plain_data(value)
+            data |= plain_data(value)
         elif not (key.mark == FAILURE and not value) and not (
             key.mark == SOMETIMES and (value is None or value == {})
         ):
-            found[key.name] = plain_data(value)
-    return found
+            data[key.name] = plain_data(value)
+    return data
 
 
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
-    """A document as plain data that tells the file of its case, without folders or with them.
+    """Return a document as plain data with the file of its case, with or without folders.
 
-    An answer of no format is as it is; that of a case in error has its file already.
+    An answer without a format is returned unchanged; the document of a case in error already has
+    the key, whose value is replaced.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
@@ -217,33 +218,29 @@ def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, 
     return {**front, "file": name, **data} if front else data
 
 
-def text(value: Any) -> str:
-    """Plain data as JSON on many lines, without the end of the last."""
-    return _lines(value)
+text = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
+"""Formats plain data as JSON on several lines, without a final line end."""
+_line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def line(value: Any) -> str:
-    """Plain data as JSON on one line, with its end."""
+    """Format plain data as JSON on a single line, with a line end."""
     return _line(value) + "\n"
 
 
 def as_json(answer: Answer, form: str | None) -> str:
-    """An answer as JSON on many lines, or on one in the form `jsonl`, with its end."""
+    """Format an answer as JSON, on a single line for the form `jsonl`."""
     data = answer if isinstance(answer, dict) else plain_data(answer)
     return line(data) if form == "jsonl" else text(data) + "\n"
 
 
-_lines = json.JSONEncoder(ensure_ascii=False, allow_nan=False, indent=1).encode
-_line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
-
-
 def list_of(items: Schema) -> Schema:
-    """The schema of an array."""
+    """Return the schema of an array."""
     return {"type": "array", "items": items}
 
 
 def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) -> Schema:
-    """The schema of an object with these keys and no others.
+    """Return the schema of an object without further keys.
 
     >>> object_of({"a": TEXT, "b": NUMBER}, optional=["b"])["required"]
     ['a']
@@ -257,14 +254,14 @@ def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) ->
 
 
 def schema(kind: Any, definitions: Schema | None = None) -> Schema:
-    """The schema of what `plain_data` makes of a type.
+    """Return the JSON Schema of the plain data of a type; see `plain_data`.
 
     Parameters
     ----------
     kind : type
-        A number, a text, a record, or sequences, mappings and unions of these.
+        A number, a text, a record, or a sequence, mapping or union of these.
     definitions : dict, optional
-        Gets those of records that are `defined`.
+        Receives the schemas of `defined` records by their names.
 
     Examples
     --------
@@ -275,31 +272,34 @@ def schema(kind: Any, definitions: Schema | None = None) -> Schema:
     if kind in _SIMPLE:
         return _SIMPLE[kind]
     if hasattr(kind, "_fields"):
-        made = _of_keys(kind, definitions)
+        of_record = _of_keys(kind, definitions)
         if kind not in _DEFINED or definitions is None:
-            return made
-        definitions[_DEFINED[kind]] = made
+            return of_record
+        definitions[_DEFINED[kind]] = of_record
         return {"$ref": f"#/$defs/{_DEFINED[kind]}"}
     return _of_parts(kind, partial(schema, definitions=definitions))
 
 
 def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
-    """The schema of a type that is made of others."""
-    origin, (first, *others) = get_origin(kind), get_args(kind)
+    """Return the schema of a type with arguments."""
+    origin, (first, *more) = get_origin(kind), get_args(kind)
     if origin is Annotated:
-        return _of_marked(first, others[0], of)
+        return _of_marked(first, more[0], of)
     if origin is Literal:
-        return {"enum": [first, *others]}
+        return {"enum": [first, *more]}
     if origin in (Union, UnionType):
-        return _either(of(first), *map(of, others))
+        choices = [of(part) for part in (first, *more)]
+        if choices[1:] == [NULL] and choices[0].get("type") in ("string", "integer"):
+            return choices[0] | {"type": [choices[0]["type"], "null"]}
+        return {"anyOf": choices}
     if issubclass(origin, Mapping):
-        more = {} if others[0] is Any else {"additionalProperties": of(others[0])}
-        return {"type": "object", **more}
+        items = {} if more[0] is Any else {"additionalProperties": of(more[0])}
+        return {"type": "object", **items}
     return list_of(NUMBER if origin is np.ndarray else of(first))
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """The schema of an annotated type; nothing is valid where an annex is not installed."""
+    """Return the schema of an annotated type, invalid if an annex is missing."""
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
@@ -308,60 +308,54 @@ def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
     return of(kind) if mark in _MARKS else {"enum": [*mark]}
 
 
-def _either(first: Schema, *others: Schema) -> Schema:
-    """One of some; of null beside a text or a whole number both types are told at once."""
-    if others == (NULL,) and first.get("type") in ("string", "integer"):
-        return first | {"type": [first["type"], "null"]}
-    return {"anyOf": [first, *others]}
-
-
 def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
-    """The schema of a record."""
     properties = head(_FORMS[kind]) if kind in _FORMS else {}
     optional: list[str] = []
     failed: Schema = {}
     for key in _keys(kind):
-        own = schema(key.kind, definitions)
+        of_key = schema(key.kind, definitions)
         if key.mark == FAILURE:
             first = next(iter(properties))
-            failed = object_of({first: properties[first], key.name: own})
-            asked = {"required": [key.name]}
+            failed = object_of({first: properties[first], key.name: of_key})
+            has_failed = {"required": [key.name]}
         elif key.mark == FLAT:
-            properties |= own["properties"]
-            optional += own["properties"].keys() - own["required"]
+            properties |= of_key["properties"]
+            optional += of_key["properties"].keys() - of_key["required"]
         else:
-            properties[key.name] = own
+            properties[key.name] = of_key
             optional += [key.name] * (key.mark == SOMETIMES)
-    made = object_of(properties, optional)
-    return {"if": asked, "then": failed, "else": made} if failed else made
+    record = object_of(properties, optional)
+    return {"if": has_failed, "then": failed, "else": record} if failed else record
 
 
 def head(form: str) -> Schema:
-    """The schema of the keys with which every document begins."""
+    """Return the schema of the first keys of every document."""
     return {"format": {"const": form}, "version": {"const": VERSION}}
 
 
-def of_file(name: str, title: str, one: Schema) -> Schema:
-    """The schema of a file, by that of what it has."""
+def of_file(name: str, title: str, content: Schema) -> Schema:
+    """Return the schema of a file with the schema of the content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
-    return {**start, "$id": f"{name}.schema.json", "title": title, **one}
+    return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 
 
-def documents(name: str, title: str, one: Schema, definitions: Schema | None = None) -> Schema:
-    """The schema of a file: a document, or several as an array; any may be a case in error.
+def documents(name: str, title: str, content: Schema, definitions: Schema | None = None) -> Schema:
+    """Return the schema of a file of documents or cases in error.
 
     Parameters
     ----------
     name : str
-        Of the format: that of the file is made of it.
-    one : dict
-        The schema of a document, without its `file`.
+        Name of the format, from which the file name of the schema is derived.
+    title : str
+        Title of the schema.
+    content : dict
+        Schema of a document, without its `file`.
     definitions : dict, optional
-        What it refers to by ``#/$defs/...``.
+        Schemas to which `content` refers by ``#/$defs/...``.
     """
     about = "The file of the case, without folders; with those of the path as found where"
     file = {"type": "string", "description": f"{about} several of an output have one name."}
-    properties = {**one["properties"], "file": file}
+    properties = {**content["properties"], "file": file}
     failure = {
         "title": "case in error",
         **object_of({"file": file, "case": TEXT, "errors": list_of(TEXT)}, optional=["file"]),
@@ -377,7 +371,7 @@ def documents(name: str, title: str, one: Schema, definitions: Schema | None = N
         "else": {"$ref": "#/$defs/entry"},
         "$defs": {
             "entry": entry,
-            "document": {**one, "properties": properties},
+            "document": {**content, "properties": properties},
             "failure": failure,
             **(definitions or {}),
         },
@@ -386,11 +380,11 @@ def documents(name: str, title: str, one: Schema, definitions: Schema | None = N
 
 
 def documents_of(name: str, title: str, kind: Any) -> Schema:
-    """The schema of documents of a kind, as `documents`."""
+    """Return the schema of a file of documents of a type; see `documents`."""
     definitions: Schema = {}
     return documents(name, title, schema(kind, definitions), definitions)
 
 
 def failure(file: str, problems: Iterable[Problem]) -> dict[str, Any]:
-    """The document of a case in error."""
+    """Return the document of a case in error."""
     return {"file": os.path.basename(file), "case": file, "errors": list(map(str, problems))}  # noqa: PTH119

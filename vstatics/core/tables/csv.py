@@ -1,4 +1,4 @@
-"""Tables as CSV: what stands in a cell, so that a spreadsheet takes no text for a formula."""
+"""Tables as CSV, with texts that no spreadsheet mistakes for formulas."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ from vstatics.core.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
-"""How a text begins that a spreadsheet calculates; with apostrophes before, so that the one
-that is put there can be told from those of the text."""
+"""Beginning of a text that a spreadsheet calculates.
+
+Leading apostrophes are included, so that the added apostrophe can be removed without doubt.
+"""
 
 
 def guarded(text: str) -> str:
-    """A text that no spreadsheet calculates: an apostrophe stands before what begins a formula.
+    """Put an apostrophe before a text that a spreadsheet would calculate as a formula.
 
     Examples
     --------
@@ -27,7 +29,7 @@ def guarded(text: str) -> str:
 
 
 def unguarded(text: str) -> str:
-    """The text that `guarded` was given; another one as it is.
+    """Remove the apostrophe that `guarded` put before a text.
 
     >>> [unguarded(text) for text in ("'=1+1", "=1+1", "'low'", "''=1")]
     ['=1+1', '=1+1', "'low'", "'=1"]
@@ -36,26 +38,36 @@ def unguarded(text: str) -> str:
 
 
 def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
-    """Rows of texts as lines of CSV.
+    """Format rows of texts as lines of CSV.
 
     Parameters
     ----------
+    rows : iterable of iterable of str
     raw : bool
-        Whether texts stay as they are, also where a spreadsheet calculates them.
+        Whether texts that begin like a formula are left unguarded.
     """
     written = io.StringIO()
-    kept = rows if raw else (map(guarded, row) for row in rows)
-    csv.writer(written, lineterminator="\n").writerows(kept)
+    texts = rows if raw else (map(guarded, row) for row in rows)
+    csv.writer(written, lineterminator="\n").writerows(texts)
     return written.getvalue()
 
 
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """The tables of cases, piece by piece: numbers in full, one table below the other.
+    """Write the tables of cases in sequence, with all digits, a piece for each case.
 
-    Each row begins with the name of its table, among several with the file of its case
-    before. A row of headings stands where these change.
+    Each row begins with the name of its table; for several cases the file of the case precedes
+    it. A row of headings is written whenever the headings change.
+
+    Parameters
+    ----------
+    cases : iterable of (str, sequence of Grid)
+        Files of the cases, with their tables.
+    several : bool
+        Whether the first column is the file of the case.
+    raw : bool
+        See `lines`.
 
     Examples
     --------
@@ -71,12 +83,12 @@ def write(
     for file, grids in cases:
         rows = []
         for grid in grids:
-            headings = ["case"] * several + ["table", *(one.heading for one in grid.columns)]
+            headings = ["case"] * several + ["table", *(column.heading for column in grid.columns)]
             if headings != before:
                 rows.append(headings)
             before = headings
             front = [file] * several + [grid.key or grid.title]
             for row in grid.data:
-                plain = (int(one) if isinstance(one, bool) else one for one in row)
-                rows.append([*front, *("" if one is None else str(one) for one in plain)])
+                plain = (int(datum) if isinstance(datum, bool) else datum for datum in row)
+                rows.append([*front, *("" if datum is None else str(datum) for datum in plain)])
         yield lines(rows, raw=raw)

@@ -1,10 +1,9 @@
-"""Results as a pandas table."""
+"""Results as a table of pandas."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.statics.results import Results
@@ -17,20 +16,20 @@ if TYPE_CHECKING:
 
 
 def to_dataframe(results: Results) -> pd.DataFrame:
-    """One row per variant and gear, a column per table and row.
+    """Convert results to a DataFrame with a row per variant and gear.
 
     Parameters
     ----------
     results : Results
-        Of one case or of arrays of variants, with any axes.
+        Results of one case, or of arrays of variants with any axes.
 
     Returns
     -------
     DataFrame
-        Indexed by the number of the variant, from 0 in the order of the arrays, and the name
-        of the gear; by the gear alone for one case. Columns are a table and its row:
-        ``("speeds", "C1")``, with a load also ``("speeds_rpm", "C1")``; a table without rows
-        has ``""`` there, so that pandas takes ``"ratio"`` for it.
+        Values, indexed by the number of the variant, from 0 in the order of the arrays, and the
+        name of the gear; for one case by the gear alone. A column is named by a table and its
+        row: ``("speeds", "C1")``, with an operating point also ``("speeds_rpm", "C1")``. A table
+        of one value per gear has the row ``""``, so that ``"ratio"`` selects the column.
 
     Raises
     ------
@@ -54,26 +53,21 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     import pandas as pd
 
     axes = results.ratio.shape[:-1]
-    gears = [gear.name for gear in results.case.gears]
-    index = (
-        pd.MultiIndex.from_product([range(math.prod(axes)), gears], names=["variant", "gear"])
-        if axes
-        else pd.Index(gears, name="gear")
-    )
-    found = list(_columns(results))
-    columns = pd.MultiIndex.from_tuples([name for name, _ in found], names=["table", "row"])
-    return pd.DataFrame(dict(enumerate(values for _, values in found)), index=index).set_axis(
-        columns, axis=1
-    )
 
-
-def _columns(results: Results) -> Iterator[tuple[tuple[str, str], Any]]:
-    """Each column with its name."""
-    in_units = (quantity.name for quantity in with_units(results))
-    for name in (*ARRAYS, *in_units):
+    names, columns = [], []
+    for name in (*ARRAYS, *(quantity.name for quantity in with_units(results))):
         table = results.existing(name)
         if BY_NAME[name].rows == "one":
-            yield (name, ""), table.ravel()
-            continue
+            names.append((name, ""))
+            columns.append(table.ravel())
         for index, row in enumerate(table_rows(name, results.case)):
-            yield (name, row), table[..., index].ravel()
+            names.append((name, row))
+            columns.append(table[..., index].ravel())
+    variants = range(math.prod(axes))
+    gears = [gear.name for gear in results.case.gears]
+    return pd.DataFrame(
+        dict(enumerate(columns)),
+        index=pd.MultiIndex.from_product([variants, gears], names=["variant", "gear"])
+        if axes
+        else pd.Index(gears, name="gear"),
+    ).set_axis(pd.MultiIndex.from_tuples(names, names=["table", "row"]), axis=1)

@@ -1,14 +1,14 @@
-"""Results as a dataset of xarray: tables whose axes have names."""
+"""Results as a dataset of xarray, whose axes have names."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.names import table_rows
-from vstatics.core.tables.quantities import BY_NAME, UNITS, Quantity
+from vstatics.core.tables.quantities import BY_NAME, UNITS
 from vstatics.core.tables.values import with_units
 from vstatics.core.tables.written_results import GEAR
 
@@ -24,28 +24,28 @@ DIMENSIONS: Mapping[Rows, str] = {
     "mechanisms": "three_link_mechanism",
     "meshes": "mesh",
 }
-"""By what the rows of a table stand for: as `docs/expressions.md` calls them."""
+"""Names of dimensions by the kind of rows of a table, as in `docs/expressions.md`."""
 
 
 def to_xarray(results: Results) -> xr.Dataset:
-    """All tables with names along their axes.
+    """Convert results to a dataset of xarray with names along all axes.
 
     Parameters
     ----------
     results : Results
-        Of one case or of arrays of variants, with any axes.
+        Results of one case, or of arrays of variants with any axes.
 
     Returns
     -------
     Dataset
-        A variable for each table, by its name: ``speeds`` and, with a load, ``speeds_rpm``. Its
-        dimensions are those of variants, then `gear`, then what its rows are: `link`, `planet`,
-        `shift_element`, `device` (shift elements, mechanisms or members of elements, springs,
-        ``Mx``), `mechanism` (or element, as the case names them), `three_link_mechanism` (which
-        the solver makes of elements) or `mesh`. One axis of variants is `variant`, of several
-        the first is `variant_1`. NaN stands for what does not exist; marks are 0 and 1.
-        `long_name` and `units` say what a variable is; one without `units` is relative to the
-        input. [-]
+        Variable for each table, by its name: ``speeds`` and, with an operating point,
+        ``speeds_rpm``. Its dimensions are the axes of variants, `gear`, and the kind of its rows:
+        `link`, `planet`, `shift_element`, `device` (shift elements, mechanisms or members of gear
+        sets, springs, ``Mx``), `mechanism` (or gear set, as named in the case),
+        `three_link_mechanism` (into which the solver divides gear sets) or `mesh`. A single axis
+        of variants is `variant`; several are `variant_1`, `variant_2`, ... Values that do not
+        exist are NaN; flags are 0 and 1. The attributes of a variable are `long_name` and
+        `units`; a variable without `units` is relative to the input. [-]
 
     Raises
     ------
@@ -73,19 +73,14 @@ def to_xarray(results: Results) -> xr.Dataset:
     coordinates: dict[str, Any] = dict(zip(names, map(range, axes), strict=True))
     coordinates[GEAR] = [gear.name for gear in case.gears]
     variables = {}
-    for quantity, attributes in _told(results):
+    for quantity in (*(BY_NAME[name] for name in ARRAYS), *with_units(results)):
         along = [*names, GEAR]
         if quantity.rows != "one":
             along.append(DIMENSIONS[quantity.rows])
             coordinates[along[-1]] = list(table_rows(quantity.name, case))
+        attributes = {"long_name": quantity.title}
+        if quantity.unit:
+            unit = UNITS[quantity.unit].text
+            attributes = {"long_name": quantity.title.removesuffix(f", {unit}"), "units": unit}
         variables[quantity.name] = along, results.existing(quantity.name), attributes
     return xr.Dataset(variables, coordinates, {"case": case.name})
-
-
-def _told(results: Results) -> Iterator[tuple[Quantity, dict[str, str]]]:
-    """Each table, and what a picture or a file says of it."""
-    for name in ARRAYS:
-        yield BY_NAME[name], {"long_name": BY_NAME[name].title}
-    for quantity in with_units(results):
-        unit = UNITS[quantity.unit].text
-        yield quantity, {"long_name": quantity.title.removesuffix(f", {unit}"), "units": unit}

@@ -1,7 +1,7 @@
-"""A table of texts, which each format writes in its own way.
+"""Table of texts, from which all formats are written.
 
-Plain text is `text`, then there are `markdown`, `latex`, `html` and, for a person at a
-terminal, `terminal`. `csv` and `xlsx` write the numbers behind the texts.
+The modules `text`, `markdown`, `latex`, `html` and `terminal` write the texts; `csv` and `xlsx`
+write the numbers behind them.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from vstatics.core.tables.numbers import certain, rounded
 from vstatics.core.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"
-"""Stands for a number that does not exist, and for a list of nothing."""
+"""Text of a number that does not exist, and of an empty list."""
 LARGE_CELL = 1e7
-"""From here on numbers that keep their digits are written with a power of ten."""
+"""Size from which numbers are written with a power of ten."""
 YES, NO = "●", "·"
 
 
@@ -28,43 +28,43 @@ class Column(NamedTuple):
     heading: str
     is_number: bool = True
     is_sign: bool = False
-    """Of one sign in each row: such columns stand close together at a terminal."""
+    """Marks a column of single signs, which is narrow at a terminal."""
     over: str = ""
-    """What a page writes over it, and over those beside it of which the same is told."""
+    """Second heading on a page, shared by adjacent columns with equal text."""
     is_name: bool = False
-    """Whether its heading is a name of the case, as all are that have something over them."""
+    """Marks a heading that is a name of the case, as headings below a second heading are."""
 
 
 Datum = float | int | bool | str | None
-"""What a cell stands for; None does not exist."""
+"""Value of a cell, or None for a missing value."""
 
 
 class Cell(NamedTuple):
-    """A cell of which more is known than its text."""
+    """Cell with a text and the value behind the text."""
 
     text: str
     value: float | None = None
-    """What the text is rounded from, NaN for what does not exist; by it words are sorted, too."""
+    """Number before rounding, NaN for a missing number; also the sorting key of words."""
     says: str = ""
-    """What a sign means, for those who do not see it."""
+    """Meaning of a sign, for screen readers."""
     style: str = ""
-    """Its colour at a terminal, as `rich` names it."""
+    """Colour at a terminal, as named by `rich`."""
     kind: type[Any] = str
-    """Of what it stands for: float, int, bool; str of words."""
+    """Type of the datum: float, int, bool, or str for words."""
     marks: Mapping[str, str] = {}
-    """What a page writes at it as data, for a script."""
+    """Data attributes for the scripts of a page."""
     is_said: bool = False
-    """Whether its text is no name of the case but of this program, which has it in languages."""
+    """Marks a word of the program, which is translated, unlike a name of the case."""
     written_as: str = ""
-    """The word of formats of data, where readers have a better one as its text."""
+    """Word in data formats; empty: the text."""
     look: str = ""
-    """A class that a page gives it besides."""
+    """Additional class on a page."""
     math: str = ""
-    """The same for LaTeX in math mode, if it is a formula."""
+    """Formula for the math mode of LaTeX."""
 
     @property
     def datum(self) -> Datum:
-        """What it stands for, with all digits."""
+        """Value with all digits."""
         if self.kind is str:
             return None if self.text in ("", NOTHING) else self.written_as or self.text
         known = self.value is not None and not math.isnan(self.value)
@@ -72,7 +72,7 @@ class Cell(NamedTuple):
 
     @property
     def spoken(self) -> Cell:
-        """The same in the language that is spoken; what a sign means is no name."""
+        """Cell in the language of the output; the meaning of a sign is always translated."""
         if spoken() == "en":
             return self
         text = labelled(self.text) if self.is_said else self.text
@@ -80,47 +80,46 @@ class Cell(NamedTuple):
 
 
 Row = list[Cell | str]
-"""Cells; one of words may be its text alone."""
+"""Cells of a row; a text alone is a cell of words."""
 
 
 class Grid(NamedTuple):
-    """A table of texts; the first column names the rows."""
+    """Table of texts, whose first column names the rows."""
 
     title: str
     columns: Sequence[Column]
     rows: Sequence[Sequence[Cell | str]]
     levels: Sequence[int] = ()
-    """How far each row is set in, from 1: it stays below the row that it belongs to."""
+    """Level of each row in a hierarchy, from 1; deeper rows are indented."""
     key: str = ""
-    """A short name, unlike that of other tables, where the title is long."""
+    """Short unique name, for a table with a long title."""
     group: str = ""
-    """What it shares a sheet of a workbook with; nothing: it has one of its own."""
+    """Name of the sheet of a workbook that is shared with other tables; empty: not shared."""
     prose: str = ""
-    """Its title for LaTeX, formulas in math mode, where that is a sentence and it has no rows."""
+    """LaTeX text of a sentence, which is a table with a title only, with formulas in math mode."""
 
     @property
     def cells(self) -> list[list[Cell]]:
-        """The rows, where a text alone is a cell of words."""
-        return [[one if isinstance(one, Cell) else Cell(one) for one in row] for row in self.rows]
+        """Rows of cells, with texts converted to cells of words."""
+        return [[x if isinstance(x, Cell) else Cell(x) for x in row] for row in self.rows]
 
     @property
     def texts(self) -> list[list[str]]:
-        """The texts of all rows."""
+        """Texts of all rows."""
         return [[cell.text for cell in row] for row in self.cells]
 
     @property
     def data(self) -> list[list[Datum]]:
-        """What the cells of all rows stand for; the name of a row is as it is written."""
+        """Values of all cells; the first cell of a row is always a name."""
         named = bool(self.columns) and not self.columns[0].is_number
-        rows = [[cell.datum for cell in row] for row in self.cells]
         return [
-            [row[0].text, *data[1:]] if named else data
-            for row, data in zip(self.cells, rows, strict=True)
+            [cell.text if named and not place else cell.datum for place, cell in enumerate(row)]
+            for row in self.cells
         ]
 
     @property
     def spoken(self) -> Grid:
-        """The same in the language that is spoken, for those who read it; data stay English.
+        """Table in the language of the output, for readers; data stay English.
 
         >>> from vstatics.core.texts import speaking
         >>> with speaking("ru"):
@@ -130,44 +129,46 @@ class Grid(NamedTuple):
         if spoken() == "en":
             return self
         columns = [
-            one._replace(
-                heading=one.heading if one.over or one.is_name else heading(one.heading),
-                over=heading(one.over) if one.over else "",
+            column._replace(
+                heading=column.heading
+                if column.over or column.is_name
+                else heading(column.heading),
+                over=heading(column.over) if column.over else "",
             )
-            for one in self.columns
+            for column in self.columns
         ]
-        made = self._replace(title=title(self.title), columns=columns)
-        return made.changed(attrgetter("spoken"))
+        translated = self._replace(title=title(self.title), columns=columns)
+        return translated.changed(attrgetter("spoken"))
 
     def with_columns(self, chosen: Sequence[int]) -> Grid:
-        """The same with some of its columns."""
+        """Return the table with selected columns."""
         rows = [[row[place] for place in chosen] for row in self.rows]
         return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
     def changed(self, change: Callable[[Cell], Cell]) -> Grid:
-        """The same with other cells in place of its own."""
+        """Return the table with a function applied to all cells."""
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """The same with so many digits after the point; None: with those that suit a number.
+        """Return the table with a number of decimals, unchanged if the number is None.
 
-        What is blank stays so.
+        Blank cells stay blank.
         """
         if digits is None:
             return self
 
-        def again(cell: Cell) -> Cell:
+        def rewritten(cell: Cell) -> Cell:
             if cell.kind is not float or not cell.text:
                 return cell
             return exact(cell.value, digits=digits)._replace(style=cell.style)
 
-        return self.changed(again)
+        return self.changed(rewritten)
 
 
 Value = Cell | Datum | Sequence[str]
-"""What a cell is made of: a float is exact, an int whole, a bool a sign, a sequence words."""
+"""Value of a new cell, converted by `exact`, `whole` or `sign`."""
 Values = Sequence[Value]
-"""What a row is made of."""
+"""Values of a new row."""
 
 
 def grid_of(
@@ -178,16 +179,17 @@ def grid_of(
     key: str = "",
     optional: Collection[str] = (),
 ) -> Grid:
-    """A grid of plain values; a column without any number is one of words.
+    """Build a table of plain values; a column without any number has words.
 
     Parameters
     ----------
     title, key : str
-        As of `Grid`.
+        Title and key of the `Grid`.
     headings : iterable of str or Column
-    rows : iterable of iterables
+    rows : iterable of iterable
+        Values of the cells.
     optional : collection of str
-        Headings of columns that are left out where they say nothing.
+        Headings of columns that are omitted if all their cells are empty.
 
     Examples
     --------
@@ -195,17 +197,17 @@ def grid_of(
     >>> grid.columns[0] == text("gear"), grid.columns[1] == Column("ratio"), grid.texts
     (True, True, [['1', '3.500']])
     """
-    made = dict(enumerate(zip(*[[_cell(value) for value in row] for row in rows], strict=True)))
+    filled = dict(enumerate(zip(*[[_cell(value) for value in row] for row in rows], strict=True)))
     columns: list[Column] = []
-    kept: list[Sequence[Cell]] = []
+    cells: list[Sequence[Cell]] = []
     for place, head in enumerate(headings):
-        column = made.get(place, ())
+        column = filled.get(place, ())
         if head in optional and all(cell.text in ("", NOTHING) for cell in column):
             continue
         is_number = any(cell.kind is not str for cell in column)
         columns.append(Column(head, is_number) if isinstance(head, str) else head)
-        kept.append(column)
-    return Grid(title, columns, list(map(list, zip(*kept, strict=True))), key=key)
+        cells.append(column)
+    return Grid(title, columns, list(map(list, zip(*cells, strict=True))), key=key)
 
 
 def _cell(value: Value) -> Cell:
@@ -221,34 +223,36 @@ def _cell(value: Value) -> Cell:
 
 
 def text(heading: str) -> Column:
-    """A column of words."""
+    """Return a column of words."""
     return Column(heading, is_number=False)
 
 
 def word(text: str) -> Cell:
-    """A cell that says a word of this program, in English; see `Grid.spoken`."""
+    """Return a cell with an English word of the program; see `Grid.spoken`."""
     return Cell(text, is_said=True)
 
 
 def exact(
-    value: float | None, decimals: int = 3, *, digits: int | None = None, beside: float = 0.0
+    value: float | None, decimals: int = 3, *, digits: int | None = None, largest: float = 0.0
 ) -> Cell:
-    """A number as a cell that keeps all its digits; None does not exist.
+    """Return a cell with a rounded number and all digits of the value.
 
     Parameters
     ----------
+    value : float or None
+        Number; None: does not exist.
     decimals : int
-        Digits after the point; a small number has more, see `rounded`.
+        Usual number of decimals; a small number has more, see `rounded`.
     digits : int, optional
-        As many in any number.
-    beside : float
-        A larger number of its kind; a billionth part of it is shown as 0.
+        Number of decimals of a number of any size.
+    largest : float
+        Largest number of the same kind; smaller numbers than a billionth of it are shown as 0.
 
     Examples
     --------
     >>> exact(0.98765)[:2], exact(-1.5e9).text, exact(None).text, exact(-0.01038).text
     (('.988', 0.98765), '-1.5e+09', '-', '-.01038')
-    >>> exact(2e-8, beside=1000)[:2]
+    >>> exact(2e-8, largest=1000)[:2]
     ('.000', 2e-08)
     """
     known = math.nan if value is None else value
@@ -257,12 +261,12 @@ def exact(
     if abs(certain(known)) >= LARGE_CELL:
         text = f"{known:.6g}" if digits is None else f"{known:.{digits}e}"
     else:
-        text = rounded(0.0 if abs(known) < ROUNDED_PART * beside else known, decimals, digits)
+        text = rounded(0.0 if abs(known) < ROUNDED_PART * largest else known, decimals, digits)
     return Cell(text, known, kind=float)
 
 
 def whole(value: float) -> Cell:
-    """A whole number as a cell: a count, or one of signs; NaN does not exist.
+    """Return a cell with a whole number, such as a count or a sign of +1; NaN: does not exist.
 
     >>> whole(-1.0)[:2], whole(-1.0).datum
     (('-1', -1.0), -1)
@@ -273,12 +277,12 @@ def whole(value: float) -> Cell:
 
 
 def sign(value: float) -> Cell:
-    """A dot for what is so; NaN where it is unknown."""
+    """Return a cell with a dot for yes or no; NaN: unknown."""
     if math.isnan(value):
         return Cell(NOTHING, math.nan, kind=bool)
     return Cell(YES, 1.0, "yes", kind=bool) if value else Cell(NO, 0.0, "no", kind=bool)
 
 
 def words(names: Sequence[str]) -> str:
-    """Names as a cell."""
+    """Return the text of a cell with names."""
     return ", ".join(names) or NOTHING

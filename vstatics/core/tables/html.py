@@ -1,11 +1,10 @@
-"""Tables as HTML, and HTML from small parts: whatever is not markup already is escaped."""
+"""Tables as HTML, and functions that build HTML and escape everything but markup."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterable, Iterator
-from functools import cache
 from html import escape
 from itertools import groupby
 
@@ -14,23 +13,26 @@ from vstatics.core.tables.numbers import typeset
 
 
 class Markup(str):
-    """Text that is HTML already."""
+    """Text in HTML."""
 
     __slots__ = ()
 
 
 VOID = {"input", "meta"}
-"""Elements that have no end."""
+"""HTML elements without an end tag."""
 
 
 def tag(name: str, /, *children: str, **attributes: object) -> Markup:
-    """An element; children that are no `Markup` are escaped.
+    """Build an HTML element; children other than `Markup` are escaped.
 
     Parameters
     ----------
+    name : str
+        Name of the HTML element.
+    *children : str
     **attributes
-        False leaves an attribute out, True gives its name alone. ``class_`` is ``class``,
-        other underscores are hyphens.
+        Attributes; False omits an attribute, True writes only its name. ``class_`` is written
+        ``class``, other underscores become hyphens.
 
     Examples
     --------
@@ -47,32 +49,26 @@ def tag(name: str, /, *children: str, **attributes: object) -> Markup:
 def _attribute(key: str, value: object) -> str:
     if value is False:
         return ""
-    name = _written(key)
+    name = key.removesuffix("_").replace("_", "-")
     return f" {name}" if value is True else f' {name}="{escape(str(value))}"'
 
 
-@cache
-def _written(key: str) -> str:
-    """The name of an attribute; there are few."""
-    return key.removesuffix("_").replace("_", "-")
-
-
-def joined(*children: str) -> Markup:
-    """Parts one after the other.
+def joined(*parts: str) -> Markup:
+    """Join parts of HTML; plain text is escaped.
 
     >>> joined(tag("b", "1"), " < 2")
     '<b>1</b> &lt; 2'
     """
-    return Markup("".join(one if isinstance(one, Markup) else escape(one) for one in children))
+    return Markup("".join(part if isinstance(part, Markup) else escape(part) for part in parts))
 
 
 def filled(text: str, **places: str) -> Markup:
-    """A text with names in its places, which may be HTML.
+    """Fill the places of a text with names, which can be HTML.
 
     >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
     '7 &lt; 8 &gt; <b>1</b>'
     """
-    return Markup(escape(text).format(**{name: joined(one) for name, one in places.items()}))
+    return Markup(escape(text).format(**{place: joined(name) for place, name in places.items()}))
 
 
 _SHOWN = re.compile(r"<svg\b.*?</svg(?=>)|(>)([^<>]+)(?=<)|( aria-label=\")([^\"]+)", re.DOTALL)
@@ -80,14 +76,15 @@ _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
 
 def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
-    """What is shown with the signs of print: a true minus, 0 before the point, one dash.
+    """Typeset the shown texts of HTML: minus signs, dashes and a zero before the point.
 
-    Pictures have them already.
+    Pictures are left unchanged, as they are already typeset.
 
     Parameters
     ----------
+    shown : Markup
     names : iterable of str
-        They stay as they are, also those that look like a number.
+        Names that are left unchanged, even if they look like a number.
 
     Examples
     --------
@@ -96,20 +93,20 @@ def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
     >>> printed(tag("td", "-"))
     '<td>–</td>'
     """
-    kept = {escaped for one in {*names} if _in_print(escaped := escape(one)) != escaped}
-    words = "|".join(map(re.escape, sorted(kept, key=len, reverse=True)))
-    split = re.compile(rf"((?<![\w.])(?:{words})(?!\w|\.\d))") if kept else None
+    unchanged = {escaped for name in {*names} if _in_print(escaped := escape(name)) != escaped}
+    words = "|".join(map(re.escape, sorted(unchanged, key=len, reverse=True)))
+    split = re.compile(rf"((?<![\w.])(?:{words})(?!\w|\.\d))") if unchanged else None
 
-    def again(found: re.Match[str]) -> str:
-        before, text = found[1] or found[3], found[2] or found[4]
-        if text is None or not ("-" in text or "." in text) or text in kept:
-            return found[0]
+    def typeset_match(match: re.Match[str]) -> str:
+        before, text = match[1] or match[3], match[2] or match[4]
+        if text is None or not ("-" in text or "." in text) or text in unchanged:
+            return match[0]
         if text == NOTHING:
             return f"{before}\N{EN DASH}"
         parts = split.split(text) if split else [text]
-        return before + "".join(one if one in kept else _in_print(one) for one in parts)
+        return before + "".join(part if part in unchanged else _in_print(part) for part in parts)
 
-    return Markup(_SHOWN.sub(again, shown))
+    return Markup(_SHOWN.sub(typeset_match, shown))
 
 
 def _in_print(text: str) -> str:
@@ -117,7 +114,7 @@ def _in_print(text: str) -> str:
 
 
 def terms(entries: Iterable[tuple[str, str]]) -> Markup:
-    """Terms, each with what it is.
+    """Build a list of terms with their descriptions.
 
     >>> terms([("input", "sun")])
     '<dl><dt>input</dt><dd>sun</dd></dl>'
@@ -126,14 +123,15 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
 
 
 def table(grid: Grid, *, headed: bool = True) -> Markup:
-    """A table with its title, which can be scrolled; one without rows is its title.
+    """Build a scrollable table with a title; a table without rows is only the title.
 
-    Numbers keep their digits in ``data-value``.
+    Numbers keep all digits in ``data-value``.
 
     Parameters
     ----------
+    grid : Grid
     headed : bool
-        False where what stands before it says its title.
+        Whether the title is shown; unnecessary if the text above already says it.
     """
     grid = grid.spoken
     if not grid.rows:
@@ -143,8 +141,8 @@ def table(grid: Grid, *, headed: bool = True) -> Markup:
 
 
 def bare(grid: Grid) -> Markup:
-    """A table without its title."""
-    heads = (tag("th", one.heading, scope="col", class_=_kind(one)) for one in grid.columns)
+    """Build a table without a title."""
+    heads = (tag("th", item.heading, scope="col", class_=_kind(item)) for item in grid.columns)
     rows = [*_over(grid), tag("tr", *heads)]
     levels = grid.levels or [0] * len(grid.rows)
     body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
@@ -152,10 +150,10 @@ def bare(grid: Grid) -> Markup:
 
 
 def _over(grid: Grid) -> Iterator[Markup]:
-    """What stands over columns, if any has something: the last row has their names."""
-    if any(one.over for one in grid.columns):
+    """Yield the row of second headings above groups of columns, if there are any."""
+    if any(column.over for column in grid.columns):
         heads = []
-        for over, columns in groupby(grid.columns, lambda one: one.over):
+        for over, columns in groupby(grid.columns, lambda column: column.over):
             count = len([*columns])
             spans = {"colspan": count} if count > 1 else {}
             heads.append(tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans))
@@ -163,22 +161,22 @@ def _over(grid: Grid) -> Iterator[Markup]:
 
 
 NARROW_TABLE = 72
-"""A table of so many characters may stand beside another."""
+"""Greatest width of tables that are set side by side, in characters."""
 
 
 def tables(grids: Iterable[Grid]) -> Iterator[Markup]:
-    """Tables with their titles; narrow ones that follow each other stand side by side."""
+    """Yield tables with their titles; consecutive narrow tables are side by side."""
     for narrow, group in groupby(grids, _is_narrow):
         shown = map(table, group)
         yield from [tag("div", *shown, class_="side")] if narrow else shown
 
 
 MOST_SHOWN = 50
-"""Rows of a table in a notebook."""
+"""Number of rows of a table in a notebook."""
 
 
 def shown(grids: Iterable[Grid]) -> Markup:
-    """Tables as a notebook shows them: of a long one the first rows, and how many there are.
+    """Build tables for a notebook; a long table is cut, with the number of further rows.
 
     >>> from vstatics.core.tables.grid import grid_of
     >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
@@ -192,7 +190,7 @@ def shown(grids: Iterable[Grid]) -> Markup:
         rows = [
             [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
             for level, (first, *others) in zip(levels, grid.cells, strict=True)
-        ]  # a notebook has no style sheet that sets rows in
+        ]  # a notebook has no style sheet to indent rows
         first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
         if more <= 0:
             return first
@@ -203,13 +201,13 @@ def shown(grids: Iterable[Grid]) -> Markup:
 
 def _is_narrow(grid: Grid) -> bool:
     grid = grid.spoken
-    lines = [[one.heading for one in grid.columns], *grid.texts]
+    lines = [[column.heading for column in grid.columns], *grid.texts]
     widths = (max(map(len, texts)) + 2 for texts in zip(*lines, strict=True))
     return bool(grid.rows) and sum(widths) <= NARROW_TABLE
 
 
 def scrolled(inner: Markup, label: str) -> Markup:
-    """What may be wider than a screen."""
+    """Build a scrollable container for parts that can be wider than a screen."""
     return tag("div", inner, class_="scroll", tabindex=0, role="group", aria_label=label)
 
 
@@ -221,7 +219,7 @@ def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
 
 
 def _cell(column: Column, cell: Cell) -> str:
-    """As `tag` would write it, in a third of the time: a page has thousands."""
+    """Write a cell as `tag` would, in a third of the time, as a page has thousands."""
     look = "sign" if cell.says else _kind(column) or ""
     if cell.look:
         look = f"{look} {cell.look}".lstrip()
@@ -243,5 +241,5 @@ def _text(cell: Cell) -> str:
 
 
 def _kind(column: Column) -> str | bool:
-    """The class of cells; numbers, which most are, have none."""
+    """Return the class of the cells of a column; numbers, the most frequent, are unclassified."""
     return "words" if not column.is_number else "sign" if column.is_sign else False

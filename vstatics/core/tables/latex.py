@@ -1,4 +1,4 @@
-"""Tables as LaTeX, for `\\input`; no package is needed."""
+"""Tables as LaTeX for `\\input`, without any package."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Tables in the environment `tabular`, one below the other; sentences are a list.
+    r"""Write tables in the environment `tabular` and sentences as list items.
 
     Examples
     --------
@@ -55,26 +55,25 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""A text in which no sign means anything to LaTeX.
+    r"""Escape all special characters of LaTeX in a text.
 
     >>> print(escaped("50 % of R_1, --seed 3"))
     50 \% of R\_1, -{}-seed 3
     """
-    return _SPECIAL.sub(lambda found: _COMMANDS[found[0]], text).replace("--", "-{}-")
+    return _SPECIAL.sub(lambda match: _COMMANDS[match[0]], text).replace("--", "-{}-")
 
 
 PAGE, SMALL_PAGE = 66, 86
-"""Signs that fit beside one another, and in small type."""
+"""Number of characters in a line of usual and of small type."""
 SHORT, ENOUGH = 20, 24
-"""Signs of a column of words that is not broken, and of a broken one in usual type."""
-
+"""Characters of the widest unbroken column of words, and of a broken column in usual type."""
 
 MOST_ROWS = 28
-"""Of a page."""
+"""Number of rows on a page."""
 
 
 def _pages(grid: Grid) -> Iterator[Grid]:
-    """A table in parts that fit a page: some of the rows, and of the columns behind the first."""
+    """Split a table into parts that fit a page, each with the first column."""
     if not grid.rows:
         yield grid
         return
@@ -84,11 +83,11 @@ def _pages(grid: Grid) -> Iterator[Grid]:
         for length, column in zip(lengths, grid.columns, strict=True)
     ]
     groups, room = [[0]], SMALL_PAGE - widths[0]
-    for place, width in enumerate(widths[1:], 1):
+    for index, width in enumerate(widths[1:], 1):
         if width > room and groups[-1][1:]:
             groups.append([0])
             room = SMALL_PAGE - widths[0]
-        groups[-1].append(place)
+        groups[-1].append(index)
         room -= width
     for start in range(0, len(grid.rows), MOST_ROWS):
         rows = grid._replace(rows=grid.rows[start : start + MOST_ROWS])
@@ -96,8 +95,15 @@ def _pages(grid: Grid) -> Iterator[Grid]:
 
 
 def _lengths(grid: Grid) -> list[int]:
-    """Signs of each column, with the room beside it."""
-    return [max(map(len, column)) + 2 for column in zip(*_shown(grid), strict=True)]
+    """Return the characters of each column, with the gap to the next.
+
+    Headings of numbers are stacked, so only their longest word counts.
+    """
+    headings = [
+        max(column.heading.split() or [""], key=len) if column.is_number else column.heading
+        for column in grid.columns
+    ]
+    return [max(map(len, column)) + 2 for column in zip(headings, *grid.texts, strict=True)]
 
 
 def _lines(grid: Grid) -> Iterator[str]:
@@ -107,17 +113,17 @@ def _lines(grid: Grid) -> Iterator[str]:
         return
     yield rf"{title}\nobreak\smallskip"
     lengths = _lengths(grid)
-    heads = [len(one.heading) + 2 for one in grid.columns]
+    heads = [len(column.heading) + 2 for column in grid.columns]
     is_wide = sum(map(max, lengths, heads)) > PAGE
     page, broken = _broken(grid, lengths) if is_wide else (PAGE, {})
     is_small = page > PAGE
     alignment = "".join(
-        rf"p{{{0.89 * broken[place] / page:.3f}\linewidth}}"
-        if place in broken
+        rf"p{{{0.89 * broken[index] / page:.3f}\linewidth}}"
+        if index in broken
         else "r"
         if column.is_number
         else "l"
-        for place, column in enumerate(grid.columns)
+        for index, column in enumerate(grid.columns)
     )
     if is_small:
         yield r"{\footnotesize\setlength{\tabcolsep}{3pt}"
@@ -137,34 +143,25 @@ def _lines(grid: Grid) -> Iterator[str]:
     yield r"\end{tabular}" + "}" * is_small
 
 
-def _shown(grid: Grid) -> Iterator[list[str]]:
-    """Texts of the columns' heads, where these are numbers their longest words, and of the rows."""
-    yield [
-        max(one.heading.split() or [""], key=len) if one.is_number else one.heading
-        for one in grid.columns
-    ]
-    yield from grid.texts
-
-
 def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
-    """Signs of a line, and columns of long words or formulas with the signs of their width."""
+    """Return the characters of a line, and the widths of broken columns by index."""
     long = {
-        place: length
-        for place, length in enumerate(lengths)
-        if length > SHORT and not grid.columns[place].is_number
+        index: length
+        for index, length in enumerate(lengths)
+        if length > SHORT and not grid.columns[index].is_number
     }
-    kept = sum(lengths) - sum(long.values())
-    page = PAGE if kept + ENOUGH * len(long) <= PAGE else SMALL_PAGE
-    room: float = max(page - kept, SHORT)
+    unbroken = sum(lengths) - sum(long.values())
+    page = PAGE if unbroken + ENOUGH * len(long) <= PAGE else SMALL_PAGE
+    room: float = max(page - unbroken, SHORT)
     widths: dict[int, float] = {}
-    for place in sorted(long, key=long.__getitem__):  # short ones leave more to the others
-        widths[place] = min(long[place], room / (len(long) - len(widths)))
-        room -= widths[place]
+    for index in sorted(long, key=long.__getitem__):  # short columns leave room to longer ones
+        widths[index] = min(long[index], room / (len(long) - len(widths)))
+        room -= widths[index]
     return page, widths
 
 
 def _heading(text: str) -> str:
-    """A heading over numbers, a word a line."""
+    """Write a heading above numbers, a word in each line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
@@ -173,19 +170,15 @@ def _heading(text: str) -> str:
 def _cell(cell: Cell, column: Column) -> str:
     if cell.math:
         return f"${cell.math}$"
-    return _number(cell.text) if column.is_number else escaped(cell.text)
-
-
-def _number(cell: str) -> str:
-    """A number with a true minus, or a blank for one."""
-    if cell == NOTHING:
+    if column.is_number and cell.text == NOTHING:
         return "--"
-    return f"${cell}$" if cell.startswith("-") else escaped(cell)
+    is_negative = column.is_number and cell.text.startswith("-")
+    return f"${cell.text}$" if is_negative else escaped(cell.text)
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
-    """A row, whose end is no sign of its own, as a ragged cell has another use for that."""
+    r"""Write a row; a ragged cell redefines `\\`, so the row ends differently."""
     ragged = (
-        rf"\raggedright {cell}" if place in broken else cell for place, cell in enumerate(cells)
+        rf"\raggedright {cell}" if index in broken else cell for index, cell in enumerate(cells)
     )
     return f"{' & '.join(ragged)} " + (r"\tabularnewline" if broken else r"\\")

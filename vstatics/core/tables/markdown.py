@@ -12,7 +12,7 @@ _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&])")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Tables with pipes, one below the other; sentences are a list.
+    r"""Write tables with pipes and sentences as list items.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""A text in which no sign means anything to Markdown.
+    r"""Escape all special characters of Markdown in a text.
 
     >>> print(escaped("N*m"))
     N\*m

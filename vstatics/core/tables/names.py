@@ -1,4 +1,4 @@
-"""Names of quantities and of rows: as they are written, and as a person types them."""
+"""Names of quantities and rows: as the program writes them and as users type them."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 
 def quantity_named(name: str, place: Place | None = None) -> Quantity:
-    """The quantity of a name that was typed: that of the library, or its alias.
+    """Return the quantity with a name or alias.
 
     Parameters
     ----------
     name : str
-        Letter by letter.
+        Name, with the right upper and lower case.
     place : Place, optional
-        Where it was typed, for the message.
+        Place of the name in its file, for the message.
 
     Raises
     ------
     ReadError
-        If there is none; it names the nearest.
+        If no quantity has the name; the message suggests the nearest name.
 
     Examples
     --------
@@ -50,7 +50,7 @@ def quantity_named(name: str, place: Place | None = None) -> Quantity:
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
-    """A hint that names the nearest quantity, or one of other names, or nothing.
+    """Return a hint with the nearest quantity or other name, or an empty text.
 
     >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
     ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
@@ -63,23 +63,23 @@ def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
 
 
 def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = None) -> int:
-    """The index of the row of a name that was typed, such as `P1.ring`.
+    """Return the index of the row with a name, such as `P1.ring`.
 
     Parameters
     ----------
     name : str
-        That of the row, or its number from 1, also as ``#1``; a mechanism or a drawn element
-        alone stands for its only row.
+        Name of the row, or its number from 1, also as ``#1``. The name of a mechanism or a drawn
+        gear set is enough if it has only one row.
     kind : str
-        What the rows stand for: `Quantity.rows`.
+        Kind of the rows, `Quantity.rows`.
     case : Transmission
     place : Place, optional
-        Where it was typed, for the message.
+        Place of the name in its file, for the message.
 
     Raises
     ------
     ReadError
-        If there is none, or more than one; it names the nearest, or all of them.
+        If no row or several rows have the name; the message lists the possible names.
 
     Examples
     --------
@@ -91,76 +91,76 @@ def row_named(name: str, kind: Rows, case: Transmission, place: Place | None = N
     Traceback (most recent call last):
     vstatics.core.errors.ReadError: there is no device `qq`, expected one of D1, Mx [E114]
     """
-    found = rows_called(name, kind, case)
-    if len(found) == 1:
-        return found[0]
+    indices = rows_called(name, kind, case)
+    if len(indices) == 1:
+        return indices[0]
     names = row_names(case, kind)
-    number = None if found else typed_number(name.removeprefix("#"), len(names))
+    number = None if indices else typed_number(name.removeprefix("#"), len(names))
     if number is not None:
         return number - 1
-    message = several(name, found, names) if found else no_row(name, kind, names)
+    message = several(name, indices, names) if indices else no_row(name, kind, names)
     raise ReadError("E114", message, place=place)
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Indices of the rows of a name, or else of the drawn element of that name."""
-    found = [index for index, row in enumerate(row_names(case, kind)) if row == name]
-    return found or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
+    """Return the indices of the rows with a name, or else of the drawn gear set with the name."""
+    indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
+    return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 
 
 def _owners(kind: Rows, case: Transmission) -> list[str]:
-    """To which drawn element each row belongs, if it has rows of this kind; "" for none."""
-    own = case.own_devices
+    """Return the name of the drawn gear set of each row, "" for a row of no gear set."""
+    devices = case.own_devices
     if case.drawing is None:
         return []  # a mechanism is its own row
     if kind == "planets":
-        return [device.name for device in own for _ in device.planets]
+        return [device.name for device in devices for _ in device.planets]
     if kind == "torques":
-        members = [device.name for device in own for _ in device.members]
+        members = [device.name for device in devices for _ in device.members]
         return [*("" for _ in case.shift_elements), *members, ""]
     if kind == "meshes":
-        return [device.name for device in own for _ in device.meshes_by_index]
+        return [device.name for device in devices for _ in device.meshes_by_index]
     if kind == "mechanisms":
-        return [device.name for device in own for _ in device.mechanisms]
+        return [device.name for device in devices for _ in device.mechanisms]
     return []
 
 
-def several(name: str, found: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
-    """What to say of a name that several rows have, or several rows of one device.
+def several(name: str, indices: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
+    """Return the message about an ambiguous name: of several rows, or of a device with several.
 
     >>> several("C1", [0, 2], ["C1", "B", "C1"])
     'there are two rows `C1`, expected #1 or #3'
     >>> several("P1", [0, 1], ["P1.sun", "P1.carrier"])
     '`P1` has the rows P1.sun, P1.carrier; expected one of them'
     """
-    rows = [names[index] for index in found]
+    rows = [names[index] for index in indices]
     if name in rows:
-        numbers = " or ".join(f"#{index + 1}" for index in found)
+        numbers = " or ".join(f"#{index + 1}" for index in indices)
         return f"there are two rows {quoted(name)}, expected {numbers}"
     return f"{quoted(name)} has the {what} {listed(rows, 20)}; expected one of them"
 
 
 def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
-    """What to say of a name that no row has; a better hint than the nearest name may be given."""
-    known = f"there is no {ROWS[kind].one} {quoted(name)}, expected one of {listed(names)}"
+    """Return the message about a name without a row, by default with the nearest name as a hint."""
+    known = f"there is no {ROWS[kind].singular} {quoted(name)}, expected one of {listed(names)}"
     return known + (hint or nearest(name, names))
 
 
 NAME = re.compile(r"[^\W\d]\w*")
-"""A plain word."""
+"""Pattern of a name that is a plain word."""
 DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
-"""What is written without quotes between brackets, such as `P1.ring`, as are digits."""
+"""Pattern of a name that needs no quotes between brackets, such as `P1.ring`."""
 BEFORE_NAME = "|"
-"""Stands before the name of a row in a listing."""
+"""Sign before the name of a row in a listing."""
 
 
 class RowWords(NamedTuple):
-    """How rows of a kind are called."""
+    """Words for a kind of row."""
 
-    one: str
+    singular: str
     all: str
     size: str
-    """Their number, as the deck calls it."""
+    """Name of the number of rows in a deck."""
 
 
 ROWS: Mapping[Rows, RowWords] = {
@@ -173,13 +173,13 @@ ROWS: Mapping[Rows, RowWords] = {
     "meshes": RowWords("mesh", "meshes", "KM"),
     "one": RowWords("gear", "gears", "NP"),
 }
-"""By what the rows of a table stand for."""
+"""Words for each kind of row."""
 
 _DIGITS = re.compile(r"[0-9]+")
 
 
 def table_rows(name: str, case: Transmission) -> Sequence[str]:
-    """The names of a table's rows; none if it has one value per gear.
+    """Return the names of the rows of a table, empty for a list over the gears.
 
     Examples
     --------
@@ -192,7 +192,7 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
 
 
 def written(index: int, names: Sequence[str]) -> str:
-    """A row or a gear as it can be written between brackets; no other is written so.
+    """Return the unambiguous text of a row or gear between brackets.
 
     >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
     ['#1', '"4-5"', '#3']
@@ -204,7 +204,7 @@ def written(index: int, names: Sequence[str]) -> str:
 
 
 def is_bare(name: str) -> bool:
-    """Whether a name may stand between brackets without quotes.
+    """Check that a name needs no quotes between brackets.
 
     >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
     (True, True, True, False, False)
@@ -213,30 +213,31 @@ def is_bare(name: str) -> bool:
 
 
 ALL = slice(None)
-"""As in ``results["speeds", :, "low"]``."""
+"""Selection of all rows or gears, as in ``results["speeds", :, "low"]``."""
 
 
 def by_name(results: Results, key: Any) -> Any:
-    """What ``results[key]`` is: by names, else what a tuple has there.
+    """Return ``results[key]``: values selected by names, or an item of the tuple.
 
     Parameters
     ----------
+    results : Results
     key : str or tuple
-        The name of a table, or its alias; then a row, where the table has rows; then a gear
-        by its name or number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
-        ``("speeds", "ring", "low")``; ``:`` stands for all rows or gears.
+        Name or alias of a table; then a row, if the table has rows; then a gear by its name or
+        number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
+        ``("speeds", "ring", "low")``. ``:`` selects all rows or gears.
 
     Returns
     -------
     ndarray or float
-        Leading axes are variants, then gears and rows, as far as no name chooses one.
+        Axes of variants, then gears and rows, without the axes of a selected gear or row.
 
     Raises
     ------
     ValueError
-        If there is no such table, row or gear, with the nearest.
+        If the table, row or gear does not exist; the message suggests the nearest name.
     TypeError
-        If it is no name.
+        If the first part of the key is not a name.
 
     Examples
     --------
@@ -249,40 +250,34 @@ def by_name(results: Results, key: Any) -> Any:
     >>> by_name(results, ("ratio", 1)), by_name(results, ("speeds", "carrier", "1"))
     (3.5, 0.2857142857142857)
     """
-    name, *chosen = key if isinstance(key, tuple) else (key,)
+    name, *selection = key if isinstance(key, tuple) else (key,)
     if isinstance(key, int | slice):
         return tuple.__getitem__(cast("tuple[Any, ...]", results), key)
     if not isinstance(name, str):
         expected = "expected the name of a table, then perhaps of a row and of a gear"
         raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
-        return _chosen(results, name, chosen)
+        return _selected(results, name, selection)
     except ReadError as error:  # nothing was read from a file
         raise ValueError(str(error)) from None
 
 
-def _chosen(results: Results, name: str, chosen: list[Any]) -> Any:
-    """A table, of which a row and a gear may be chosen."""
+def _selected(results: Results, name: str, selection: list[Any]) -> Any:
+    """Return a table, or the row and gear selected by names."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
         array, wanted = distribution_matrix(results.case), "its name: it is of no gear"
-    elif quantity.rows == "one":
-        array, wanted = results.existing(quantity.name), "(table, gear)"
     else:
-        array, wanted = results.existing(quantity.name), "(table, row, gear)"
-        row = chosen.pop(0) if chosen else ALL
-        if row in (ALL, ":"):
-            gear = chosen.pop(0) if chosen else ALL
-            array = array if gear in (ALL, ":") else array[..., _gear(results, gear), :]
-        else:
-            array = array[..., row_named(str(row), quantity.rows, results.case)]
-    if chosen and quantity.columns == "gears":
-        gear = chosen.pop(0)
-        array = array if gear in (ALL, ":") else array[..., _gear(results, gear)]
-    if chosen:
-        raise ValueError(f"read {chosen[0]!r} too many, expected no more than {wanted}")
+        array, wanted = results.existing(quantity.name), "(table, gear)"
+        indices: list[Any] = []
+        if quantity.rows != "one":
+            wanted = "(table, row, gear)"
+            row = selection.pop(0) if selection else ALL
+            is_name = row not in (ALL, ":")
+            indices = [row_named(str(row), quantity.rows, results.case) if is_name else ALL]
+        gear: Any = selection.pop(0) if selection else ALL
+        indices.insert(0, ALL if gear in (ALL, ":") else results.case.gear_number(gear) - 1)
+        array = array[(..., *indices)]
+    if selection:
+        raise ValueError(f"read {selection[0]!r} too many, expected no more than {wanted}")
     return array if getattr(array, "ndim", 0) else array.item()
-
-
-def _gear(results: Results, gear: Any) -> int:
-    return results.case.gear_number(gear) - 1

@@ -14,15 +14,15 @@ _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 _POINT = re.compile(r"(?<![\w.])\.(?=\d)")
 
 EXPONENT_DIGITS = 4
-"""Digits of the E format, where they are enough."""
+"""Least number of digits in E format."""
 SMALL, SIGNIFICANT = 0.1, 4
-"""Size below which a printed number has a fixed number of significant digits, and that number."""
+"""Limit of small numbers, and the number of their printed significant digits."""
 
 
 def certain(value: float) -> float:
-    """A number to twelve significant digits: the last bits are the processor's.
+    """Round a number to twelve significant digits, as the last bits depend on the processor.
 
-    What chooses the digits of a number, a scale, or the largest of some looks at this.
+    Decisions on the digits of a number, a scale or a maximum are made with the rounded number.
 
     >>> certain(0.1 + 0.2), certain(99.99999999999999), certain(float("nan"))
     (0.3, 100.0, nan)
@@ -31,16 +31,16 @@ def certain(value: float) -> float:
 
 
 def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
-    """A number in F format, without the zero before the point.
+    """Format a number in F format, without the zero before the point.
 
     Parameters
     ----------
     value : float
-        NaN and infinities stand for a value that does not exist: asterisks.
+        Number; NaN and infinities are written as asterisks.
     width : int
-        The field is at least so wide, and grows where a number does not fit.
+        Least width of the field.
     decimals : int
-        Digits after the point; with 0 the point is left out, too.
+        Number of decimals; without any the point is omitted.
 
     Examples
     --------
@@ -59,16 +59,18 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
 
 
 def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3) -> list[str]:
-    """The rows of a table in F format, a blank between two fields.
+    """Format the rows of a table in F format, with a blank between two fields.
 
-    Each number stands as `fixed` writes it, in a fifth of the time.
+    The numbers are formatted as by `fixed`, but the whole table at once, in a fifth of the time.
 
     Parameters
     ----------
     values : sequence of sequence of float, shape (rows, columns)
-        One number at least.
+        Numbers, at least one.
     width : int
-        All fields are so wide, or as wide as the longest number; it has room for asterisks.
+        Width of all fields, unless a number is longer.
+    decimals : int
+        Number of decimals.
 
     Examples
     --------
@@ -95,19 +97,20 @@ def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3)
 
 @lru_cache(maxsize=200)
 def _format(rows: int, columns: int, width: int, decimals: int) -> str:
-    """The format of a whole table."""
+    """Return the %-format of a whole table."""
     return "\n".join([" ".join([f"%{width}.{decimals}f"] * columns)] * rows)
 
 
 def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
-    """Digits after the point that a number is shown with to people.
+    """Return the number of decimals with which a number is shown.
 
     Parameters
     ----------
+    value : float
     decimals : int
-        Those of a number that is not small; one below .1 has four significant digits.
+        Usual number of decimals; a number below 0.1 has four significant digits instead.
     digits : int, optional
-        Those of any number, where somebody asked for them.
+        Requested number of decimals, for numbers of any size.
 
     Examples
     --------
@@ -122,7 +125,7 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
 
 
 def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
-    """A number as people read it: in F format, with the `places` that suit it.
+    """Format a number in F format with the number of decimals of `places`.
 
     >>> [rounded(value) for value in (-1 / 96.354, 0.5, 3e-17, 0.099999)]
     ['-.01038', '.500', '.000', '.1000']
@@ -133,7 +136,7 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
 
 def exponent(value: float) -> str:
-    """A number in E format: four digits, or as many as give the same number back.
+    """Format a number in E format, with four digits, or more to be read back exactly.
 
     Examples
     --------
@@ -152,12 +155,13 @@ def exponent(value: float) -> str:
 
 
 def short(value: float, digits: int | None = None) -> str:
-    """A number in five significant digits, as one writes it in an equation.
+    """Format a number with five significant digits, as in an equation.
 
     Parameters
     ----------
+    value : float
     digits : int, optional
-        After the point, instead; what is whole stays so.
+        Number of decimals instead; whole numbers have none.
 
     Examples
     --------
@@ -174,9 +178,9 @@ def short(value: float, digits: int | None = None) -> str:
 
 
 def typeset(text: str) -> str:
-    """Numbers of a text as they are printed on a page: a zero before the point, a true minus.
+    """Typeset the numbers in a text: with a zero before the point and a minus sign.
 
-    For pictures and pages; what a program reads keeps its hyphens.
+    Pictures and pages use this; text for programs keeps the hyphen.
 
     >>> typeset("-.953"), typeset("sun 1-2: -.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')

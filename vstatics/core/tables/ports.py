@@ -1,4 +1,4 @@
-"""The ports of gears as a table: speed, torque and power of each link with power from outside."""
+"""Table of the ports of gears: speed, torque and power of each link with external power."""
 
 from __future__ import annotations
 
@@ -6,21 +6,20 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.physical import gear_scales
-from vstatics.core.statics.ports import GearPorts, Port, ports
+from vstatics.core.statics.ports import Port, ports
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.state import GearState
-from vstatics.core.tables.answer import Sometimes, told
+from vstatics.core.tables.answer import Sometimes, json_keys
 from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
-"""What is told of a port, and its unit with a load."""
+"""Quantities of a port, and their physical units."""
 
 
 class NamedPort(NamedTuple):
-    """A port of a gear; with a load also in its units."""
+    """Port of a gear; with an operating point also in physical units."""
 
     link: str
     way: str | None
@@ -34,35 +33,38 @@ class NamedPort(NamedTuple):
 
 
 class LostPower(NamedTuple):
-    """What is lost in meshes, variators, converters and drag, where there are such, and in all."""
+    """Power lost in meshes, variators, converters or drag, or in total."""
 
     in_: str
     power: float
     power_kW: Sometimes[float] = None  # noqa: N815
 
 
-@told("gear", "ports", "lost")
+@json_keys("gear", "ports", "lost")
 class PortTable(NamedTuple):
-    """The ports of a gear with their names, and what makes relative numbers physical ones."""
+    """Ports of a gear with the names of the links, and the scales of physical units."""
 
     gear: str
     rows: Sequence[tuple[str, Port]]
-    """Names of the links with their ports."""
+    """Names of the links, with the ports."""
     losses: Sequence[tuple[str, float]]
-    """What power is lost in: as `LostPower` has it. [-]"""
+    """Names of the losses, as in `LostPower`, with the relative power. [-]"""
     scales: dict[str, float]
-    """Its own of `gear_scales`."""
+    """Scales of the gear by unit; see `gear_scales`."""
     input_torque: float
-    """What relative torques are relative to: 1, or 0 where the load gives none."""
+    """Relative input torque: 1, or 0 for an operating point without torque. [-]"""
 
     @property
     def ports(self) -> list[NamedPort]:
-        """The ports, as they are answered."""
+        """Ports as records of the output."""
         return [
             NamedPort(
                 name,
-                *(port.way or None, port.is_output, port.speed),
-                *map(self.relative, (port.torque, port.power)),
+                port.way or None,
+                port.is_output,
+                port.speed,
+                self.relative(port.torque),
+                self.relative(port.power),
                 *self._with_units((port.speed, port.torque, port.power)),
             )
             for name, port in self.rows
@@ -70,61 +72,59 @@ class PortTable(NamedTuple):
 
     @property
     def lost(self) -> list[LostPower]:
-        """The losses, as they are answered."""
+        """Losses as records of the output."""
         return [
             LostPower(name, self.relative(lost), self._with_units((0, 0, lost))[-1])
             for name, lost in self.losses
         ]
 
     def relative(self, number: float) -> float:
-        """A torque or power relative to the input's [-]; NaN beside none."""
+        """Return a relative torque or power [-]; NaN without an input torque."""
         return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
-        """Numbers of `MEASURES` in their units; None where no load tells them."""
+        """Return the quantities of `MEASURES` in physical units, None where unknown."""
         pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
 
 def port_tables(results: Results) -> list[PortTable]:
-    """The ports of each gear of one case."""
+    """Return the ports of all gears of a case."""
     by_gear = gear_scales(results.case)
-    return [port_table(results.gear_at(n), own) for n, own in enumerate(by_gear)]
+    return [port_table(results.gear_at(n), scales) for n, scales in enumerate(by_gear)]
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
-    """The ports of a gear, with its own of `gear_scales`."""
-    case, found = state.case, ports(state)
-    rows = [(case.link_name(port.link), port) for port in found.ports]
-    losses, name = list(_losses(case, found)), state.gear.name
-    return PortTable(name, rows, losses, by_unit, case.input_torque(state.gear))
-
-
-def _losses(case: Transmission, of_gear: GearPorts) -> Iterator[tuple[str, float]]:
-    """By what it is lost in; then all together, if that is more than one."""
-    lost = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
-    if not all(one.kind for one in case.mechanisms) or not lost:
-        lost = {"meshes": of_gear.meshes, **lost}
+    """Return the ports of a gear, with the scales of the gear from `gear_scales`."""
+    case, of_gear = state.case, ports(state)
+    rows = [(case.link_name(port.link), port) for port in of_gear.ports]
+    losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
+    if not all(mechanism.kind for mechanism in case.mechanisms) or not losses:
+        losses = {"meshes": of_gear.meshes, **losses}
     if case.has_drag:
-        lost["drag"] = of_gear.drag
-    yield from lost.items()
-    if len(lost) > 1:
-        together = "meshes and drag" if lost.keys() == {"meshes", "drag"} else "all together"
-        yield together, math.fsum(lost.values())
+        losses["drag"] = of_gear.drag
+    if len(losses) > 1:
+        total = "meshes and drag" if losses.keys() == {"meshes", "drag"} else "all together"
+        losses[total] = math.fsum(losses.values())
+    return PortTable(
+        state.gear.name, rows, [*losses.items()], by_unit, case.input_torque(state.gear)
+    )
 
 
 def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
-    """The ports of some gears, and what each loses.
+    """Build the table of the ports and losses of gears.
 
     Parameters
     ----------
+    gears : sequence of PortTable
     named : bool, optional
-        Whether a column has the names of the gears; without it the table is of one gear.
+        Whether the first column has the names of the gears; unnecessary for a single gear.
 
     Returns
     -------
     Grid
-        In rpm, N*m and kW where all these gears have a load, else relative to the input [-].
+        Values in rpm, N*m and kW if all gears have an operating point, else relative to the
+        input [-].
 
     Examples
     --------
@@ -139,7 +139,7 @@ def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
 ['lost: meshes', '', '', '.419', '']]
     """
     physical = {
-        unit for _, unit in MEASURES if not any(math.isnan(one.scales[unit]) for one in gears)
+        unit for _, unit in MEASURES if not any(math.isnan(gear.scales[unit]) for gear in gears)
     }
     measures = (headed(name, unit if unit in physical else "") for name, unit in MEASURES)
     headings = [*["gear"] * named, "port", *measures, "way"]
@@ -153,7 +153,7 @@ def _rows(gear: PortTable, physical: set[str]) -> Iterator[list[Cell | str]]:
         if unit in physical:
             scale, decimals = gear.scales[unit], UNITS[unit].decimals
         largest = max(abs(getattr(port, what) * scale) for _, port in gear.rows)
-        return exact(value * scale, decimals, beside=largest)
+        return exact(value * scale, decimals, largest=largest)
 
     for name, port in gear.rows:
         numbers = (cell(getattr(port, what), what, unit) for what, unit in MEASURES)

@@ -1,9 +1,8 @@
-"""All quantities of the results: the one place for what they are called and when they exist.
+"""All quantities of the results: their names, headings and units, and when they exist.
 
-A new quantity is an array of `vstatics.core.statics.result_arrays.ARRAYS` and an entry here. Each
-has one name and one alias, and is known by either wherever a name is typed (`names`). Values of the
-tables, JSON, CSV, the listing, the schema of results, the report, the comparison of results
-and the names at which a deck ends are read off it.
+A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here.
+Users can type its name or its alias (`names`). The tables, JSON, CSV, listing, schema of results,
+report, comparison of results and the end of a deck are all derived from these entries.
 """
 
 from __future__ import annotations
@@ -19,89 +18,89 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.status import LOCKED
 
 KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
-"""How the numbers of an array are written."""
+"""Python type of the written numbers, by the data type of an array."""
 
 
 class Quantity(NamedTuple):
-    """A quantity as every format shows it."""
+    """Quantity of the results, as shown by all formats."""
 
     name: str
-    """In the library: that of an array or another attribute of `Results`, if it is one."""
+    """Name in the library, usually of an attribute of `Results`."""
     key: str
-    """In JSON and CSV, one of the other two: the deck's, or that of the library."""
+    """Key in JSON and CSV: the alias or the name."""
     alias: str
-    """The deck's name, or one of its kind where the deck has none."""
+    """Name in a deck, or in the style of a deck."""
     heading: str
-    """In a listing, without its colon."""
+    """Heading in a listing, without the colon."""
     own_title: str = ""
-    """In a report, where it is not that heading."""
+    """Title in a report; empty: the heading."""
     members: tuple[str, str] | None = None
-    """Over the second part of a printed table of torques: of mechanisms and the output, and
-    of what a drawn case has in place of them. None: the table has one part."""
+    """Headings of the second part of a table of torques: by mechanisms, and by members of gear
+    sets for a drawn case.
+
+    The table has no second part if the headings are None."""
     own_rows: Rows | None = None
-    """Where it is no array of `Results`."""
+    """Kind of rows of a quantity that is not an array of `Results`."""
     is_sign: bool = False
-    """Whether it is +1, 0 or -1; its array is one of floats, for what does not exist."""
+    """Marks a quantity of +1, 0 or -1, in an array of floats because of NaN."""
     columns: Literal["gears", "devices"] = "gears"
     published: bool = False
-    """Whether the report of the source has it."""
+    """Marks a table of the source's report."""
     exists: Callable[[Results], bool] | None = None
-    """Whether a case has what it speaks of; None: every case has."""
+    """Condition for writing the table, None for an unconditional table."""
     decimals: int = 3
-    """In a report."""
+    """Decimals in a report."""
     with_load: str = ""
-    """The unit in which it is shown, too, where the case has a load."""
+    """Unit of a further table for a case with an operating point, or empty."""
     brief: str = ""
-    """Over the table in that unit, instead of the heading."""
+    """Heading of the table in the unit `with_load`; empty: the usual heading."""
     unit: str = ""
-    """Of its numbers; empty: relative to the input."""
+    """Unit of the numbers; empty: relative to the input."""
     of: str = ""
-    """The relative quantity that this one is in `unit`."""
+    """Name of the relative quantity behind a quantity in `unit`."""
 
     @property
     def printed(self) -> str:
-        """The name in a listing."""
+        """Name in a listing."""
         return self.alias.replace("_", "").upper()
 
     @property
     def title(self) -> str:
-        """In a report."""
+        """Title in a report."""
         return self.own_title or self.heading
 
     @property
     def rows(self) -> Rows:
-        """What a row of its table stands for; `one` is a list over the gears."""
+        """Kind of rows of the table; `one` is a list over the gears."""
         return self.own_rows or ARRAYS[self.name].rows
 
     @property
     def kind(self) -> type:
-        """How a number is written: float, int or bool."""
+        """Python type of a written number: float, int or bool."""
         if self.is_sign:
             return int
         return KINDS[ARRAYS[self.name].dtype] if self.name in ARRAYS else float
 
     @property
     def always(self) -> bool:
-        """Whether every result has it."""
+        """True if all results have the table."""
         return self.exists is None and not self.unit
 
 
 class Table(NamedTuple):
-    """A quantity of a case: rows are links, devices or mechanisms, columns are gears.
+    """Values of a quantity: a row for each link, device or mechanism, a column for each gear.
 
-    Columns of the distribution matrix are devices. A list over gears is a table of one row.
+    The columns of the distribution matrix are devices. A list over the gears has one row.
     """
 
     quantity: Quantity
     rows: Sequence[str]
     columns: Sequence[str]
     values: Floats
-    """(rows, columns), NaN for what does not exist."""
+    """Numbers of shape (rows, columns); NaN: does not exist."""
 
 
 class _Unit(NamedTuple):
-    """A unit as headings write it, and the decimals of a report."""
-
     text: str
     decimals: int
 
@@ -111,11 +110,11 @@ UNITS = {
     "Nm": _Unit("N*m", 1),
     "kW": _Unit("kW", 3),
 }
-"""What numbers have with a load, as it stands at the end of a key."""
+"""Units of physical values, by the suffix of their keys."""
 
 
 def headed(name: str, unit: str) -> str:
-    """What heads a column of numbers in a unit; an empty one: relative to the input.
+    """Return the heading of a column in a unit; an empty unit means relative to the input.
 
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
@@ -124,7 +123,7 @@ def headed(name: str, unit: str) -> str:
 
 
 def in_unit(quantity: Quantity) -> Quantity:
-    """A relative quantity in the unit that it has with a load.
+    """Return a relative quantity in the physical unit `Quantity.with_load`.
 
     Examples
     --------
@@ -318,7 +317,7 @@ RELATIVE = (
         brief="Torques of the meshes with losses",
     ),
 )
-"""Those without a unit, in the order in which they are written."""
+"""Quantities without a unit, in the order of the written tables."""
 
 _ASKED = (
     Quantity(
@@ -380,19 +379,21 @@ WITH_UNITS = (
     ),
     *_PORTS,
 )
-"""Those that a case with a load has, too: by unit, then by their rows."""
+"""Physical quantities of a case with an operating point, ordered by unit and kind of rows."""
 
 QUANTITIES = RELATIVE + WITH_UNITS
-"""All that are written, in their order."""
+"""All written quantities, in the order of their tables."""
 
 ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
-"""Those that are written nowhere unless somebody asks for them by name.
+"""Quantities that are written only if requested by name.
 
-The output torque stands in the tables of torques, too, as their last row.
+The output torque is also the last row of the tables of torques.
 """
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
-"""By the name at the head of a table in a listing; there the deck before it ends, too."""
+"""Quantities by the names above the tables of a listing, which also end a preceding deck."""
 
-BY_NAME = {name: one for one in QUANTITIES + ASKED for name in (one.name, one.alias)}
-"""By either name that a person may type; see `vstatics.core.tables.names`."""
+BY_NAME = {
+    name: quantity for quantity in QUANTITIES + ASKED for name in (quantity.name, quantity.alias)
+}
+"""Quantities by name and by alias; see `vstatics.core.tables.names`."""

@@ -1,4 +1,4 @@
-"""The results of a case as tables, for people, and what a page leaves blank in them."""
+"""Tables of the results of a case for readers, with blanks for uninteresting zeros."""
 
 from __future__ import annotations
 
@@ -31,22 +31,23 @@ T = TypeVar("T")
 
 
 def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
-    """All tables of the results: lists over gears together, then the others.
+    """Yield all tables of the results, first a table of all lists over the gears.
 
     Parameters
     ----------
+    results : Results
     blanks : bool
-        Whether zeros that the scheme makes are left out.
+        Whether zeros that follow from the layout are blank; see `structural_zeros`.
     """
     in_order = tables(results)
-    yield _by_gear([one for one in in_order if one.quantity.rows == "one"])
-    for one in sorted(in_order, key=lambda one: one.quantity.columns == "devices"):
-        if one.quantity.rows != "one" and one.values.size:
-            grid = _of_table(one)
-            if one.quantity.name == "idle":
+    yield _by_gear([table for table in in_order if table.quantity.rows == "one"])
+    for table in sorted(in_order, key=lambda table: table.quantity.columns == "devices"):
+        if table.quantity.rows != "one" and table.values.size:
+            grid = _of_table(table)
+            if table.quantity.name == "idle":
                 grid = _with_roles(grid, results)
-            if blanks:  # for people; the values stay
-                zero = structural_zeros(one, results).tolist()
+            if blanks:  # only the texts are blank, the values remain
+                zero = structural_zeros(table, results).tolist()
                 grid = _by_place(
                     grid, zero, lambda cell, no: cell._replace(text="") if no else cell
                 )
@@ -54,62 +55,66 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
-    """Marks of what transmits no power, as the word for it."""
+    """Return the table of idle mechanisms with a word for each role instead of a mark."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
-    def said(cell: Cell, role: str) -> Cell:
+    def with_role(cell: Cell, role: str) -> Cell:
         return (
             cell if cell.text == NOTHING else cell._replace(text=role or NO, says="", is_said=True)
         )
 
-    return _by_place(grid, zip(*by_gear, strict=True), said)
+    return _by_place(grid, zip(*by_gear, strict=True), with_role)
 
 
-def _by_place(grid: Grid, told: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:
-    """The same with other cells behind its first column, by what is told of each."""
-    pairs = zip(grid.cells, told, strict=True)
-    return grid._replace(rows=[[row[0], *map(change, row[1:], of_row)] for row, of_row in pairs])
+def _by_place(grid: Grid, data: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:
+    """Return a table with a function of cell and datum applied behind the first column."""
+    pairs = zip(grid.cells, data, strict=True)
+    return grid._replace(
+        rows=[[row[0], *map(change, row[1:], row_data)] for row, row_data in pairs]
+    )
 
 
 def of_messages(results: Results) -> Grid:
-    """What there is to say of the gears."""
-    rows = ((one.gear, word(one.severity), one.text) for one in results.messages)
+    """Build the table of messages about the gears."""
+    rows = ((message.gear, word(message.severity), message.text) for message in results.messages)
     return grid_of("Messages", ["gear", "severity", "message"], rows, key="messages")
 
 
 def _by_gear(lists: Sequence[Table]) -> Grid:
-    """A row for each gear, with the quantities of one number."""
+    """Build the table with a row for each gear and a column for each list over the gears."""
     columns = [text("gear")]
-    columns += [Column(one.quantity.key.replace("_", " ")) for one in lists]
+    columns += [Column(table.quantity.key.replace("_", " ")) for table in lists]
     rows = [
-        [Cell(gear), *(_number(one, float(one.values[0, place])) for one in lists)]
-        for place, gear in enumerate(lists[0].columns)
+        [Cell(gear), *(_number(table, float(table.values[0, index])) for table in lists)]
+        for index, gear in enumerate(lists[0].columns)
     ]
     return Grid("By gear", columns, rows, key="gears")
 
 
-def _of_table(one: Table) -> Grid:
-    kind = one.quantity.rows
-    over = "gear" if one.quantity.columns == "gears" else "device"
-    columns = [text(_HEADS.get(kind, ROWS[kind].one))]
-    columns += [Column(name, over=over) for name in one.columns]
+def _of_table(table: Table) -> Grid:
+    kind = table.quantity.rows
+    over = "gear" if table.quantity.columns == "gears" else "device"
+    columns = [text(_HEADS.get(kind, ROWS[kind].singular))]
+    columns += [Column(name, over=over) for name in table.columns]
     rows = [
-        [Cell(name), *(_number(one, value) for value in values)]
-        for name, values in zip(one.rows, one.values.tolist(), strict=True)
+        [Cell(name), *(_number(table, value) for value in values)]
+        for name, values in zip(table.rows, table.values.tolist(), strict=True)
     ]
-    return Grid(f"{one.quantity.title} [{one.quantity.key}]", columns, rows, key=one.quantity.key)
+    return Grid(
+        f"{table.quantity.title} [{table.quantity.key}]", columns, rows, key=table.quantity.key
+    )
 
 
 _HEADS = {"elements": "element", "torques": "torque of"}
-"""Over the names of rows, where it is not their word."""
+"""Headings above the names of rows that differ from the word for such a row."""
 
 
-def _number(one: Table, value: float) -> Cell:
-    if one.quantity.kind is bool:
+def _number(table: Table, value: float) -> Cell:
+    if table.quantity.kind is bool:
         return sign(value)
-    if one.quantity.kind is int:
+    if table.quantity.kind is int:
         return whole(value)
-    return exact(value, one.quantity.decimals)
+    return exact(value, table.quantity.decimals)
 
 
 _OF_SCHEME = {"mesh_torques", "lossy_mesh_torques", "power_sign", "idle", "holds"}
@@ -117,11 +122,11 @@ _TORQUES = {"torques", "lossy_torques"}
 
 
 def structural_zeros(table: Table, results: Results) -> Booleans:
-    """Where a table of one case has a zero that the scheme makes, (rows, columns).
+    """Find the zeros of a table that follow from the layout; shape (rows, columns).
 
-    Torques of open elements and of members without load, slip of engaged elements, losses
-    of what has no flow of power, links that a device does not have. What stands, and an
-    engaged element without torque, keep their 0.
+    Such zeros are torques of disengaged shift elements and unloaded members, slip speeds of
+    engaged shift elements, losses of idle mechanisms, and links that a device does not have.
+    Links at rest and engaged shift elements without torque keep their 0.
 
     Examples
     --------
@@ -130,8 +135,8 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
     >>> elements = [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")]
     >>> case = Transmission(3, elements, [Mechanism(1, 2, 3, -2.5)], [Gear([2]), Gear([1])])
     >>> results = solve(case)
-    >>> found = {one.quantity.name: structural_zeros(one, results) for one in tables(results)}
-    >>> found["slip_speeds"].tolist(), found["torques"].tolist()[:2], bool(found["speeds"].any())
+    >>> zeros = {table.quantity.name: structural_zeros(table, results) for table in tables(results)}
+    >>> zeros["slip_speeds"].tolist(), zeros["torques"].tolist()[:2], bool(zeros["speeds"].any())
     ([[False, True], [True, False]], [[True, False], [False, True]], False)
     """
     quantity = table.quantity
@@ -143,13 +148,13 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
         zero[: len(results.holds.T)] &= ~results.holds.T
         zero[-1] = False
         return zero
-    own = {"slip_speeds": results.holds.T, "losses": results.idle.T}
-    zero &= own.get(name, np.zeros_like(zero))
+    candidates = {"slip_speeds": results.holds.T, "losses": results.idle.T}
+    zero &= candidates.get(name, np.zeros_like(zero))
     return zero
 
 
 def without_zeros(grid: Grid) -> Grid:
-    """A table in which what is exactly 0 is blank; the values stay.
+    """Return a table with blank texts for numbers that are exactly 0; the values remain.
 
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> cells = [exact(0.0), exact(0.5)]
@@ -160,7 +165,7 @@ def without_zeros(grid: Grid) -> Grid:
 
 
 def without_missing(grid: Grid) -> Grid:
-    """A table in which numbers that do not exist are blank, where that is what is usual.
+    """Return a table with blank texts for missing numbers, where most are missing.
 
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> without_missing(Grid("t", [text("x"), Column("y")], [["a", exact(None)]])).texts

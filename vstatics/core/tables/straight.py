@@ -1,4 +1,4 @@
-"""Headings of tables of a case whose links partly move straight."""
+"""Headings with linear units, for a case with links that move in a straight line."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _UNITS = {
     "rad/s^2": "m/s^2",
     "rad/s": "m/s",
 }
-"""Of what turns -> of what moves straight."""
+"""Linear units by the units of rotation."""
 _ANY = "|".join(map(re.escape, [*_UNITS][:-1]))
 _SPEEDS = "|".join(rf"(?<={word} \[)" for word in ("speed", "rate", "velocity"))
 _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?=\])")
-"""Frequencies are in rad/s of a vibration, whatever moves."""
+"""Pattern of units of rotation; rad/s is included for speeds, but not for frequencies."""
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Tables whose headings tell the units of straight links, too, if the case has any.
+    """Yield tables whose headings include the units of straight links, if the case has any.
 
     Examples
     --------
@@ -37,10 +37,12 @@ def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
     'torque [N*m; straight N]'
     """
     for grid in grids:
-        columns = [one._replace(heading=_told(one.heading)) for one in grid.columns]
-        told = grid._replace(title=_told(grid.title), columns=columns)
-        yield told if case.masses else grid
+        columns = [
+            column._replace(heading=_in_both_units(column.heading)) for column in grid.columns
+        ]
+        doubled = grid._replace(title=_in_both_units(grid.title), columns=columns)
+        yield doubled if case.masses else grid
 
 
-def _told(heading: str) -> str:
+def _in_both_units(heading: str) -> str:
     return _UNIT.sub(lambda unit: f"{unit[0]}; straight {_UNITS[unit[0]]}", heading)

@@ -1,4 +1,4 @@
-"""The formats of outputs by the suffixes of their files."""
+"""Formats of output files and their suffixes."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ SUFFIXES = {
     "png": (".png",),
     "pdf": (".pdf",),
 }
-"""Of each format; a result in a directory has the first."""
+"""Suffixes of each format; a result written to a directory has the first."""
 
 
 def suffix_of(file: str) -> str:
-    """The suffix of a file's name, in small letters."""
+    """Return the suffix of a file name, in lower case."""
     return splitext(file)[1].lower()  # noqa: PTH122 - pathlib costs start-up time
 
 
 def format_of(file: str, formats: Iterable[Form]) -> Form | None:
-    """Which of some formats the suffix of a file's name tells, if it does.
+    """Find the format, among some, of a file name's suffix.
 
     >>> format_of("a.NDJSON", ["json", "jsonl"]), format_of("a", ["text"])
     ('jsonl', None)
@@ -47,7 +47,7 @@ def format_of(file: str, formats: Iterable[Form]) -> Form | None:
 
 
 def known(formats: Sequence[str]) -> list[str]:
-    """The suffixes of some formats.
+    """List the suffixes of some formats.
 
     >>> known(["listing", "csv"])
     ['.lst', '.txt', '.out', '.csv']
@@ -56,7 +56,7 @@ def known(formats: Sequence[str]) -> list[str]:
 
 
 def mismatch(form: str | None, file: str) -> str:
-    """What to say of a format that is not that of the suffix; nothing where all is well.
+    """Return the message about a format that contradicts the suffix, or an empty text.
 
     >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
     ('csv is not the format of a.json: expected .csv', '', '')

@@ -1,4 +1,4 @@
-"""Tables with colours for a person at a terminal; `rich` is imported by nothing else in tables."""
+"""Tables with colours at a terminal; the only module of this folder that imports `rich`."""
 
 from __future__ import annotations
 
@@ -15,64 +15,64 @@ from vstatics.core.tables.grid import Cell, Grid
 
 
 class _TerminalColumn(NamedTuple):
-    """A column at a terminal: texts below a heading, and the widths that it can have."""
+    """Column at a terminal: texts below a heading, and the possible widths in characters."""
 
     heading: Text
     texts: list[Text]
     least: int
-    """With no word cut, and no number."""
+    """Least width that cuts no word or number."""
     whole: int
-    """With no text below the heading folded."""
+    """Least width that folds no text below the heading."""
     natural: int
-    """With no line folded."""
+    """Least width that folds no text and no heading."""
     is_number: bool
     may_fold: bool
 
 
 def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
-    """A table without its title, or several below one another where it is too wide.
+    """Lay out a table without a title, or several tables if the columns are too wide.
 
-    Words are cut only where one alone is too wide. Columns of signs stand side by side,
-    without a gap where their headings are letters.
+    A word is cut only if it is wider than the terminal. Columns of signs are set close together,
+    without a gap if their headings are single letters.
 
     Parameters
     ----------
     grid : Grid
     width : int
-        Of the terminal, in characters.
+        Width of the terminal, in characters.
     keys : int, optional
-        So many columns stand in each of the tables.
+        Number of first columns that are repeated in each table.
     """
     grid = grid.spoken
-    places = [_place(grid, group) for group in _groups(grid)]
+    columns = [_column(grid, group) for group in _groups(grid)]
     parts = [list(range(keys))]
-    for number in range(keys, len(places)):
-        if len(parts[-1]) > keys and _sum(places[n].least for n in [*parts[-1], number]) > width:
+    for number in range(keys, len(columns)):
+        if len(parts[-1]) > keys and _sum(columns[n].least for n in [*parts[-1], number]) > width:
             parts.append(list(range(keys)))
         parts[-1].append(number)
-    return [_table([places[number] for number in part], width) for part in parts]
+    return [_table([columns[number] for number in part], width) for part in parts]
 
 
 def natural_width(grid: Grid) -> int:
-    """The width of a table whose lines are not folded, in characters."""
+    """Return the width of a table without folded lines, in characters."""
     grid = grid.spoken
-    return _sum(_place(grid, group).natural for group in _groups(grid))
+    return _sum(_column(grid, group).natural for group in _groups(grid))
 
 
 def _sum(widths: Iterable[int]) -> int:
-    """The width of a table with columns of these widths: two blanks go with each."""
+    """Return the width of a table from the widths of columns, with gaps of two blanks."""
     return sum(width + 2 for width in widths)
 
 
-def _place(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
+def _column(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
     column = grid.columns[group[0]]
     cells = [row[group[0]] for row in grid.cells]
     heading = Text(column.heading)
     texts = [Text(cell.text, cell.style) for cell in cells]
     if column.is_sign:
-        headings = [grid.columns[place].heading for place in group]
-        heading = _beside([Cell(one) for one in headings], headings)
-        texts = [_beside([row[place] for place in group], headings) for row in grid.cells]
+        headings = [grid.columns[index].heading for index in group]
+        heading = _signs_in_line([Cell(letter) for letter in headings], headings)
+        texts = [_signs_in_line([row[index] for index in group], headings) for row in grid.cells]
     whole = max((text.cell_len for text in texts), default=0)
     natural = max(heading.cell_len, whole)
     may_fold = not (column.is_sign or column.is_number)
@@ -82,32 +82,35 @@ def _place(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
     return _TerminalColumn(heading, texts, least, whole, natural, is_number, may_fold)
 
 
-def _table(places: Sequence[_TerminalColumn], width: int) -> RichTable:
-    made = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    for number, (place, wide) in enumerate(zip(places, _widths(places, width), strict=True)):
-        made.add_column(
-            place.heading,
-            justify="right" if place.is_number else "left",
-            style="" if number or not place.may_fold else "bold",
+def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
+    table = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
+    for number, (column, column_width) in enumerate(
+        zip(columns, _widths(columns, width), strict=True)
+    ):
+        table.add_column(
+            column.heading,
+            justify="right" if column.is_number else "left",
+            style="" if number or not column.may_fold else "bold",
             overflow="fold",
-            no_wrap=not place.may_fold,
-            width=wide,
+            no_wrap=not column.may_fold,
+            width=column_width,
         )
-    for row in zip(*(place.texts for place in places), strict=True):
-        made.add_row(*row)
-    return made
+    for row in zip(*(column.texts for column in columns), strict=True):
+        table.add_row(*row)
+    return table
 
 
-def _widths(places: Sequence[_TerminalColumn], width: int) -> list[int]:
-    """Of the columns: the least ones, then what room is left goes to those that lack least.
+def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
+    """Return the widths of the columns, with as few folded texts as possible.
 
-    First so that no text folds, then no heading, which costs one line at most.
+    The remaining width goes to the columns that need least, first to fold no text, then to fold
+    no heading, which costs one line at most.
     """
-    least = [place.least for place in places]
-    widths = [max(min(one, width - _sum(least) + one), 1) for one in least]
-    for wanted in ([one.whole for one in places], [one.natural for one in places]):
+    least = [column.least for column in columns]
+    widths = [max(min(need, width - _sum(least) + need), 1) for need in least]
+    for wanted in ([column.whole for column in columns], [column.natural for column in columns]):
         for _ in range(width - _sum(widths)):
-            narrow = [number for number, most in enumerate(wanted) if widths[number] < most]
+            narrow = [number for number, need in enumerate(wanted) if widths[number] < need]
             if not narrow:
                 break
             widths[min(narrow, key=lambda number: wanted[number] - widths[number])] += 1
@@ -115,14 +118,14 @@ def _widths(places: Sequence[_TerminalColumn], width: int) -> list[int]:
 
 
 def _groups(grid: Grid) -> list[list[int]]:
-    """Columns that are one at a terminal: signs beside one another."""
-    places = range(len(grid.columns))
-    groups = groupby(places, lambda place: -1 if grid.columns[place].is_sign else place)
+    """Return the indices of columns in groups; adjacent columns of signs form a group."""
+    indices = range(len(grid.columns))
+    groups = groupby(indices, lambda index: -1 if grid.columns[index].is_sign else index)
     return [list(group) for _, group in groups]
 
 
-def _beside(cells: Sequence[Cell], headings: Sequence[str]) -> Text:
-    """One sign under each heading."""
+def _signs_in_line(cells: Sequence[Cell], headings: Sequence[str]) -> Text:
+    """Return a line with a sign below each heading."""
     widths = [cell_len(heading) for heading in headings]
     gap = Text(" " if max(widths) > 1 else "")
     pairs = zip(cells, widths, strict=True)

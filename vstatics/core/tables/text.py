@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from vstatics.core.tables.grid import Grid
 
 TABLE_WIDTH = 80
-"""A table that is wider goes on below, if its columns are numbers, or numbers and words in turn."""
+"""Characters of a line; wider tables of numbers, or of numbers and words in turn, are split."""
 GAP = "  "
 INDENT = "  "
-"""Of a level."""
+"""Indentation of a level of rows."""
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    """Tables one below the other.
+    """Write titles and tables as plain text.
 
     Examples
     --------
@@ -35,17 +35,19 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 def lines(
     grid: Grid, *, widths: Sequence[int] = (), gap: str = GAP, indent: str = ""
 ) -> Iterator[str]:
-    """The lines of a table; without headings it has no line of these.
+    """Yield the lines of a table, with a line of headings unless all headings are empty.
 
     Parameters
     ----------
+    grid : Grid
     widths : sequence of int, optional
-        Of columns that are the same in all tables: a longer cell moves those after it, and
-        a longer first cell has a line of its own. Else a column suits its widest cell.
+        Fixed widths of the columns, for several tables in line. A longer cell shifts the cells
+        after it, a longer first cell is on a separate line. By default a column is as wide as its
+        widest cell.
     gap : str, optional
-        Between columns.
+        Text between columns.
     indent : str, optional
-        Before everything but the title.
+        Text before all lines but the title.
     """
     grid = grid.spoken
     if grid.title:
@@ -57,39 +59,39 @@ def lines(
         row[0] = INDENT * (level - 1) + row[0]
     widths = widths or [max(map(len, column)) for column in zip(*rows, strict=True)]
     first = 0 if any(rows[0]) else 1
-    for number, chosen in enumerate(_pieces(grid, widths, TABLE_WIDTH - len(indent), len(gap))):
+    for number, columns in enumerate(_pieces(grid, widths, TABLE_WIDTH - len(indent), len(gap))):
         if number:
             yield ""
         for row in rows[first:]:
             if len(row[0]) > widths[0]:
                 yield f"{indent}{row[0]}".rstrip()
-                row = ["", *row[1:]]  # noqa: PLW2901 - the rest of it
+                row = ["", *row[1:]]  # noqa: PLW2901 - the cells after the first
             padded = (
-                (str.rjust if grid.columns[place].is_number else str.ljust)(
-                    row[place], widths[place]
+                (str.rjust if grid.columns[column].is_number else str.ljust)(
+                    row[column], widths[column]
                 )
-                for place in chosen
+                for column in columns
             )
             yield f"{indent}{gap.join(padded)}".rstrip()
 
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
-    """Columns that stand beside one another; the first one is repeated."""
-    chosen, width = [0], widths[0]
-    for together in _together(grid):
-        more = sum(gap + widths[place] for place in together)
-        if width + more > room and len(chosen) > 1:
-            yield chosen
-            chosen, width = [0], widths[0]
-        chosen += together
-        width += more
-    yield chosen
+    """Yield the columns of each part of a table; the first column is repeated."""
+    columns, width = [0], widths[0]
+    for group in _inseparable(grid):
+        needed = sum(gap + widths[column] for column in group)
+        if width + needed > room and len(columns) > 1:
+            yield columns
+            columns, width = [0], widths[0]
+        columns += group
+        width += needed
+    yield columns
 
 
-def _together(grid: Grid) -> list[list[int]]:
-    """Columns behind the first that are not parted.
+def _inseparable(grid: Grid) -> list[list[int]]:
+    """Return the groups of columns behind the first that are not separated.
 
-    Numbers may be, also those that have words beside them; other tables stay whole.
+    Columns of numbers, or pairs of numbers and words, can be separated; other tables are not split.
     """
     kinds = [column.is_number for column in grid.columns[1:]]
     places = list(range(1, len(kinds) + 1))

@@ -1,6 +1,6 @@
-"""Results as the tables that every output format shows, in the order of the source.
+"""Tables of the results that every output format shows, in the order of the source.
 
-Headings of tables in which springs have rows or columns.
+The headings of a case with springs mention them.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from vstatics.core.tables.quantities import RELATIVE, WITH_UNITS, Quantity, Tabl
 
 
 def tables(results: Results) -> list[Table]:
-    """All tables of the results of one case; some only where the case has what they speak of.
+    """Return all existing tables of the results of a case.
 
     Examples
     --------
     >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
     >>> from vstatics.core.statics.solve import solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> found = {table.quantity.name: table for table in tables(solve(case))}
-    >>> found["torques"].rows, found["torques"].values.T
+    >>> by_name = {table.quantity.name: table for table in tables(solve(case))}
+    >>> by_name["torques"].rows, by_name["torques"].values.T
     (['T1', 'D1', 'Mx'], array([[-2.5,  1. ,  3.5]]))
     """
     case = results.case
@@ -48,13 +48,13 @@ def tables(results: Results) -> list[Table]:
 
 
 def with_units(results: Results) -> list[Quantity]:
-    """Those in rpm, N*m and kW that the load of a case tells; none without a load."""
+    """Return the quantities in rpm, N*m and kW that the operating point of a case determines."""
     units = known_units(results.case)
-    return _existing([one for one in WITH_UNITS if one.unit in units], results)
+    return _existing([quantity for quantity in WITH_UNITS if quantity.unit in units], results)
 
 
 def _existing(quantities: Sequence[Quantity], results: Results) -> list[Quantity]:
-    return [one for one in quantities if one.exists is None or one.exists(results)]
+    return [item for item in quantities if item.exists is None or item.exists(results)]
 
 
 WORDS = {
@@ -63,11 +63,11 @@ WORDS = {
     "the elements and of the output": "the elements, of springs and of the output",
     "mechanisms and the output": "mechanisms, springs and the output",
 }
-"""Words of headings, and what stands there where a case has springs."""
+"""Words of headings and their replacements for a case with springs."""
 
 
 def among_springs(quantity: Quantity) -> Quantity:
-    """A quantity of a case with springs, which its headings name.
+    """Return a quantity with headings that mention springs.
 
     >>> from vstatics.core.tables.quantities import BY_NAME
     >>> among_springs(BY_NAME["torques"]).title
@@ -82,6 +82,6 @@ def among_springs(quantity: Quantity) -> Quantity:
 
 
 def _worded(heading: str) -> str:
-    for words, others in WORDS.items():
-        heading = heading.replace(words, others)
+    for words, replacement in WORDS.items():
+        heading = heading.replace(words, replacement)
     return heading

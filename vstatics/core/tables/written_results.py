@@ -1,4 +1,4 @@
-"""Written results as numbers: what a reader makes of a listing or JSON, to be compared."""
+"""Numbers of written results, as read from a listing or JSON for a comparison."""
 
 from __future__ import annotations
 
@@ -9,82 +9,83 @@ from typing import NamedTuple
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
-"""The column of a driving cycle that is a whole number."""
+"""Column of a driving cycle with whole numbers."""
 
 
 class Figure(NamedTuple):
-    """A number as it was written: NaN stands for none."""
+    """Number as written; NaN: no value."""
 
     value: float
     slack: float = 0.0
-    """Half of the last digit, for a number from a listing."""
+    """Half a unit of the last digit, for a number from a listing."""
 
 
 Figures = list[list[Figure]]
-"""Rows of a table; a list over gears is one row."""
+"""Rows of a table; a list over the gears has a single row."""
 
 
 class WrittenResult(NamedTuple):
-    """The tables of one result, by their keys."""
+    """Written result of a case: the tables by key."""
 
     tables: dict[str, Figures]
     case: Transmission | None
-    """For the names of rows and gears; a foreign listing may have none."""
+    """Case of the result, if known, for the names of rows and gears."""
     printed: bool
-    """Whether it was a listing."""
+    """True if the result was read from a listing."""
     errors: bool = False
-    """Whether it stands for a case that failed."""
+    """True if the case failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of its tables, where it has them: of a drawn case, in CSV."""
+    """Names of the rows of each table, if written: for a drawn case, or in CSV."""
     file: str = ""
-    """Of its case, with the folders that it tells; nothing where it does not tell."""
+    """File of the case, with folders if written; empty: unknown."""
     gears: Sequence[str] = ()
+    """Names of the gears, if written without the case."""
     devices: Sequence[str] = ()
-    """Of tables whose columns they are, where it tells them without its case."""
+    """Names of the devices, if written without the case."""
 
     @property
     def is_of_source(self) -> bool:
-        """Whether it is a listing of the source, which has its own tables only."""
+        """True if the result is a listing of the source, with published tables only."""
         return self.printed and "ratio" not in self.tables
 
     @property
     def has_own(self) -> bool:
-        """Whether its rows tell of elements, which have more than one each, or none."""
+        """True if the rows of torques are members of gear sets instead of mechanisms."""
         rows = {key: list(self.rows.get(key, ())) for key in ("AMLG", "WFRI", "idle")}
         return bool(rows["AMLG"]) and rows["AMLG"][:-1] != [*rows["WFRI"], *rows["idle"]]
 
     @property
     def gear_names(self) -> Sequence[str]:
-        """Names of its gears; none where it does not tell, as the source has numbers only."""
+        """Names of the gears, if known; a listing of the source has numbers only."""
         if self.is_of_source:
             return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
 
     @property
     def device_names(self) -> Sequence[str]:
-        """Names of its devices; none where it does not tell."""
+        """Names of the devices, if known."""
         if self.is_of_source:
             return ()
         return self.devices or (self.case.devices if self.case else ())
 
     @property
     def case_name(self) -> str:
-        """The name of its case, or nothing."""
+        """Name of the case, or an empty text."""
         return self.case.name if self.case else ""
 
 
 GEAR = "gear"
-"""The column of a sweep that has a row for each gear."""
+"""Column of the gear in a sweep with a row for each gear."""
 
 
 class WrittenSweep(NamedTuple):
-    """The columns of a sweep, a number for each row in their order."""
+    """Written sweep: columns with a value for each row."""
 
     variants: list[int]
     status: list[str]
     columns: dict[str, list[float]]
-    """NaN stands for no number."""
+    """Numbers of each column; NaN: no value."""
     varied: tuple[str, ...] = ()
-    """The columns that were varied."""
+    """Names of the varied columns."""
     gears: Sequence[str] = ()
-    """By row, where there is a row for each gear."""
+    """Gear of each row, in a sweep with a row for each gear."""

@@ -1,4 +1,4 @@
-"""Tables as a workbook, by openpyxl: a sheet for each table, numbers in full."""
+"""Tables as a workbook (XLSX): a sheet for each table, with all digits."""
 
 from __future__ import annotations
 
@@ -16,29 +16,33 @@ if TYPE_CHECKING:
     from openpyxl import Workbook
 
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 16_384
-"""Of a sheet."""
+"""Size limits of a sheet."""
 LONGEST_SHEET_NAME = 31
-"""Name of a sheet."""
+"""Length limit of the name of a sheet."""
 CONTENTS = "tables"
 _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]")
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-"""What XML can't hold."""
+"""Characters that XML cannot contain."""
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, digits: int | None = None
 ) -> bytes:
-    """The tables of cases, those of one name on one sheet.
+    """Write the tables of cases as a workbook; tables with equal names share a sheet.
 
-    A sheet of several cases has the file of each in its first column; a row of headings
-    stands where these change. Tables that share a sheet have their names in a column. Where
-    tables have keys, the first sheet says what they are. The same tables give the same bytes.
+    A sheet of several cases has the file of each case in its first column; a row of headings is
+    written whenever the headings change. Tables of one group share a sheet with a column of
+    titles. If tables have keys, the first sheet lists their titles. Equal tables give equal bytes.
 
     Parameters
     ----------
+    cases : iterable of (str, sequence of Grid)
+        Files of the cases, with their tables.
+    several : bool
+        Whether the first column is the file of the case.
     digits : int, optional
-        A number is shown with so many after the point, and keeps the others.
+        Number of shown decimals; the numbers keep all digits.
 
     Raises
     ------
@@ -58,9 +62,9 @@ def write(
 
 
 def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
-    """A workbook of sheets by name, each with its rows, the first of which are headings.
+    """Write a workbook of named sheets; the first row of each sheet has the headings.
 
-    The same sheets give the same bytes.
+    Equal sheets give equal bytes.
     """
     from openpyxl import Workbook
 
@@ -71,44 +75,46 @@ def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
 
 
 class _Book:
-    """A workbook that is being filled."""
+    """Workbook that is being filled."""
 
     def __init__(self, book: Workbook, *, several: bool, digits: int | None) -> None:
         self.book = book
         self.several = several
         self.number_format = "General" if digits is None else f"0.{'0' * digits}"
         self.sheets: dict[str, _Worksheet] = {}
-        self.names: set[str] = {CONTENTS, "history"}  # Excel keeps the last one to itself
+        self.names: set[str] = {CONTENTS, "history"}  # Excel reserves the name "history"
         self.titles: dict[str, str] = {}
 
     def add(self, file: str, grid: Grid) -> None:
-        """Write a table below those of its sheet."""
+        """Write a table, below other tables of the sheet."""
         name = grid.group or grid.key or grid.title
         if name not in self.sheets:
-            own = sheet_name(name, self.names)
-            self.sheets[name] = _Worksheet(self.book.create_sheet(own), self)
+            sheet = sheet_name(name, self.names)
+            self.sheets[name] = _Worksheet(self.book.create_sheet(sheet), self)
             if grid.key:
-                self.titles[own] = grid.title
+                self.titles[sheet] = grid.title
         front = [file] * self.several + [grid.title] * bool(grid.group)
         heads = ["case"] * self.several + ["table"] * bool(grid.group)
-        self.sheets[name].add(front, [*heads, *(one.heading for one in grid.columns)], grid.data)
+        self.sheets[name].add(
+            front, [*heads, *(column.heading for column in grid.columns)], grid.data
+        )
 
     def data(self) -> bytes:
-        """The file."""
+        """Return the content of the file, with a table of contents."""
         if self.titles or not self.sheets:
             contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
         return self.saved()
 
     def saved(self) -> bytes:
-        """The file with the sheets that there are."""
+        """Return the content of the file."""
         written = io.BytesIO()
         self.book.save(written)
         return _without_dates(written)
 
 
 class _Worksheet:
-    """A sheet that is being filled."""
+    """Sheet that is being filled."""
 
     def __init__(self, sheet: Any, book: _Book) -> None:
         sheet.freeze_panes = "B2"
@@ -118,7 +124,7 @@ class _Worksheet:
         self.rows = 0
 
     def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Write rows, below headings where these are others than before."""
+        """Write rows, preceded by headings if the headings change."""
         from openpyxl.styles import Font
 
         bold = Font(bold=True)
@@ -128,13 +134,13 @@ class _Worksheet:
             message = f"a sheet has {MOST_ROWS} rows and {MOST_COLUMNS} columns at most"
             raise CaseError("E115", f"{message}: expected another format, such as CSV")
         if new:
-            self.sheet.append([self._cell(one, bold) for one in headings])
+            self.sheet.append([self._cell(heading, bold) for heading in headings])
             self.headings = headings
         for row in rows:
-            self.sheet.append([self._cell(one) for one in (*front, *row)])
+            self.sheet.append([self._cell(datum) for datum in (*front, *row)])
 
     def _cell(self, datum: Datum, font: Any = None) -> Any:
-        """A cell; a text stays one, whatever it begins with."""
+        """Return a cell; a text is never taken for a formula."""
         from openpyxl.cell import WriteOnlyCell
 
         if datum is None:
@@ -154,7 +160,7 @@ class _Worksheet:
 
 
 def sheet_name(name: str, taken: set[str]) -> str:
-    """A name that a sheet may have, unlike those that are taken; it is taken then.
+    """Return a valid, unused name of a sheet, and add the name to `taken`.
 
     >>> taken = set()
     >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)
@@ -172,12 +178,15 @@ def sheet_name(name: str, taken: set[str]) -> str:
 
 
 def _without_dates(written: io.BytesIO) -> bytes:
-    """The same file as if it were always written at one time."""
-    made = io.BytesIO()
-    with zipfile.ZipFile(written) as old, zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as new:
+    """Return a workbook without dates."""
+    dateless = io.BytesIO()
+    with (
+        zipfile.ZipFile(written) as old,
+        zipfile.ZipFile(dateless, "w", zipfile.ZIP_DEFLATED) as new,
+    ):
         for name in old.namelist():
             data = old.read(name)
             if name == "docProps/core.xml":
                 data = re.sub(rb"<dcterms:(created|modified).*?</dcterms:\1>", b"", data)
             new.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED)
-    return made.getvalue()
+    return dateless.getvalue()

@@ -1,4 +1,4 @@
-"""From results and cases to text: one module per format, which calculates nothing.
+"""Writers of cases and results: a module for each format, without any calculation.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve

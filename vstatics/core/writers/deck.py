@@ -1,4 +1,4 @@
-"""Writer of the deck: a case in the published template and order of fields."""
+"""Writer of decks, with the headings and fields of the published template."""
 
 from __future__ import annotations
 
@@ -18,31 +18,31 @@ if TYPE_CHECKING:
 
 SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
 NAME = "NAME "
-"""Begins a line that gives a name."""
+"""Beginning of a line that gives a name."""
 KINDS = {
     "dog_clutch": "that {} is a dog clutch",
     "freewheel": "that {} is a freewheel; it is engaged where it holds",
 }
-"""Kinds of shift elements that a deck does not know."""
+"""Messages about kinds of shift elements that a deck cannot contain."""
 
-
-KEPT = {
+DECK_KEYS = {
     *("name", "links", "input", "output", "idle", "coast", "shift_elements", "mechanisms", "gears"),
     *("kind", "engaged", "speeds", "torques"),
     *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
 }
-"""Keys of YAML and JSON that a deck has fields for; kinds of shift elements as far as it goes."""
+"""Keys of YAML and JSON with fields in a deck, although not for all kinds of shift elements."""
 
 
 def write(case: Transmission, lang: Language = "en") -> str:
-    """The case as a deck, which reads back as an equal case; see `lost`.
+    """Write a case as a deck, which is read back as an equal case except for `lost`.
 
-    Of a case with speeds of other links a deck can tell only `Results.with_numbers_only`. A
-    case with springs is told by names that no reader of decks takes: it says so; see
-    `deck_limits`.
+    A case with speeds given as speeds of other links must be converted by
+    `Results.with_numbers_only` before. The fields of springs are not read from decks; their heading
+    says so, and `check_deck` refuses springs.
 
     Parameters
     ----------
+    case : Transmission
     lang : {"en", "ru"}
         Language of the headings.
     """
@@ -53,58 +53,7 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 
 def template(case: Transmission) -> Iterator[str]:
-    """The fields of the published template, each below its heading in English."""
-    yield from _structure(case)
-    yield from _gears(case)
-
-
-def lost(case: Transmission) -> list[str]:
-    """What a case has and a deck cannot keep: ``description``, ``source`` and some numbers."""
-    from vstatics.core.model.checks import carried_keys
-    from vstatics.core.model.keys import (  # costs start-up time
-        CASE,
-        ELEMENT,
-        GEAR,
-        MECHANISM,
-        with_carried,
-    )
-
-    elements = case.shift_elements
-    named = (
-        ("shift element", ELEMENT, elements),
-        ("gear", GEAR, case.gears),
-        ("mechanism", MECHANISM, case.mechanisms),
-    )
-    return [
-        *_unkept(case, with_carried(CASE, carried_keys(case))),
-        *(KINDS[one.kind].format(one.name) for one in elements if one.kind in KINDS),
-        *(
-            f"{key} of {what} {part.name}"
-            for what, shape, parts in named
-            for part in parts
-            for key in _unkept(part, shape)
-        ),
-        *(f"third: housing of mechanism {one.name}" for one in case.mechanisms if one.is_set),
-        *(
-            f"speed of link {case.link_name(link)} in gear {gear.name} as that of another link"
-            for gear in case.gears
-            for link, speed in gear.speeds.items()
-            if isinstance(speed, SpeedOf)
-        ),
-        *(f"kind of gear {gear.name}" for gear in case.gears if gear.kind != "gear"),
-        *(f"coast of gear {gear.name}" for gear in case.gears if gear.coast is not None),
-    ]
-
-
-def _unkept(part: object, shape: ByKey) -> Iterator[str]:
-    """The keys of a part that say something which no field of a deck does."""
-    for key in shape.keys:
-        if key.name not in KEPT and not key.leaves_out(getattr(part, key.name, None)):
-            yield key.name
-
-
-def _structure(case: Transmission) -> Iterator[str]:
-    """Links, shift elements and mechanisms."""
+    """Yield the fields of the published template with English headings."""
     elements, mechanisms = case.shift_elements, case.mechanisms
     planets = {
         number: mechanism.planet_ratio
@@ -128,12 +77,58 @@ def _structure(case: Transmission) -> Iterator[str]:
         for spring in case.springs:  # `SPRING .1000E+01*1 -.1000E+01*2: S`
             form = (f"{exponent(part)}*{link}" for link, part in spring.form.items())
             yield f"{SPRING}{' '.join(form)}: {spring.name}"
+    yield from _gears(case)
+
+
+def lost(case: Transmission) -> list[str]:
+    """List the parts of a case that a deck cannot contain, such as the description."""
+    from vstatics.core.model.checks import carried_keys
+    from vstatics.core.model.keys import (  # costs start-up time
+        CASE,
+        ELEMENT,
+        GEAR,
+        MECHANISM,
+        with_carried,
+    )
+
+    elements = case.shift_elements
+    named = (
+        ("shift element", ELEMENT, elements),
+        ("gear", GEAR, case.gears),
+        ("mechanism", MECHANISM, case.mechanisms),
+    )
+    return [
+        *_unkept(case, with_carried(CASE, carried_keys(case))),
+        *(KINDS[part.kind].format(part.name) for part in elements if part.kind in KINDS),
+        *(
+            f"{key} of {what} {part.name}"
+            for what, shape, parts in named
+            for part in parts
+            for key in _unkept(part, shape)
+        ),
+        *(f"third: housing of mechanism {part.name}" for part in case.mechanisms if part.is_set),
+        *(
+            f"speed of link {case.link_name(link)} in gear {gear.name} as that of another link"
+            for gear in case.gears
+            for link, speed in gear.speeds.items()
+            if isinstance(speed, SpeedOf)
+        ),
+        *(f"kind of gear {gear.name}" for gear in case.gears if gear.kind != "gear"),
+        *(f"coast of gear {gear.name}" for gear in case.gears if gear.coast is not None),
+    ]
+
+
+def _unkept(part: object, shape: ByKey) -> Iterator[str]:
+    """Yield the keys of a part without a field in a deck, unless they have their defaults."""
+    for key in shape.keys:
+        if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
+            yield key.name
 
 
 def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:
-    """The lists that say what parts are; of gears only what says anything."""
+    """Yield the lists of a kind of part; lists of gears without values are omitted."""
     for key, field in FIELDS.items():
-        values = [getattr(one, field.member) or 0 for one in parts if field.part == part]
+        values = [getattr(item, field.member) or 0 for item in parts if field.part == part]
         if field.part == part and (part != "gears" or any(values)):
             yield field.heading
             heading = f"{key}{'' if '(' in key else '(I)'},I=1,{field.size}:"
@@ -144,7 +139,6 @@ def _lists(part: str, parts: Sequence[object]) -> Iterator[str]:
 
 
 def _gears(case: Transmission) -> Iterator[str]:
-    """What is engaged and given in each gear."""
     gears = case.gears
     yield "GEARS"
     yield f"NP= {len(gears)}"
@@ -165,7 +159,7 @@ def _gears(case: Transmission) -> Iterator[str]:
 def _given(
     gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
 ) -> Iterator[str]:
-    """Links and values of given speeds or torques, a line for each gear that has any."""
+    """Yield links and values of given speeds or torques, a line for each gear."""
     if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
@@ -176,7 +170,7 @@ def _given(
 
 
 def _conditions(case: Transmission) -> Iterator[str]:
-    """Input, output and conventions, each only if it is not the default."""
+    """Yield input, output and conventions that differ from the defaults."""
     conditions = {
         f"INP= {case.input}": case.input != 1,
         f"IOUT= {case.output}": case.output != case.links,
@@ -190,8 +184,8 @@ def _conditions(case: Transmission) -> Iterator[str]:
 
 
 def _names(case: Transmission) -> Iterator[str]:
-    """The names that differ from those that everything gets by itself."""
-    elements = [one._replace(kind="") if one.kind else one for one in case.shift_elements]
+    """Yield the names that differ from default names."""
+    elements = [part._replace(kind="") if part.kind else part for part in case.shift_elements]
     names = [
         ("T", case.name, ""),
         *((f"J{n}", name, str(n)) for n, name in enumerate(case.link_names, 1)),

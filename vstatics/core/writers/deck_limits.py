@@ -1,8 +1,10 @@
-"""Parts of a case that a deck or the published listing has no field for, and that change it."""
+"""Checks that a case fits the fields of a deck or of the published listing."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+
+import numpy as np
 
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import CaseError, Path, Problem, listed
@@ -11,16 +13,16 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.statics.results import Results
 
 SHOWN = 20
-"""Names of a kind that are told."""
+"""Greatest number of names in a message about a kind of part."""
 
 
 def check_deck(case: Transmission) -> None:
-    """Refuse a case of which a deck would tell another.
+    """Refuse a case with parts that a deck cannot contain.
 
     Raises
     ------
     CaseError
-        With everything that a deck can't hold, in one message.
+        If a deck has no field for some parts; the message lists them.
 
     Examples
     --------
@@ -31,30 +33,30 @@ def check_deck(case: Transmission) -> None:
         ...
     vstatics.core.errors.CaseError: a deck can't hold the inertia of 1, the stiffness of pair; ...
     """
-    found = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
+    problems = [f"the {what} of {listed(names, SHOWN)}" for what, names in _unheld(case) if names]
     springs = [spring.name for spring in case.springs]
     if springs:
         plural = "s" if springs[1:] else ""
-        found.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
-    if found:
-        message = f"a deck can't hold {', '.join(found)}; expected YAML or JSON, which hold them"
+        problems.insert(0, f"the spring{plural} {listed(springs, SHOWN)}")
+    if problems:
+        message = f"a deck can't hold {', '.join(problems)}; expected YAML or JSON, which hold them"
         raise CaseError("E116", message)
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
-    """What is left of a case for vibration and motion, and of which parts."""
+    """Yield each key without a field in a deck, with the names of the parts that have the key."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
-    yield "converter", [one.name for one in case.converters]
-    yield "speed ratio", [one.name for one in case.mechanisms if one.kind]
-    yield "inertia", [case.link_name(link) for link, one in case.heavy.items() if one]
+    yield "converter", [converter.name for converter in case.converters]
+    yield "speed ratio", [part.name for part in case.mechanisms if part.kind]
+    yield "inertia", [case.link_name(link) for link, inertia in case.heavy.items() if inertia]
     yield "stiffness", [part.name for part in parts if part.stiffness is not None]
     yield "damping", [part.name for part in parts if part.damping]
-    yield "static friction", [one.name for one in case.shift_elements if one.static != 1]
-    yield "friction", [one.name for one in case.shift_elements if one.friction is not None]
-    laws = [one.name for one in case.mechanisms if isinstance(one.efficiency, Law)]
-    laws += [one.name for one in case.mechanisms if isinstance(one.back_efficiency, Law)]
+    yield "static friction", [part.name for part in case.shift_elements if part.static != 1]
+    yield "friction", [part.name for part in case.shift_elements if part.friction is not None]
+    laws = [part.name for part in case.mechanisms if isinstance(part.efficiency, Law)]
+    laws += [part.name for part in case.mechanisms if isinstance(part.back_efficiency, Law)]
     yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
     yield "fatigue strength", [*case.fatigue]
     yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
@@ -90,12 +92,22 @@ def check_published_listing(results: Results) -> None:
 
 
 def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each kind of part without a field, with the paths of these parts by name."""
+    """Yield each kind of part without a field, with the paths of such parts by name."""
     case = results.case
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
-    yield "efficiencies over speed or torque", _mechanisms(case, "efficiency", _has_law)
-    yield "second efficiencies", _mechanisms(case, "back_efficiency", _has_second)
+    yield (
+        "efficiencies over speed or torque",
+        _mechanisms(case, "efficiency", lambda part: isinstance(part.efficiency, Law)),
+    )
+    yield (
+        "second efficiencies",
+        _mechanisms(
+            case,
+            "back_efficiency",
+            lambda part: part.back_efficiency not in (None, part.efficiency),
+        ),
+    )
     yield (
         "the drag of shift elements",
         {
@@ -129,11 +141,12 @@ def _unprinted(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
             for index in case.unloaded
         },
     )
-    conflicts = zip(case.gears, results.conflict.tolist(), strict=True)
-    in_conflict = {gear.name for gear, is_conflict in conflicts if is_conflict}
     yield (
         "freewheels in conflict in gears",
-        _gears(case, "engaged", lambda gear: gear.name in in_conflict),
+        {
+            case.gears[index].name: ("gears", index + 1, "engaged")
+            for index in np.flatnonzero(results.conflict).tolist()
+        },
     )
 
 
@@ -149,21 +162,13 @@ def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dic
 
 
 def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear], bool]:
-    """Return the condition that a port of a gear is another link than that of the first gear."""
+    """Return a test for gears whose port differs from the port of the first gear."""
     return lambda gear: port(gear) != port(case.gears[0])
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
     """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
-
-
-def _has_law(part: Mechanism) -> bool:
-    return isinstance(part.efficiency, Law)
-
-
-def _has_second(part: Mechanism) -> bool:
-    return part.back_efficiency not in (None, part.efficiency)
 
 
 def _acts(drag: float) -> bool:

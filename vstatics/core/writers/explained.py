@@ -1,12 +1,12 @@
-"""What is behind each id of a message: its cause, its cure, and a case that shows it.
+"""Explanations of all messages: cause, cure, and a case that shows the message.
 
-`causes.txt` has a line for each id, the folder `examples` a case for each that a case alone can
-show; both stand in the folder `messages`. The last part of docs/messages.md is made of them.
+In the folder `messages`, `causes.txt` has a line for each id, and `examples` has a case for each
+message that a case alone can show. They are the source of the last part of docs/messages.md.
 
->>> told = explained("W318")
->>> told.severity, told.cause
+>>> warning = explained("W318")
+>>> warning.severity, warning.cause
 ('warning', "equally spaced bevel pinions can't be assembled")
->>> print(told.cure)
+>>> print(warning.cure)
 change teeth so that their sum is divisible by the pinions
 """
 
@@ -23,36 +23,36 @@ _FOLDER = resources.files("vstatics.core.writers").joinpath("messages")
 
 
 class ExplainedMessage(NamedTuple):
-    """A kind of message."""
+    """Kind of message, with an explanation."""
 
     id: str
     severity: Severity
     cause: str
     cure: str
     example: str | None
-    """A YAML case whose check tells it; None where another file or a run is needed."""
+    """YAML case whose check prints the message, if a case alone can show the message."""
 
 
 @cache
 def _lines() -> dict[str, tuple[str, str]]:
-    """Cause and cure of each id, in the order of the page."""
+    """Return cause and cure of each id, in the order of the page."""
     text = _FOLDER.joinpath("causes.txt").read_text("utf-8")
     rows = (line.split(" | ") for line in text.splitlines() if not line.startswith("#"))
     return {identity: (DOUBTS.get(identity, cause), cure) for identity, cause, cure in rows}
 
 
 def known_ids() -> list[str]:
-    """All ids: errors, warnings, notes."""
+    """List the ids of all errors, warnings and notes."""
     return list(_lines())
 
 
 def explained(identity: str) -> ExplainedMessage:
-    """What an id stands for, in large or small letters.
+    """Return the explanation of an id, in upper or lower case.
 
     Raises
     ------
     ValueError
-        If there is no such message; with the nearest id.
+        If no message has the id; the error suggests the nearest id.
     """
     identity = identity.upper()
     if identity not in _lines():
@@ -63,15 +63,15 @@ def explained(identity: str) -> ExplainedMessage:
     return ExplainedMessage(identity, severity(identity), *_lines()[identity], example)
 
 
-def text(one: ExplainedMessage) -> str:
-    """An id as a person reads it, with its example.
+def text(message: ExplainedMessage) -> str:
+    """Write the explanation of a message, with an example if there is any.
 
     >>> print(text(explained("E660")), end="")
     E660, an error: the case that a scenario names has errors
       mend the case
     """
-    article = "an" if one.severity == "error" else "a"
-    lines = [f"{one.id}, {article} {one.severity}: {one.cause}", f"  {one.cure}"]
-    if one.example:
-        lines += ["", *(f"    {line}".rstrip() for line in one.example.splitlines())]
+    article = "an" if message.severity == "error" else "a"
+    lines = [f"{message.id}, {article} {message.severity}: {message.cause}", f"  {message.cure}"]
+    if message.example:
+        lines += ["", *(f"    {line}".rstrip() for line in message.example.splitlines())]
     return "\n".join(lines) + "\n"

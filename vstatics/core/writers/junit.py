@@ -1,4 +1,4 @@
-"""Results of a check or comparison as the XML of JUnit, which CI shows test by test."""
+"""Outcomes of a check or comparison in the XML of JUnit, which CI shows as tests."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from vstatics.core.errors import printable
 
 
 class CaseOutcome(NamedTuple):
-    """What became of a case; it failed where there is a type."""
+    """Outcome of a case, a failure if `type` is not empty."""
 
     name: str
     type: str = ""
     message: str = ""
     text: str = ""
-    """What is told of it, also where it did not fail."""
+    """Output about the case, also without a failure."""
 
 
 def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
-    """The outcomes as one suite, a `testcase` each.
+    """Write the outcomes as a suite with a `testcase` each.
 
     Examples
     --------
@@ -39,19 +39,22 @@ def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
     def value(text: str) -> str:
         return quoteattr(printable(text))
 
-    counts = f'tests="{len(outcomes)}" failures="{sum(bool(one.type) for one in outcomes)}"'
+    counts = f'tests="{len(outcomes)}" failures="{sum(bool(outcome.type) for outcome in outcomes)}"'
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<testsuites {counts}>",
         f"  <testsuite name={value(suite)} {counts}>",
     ]
-    for one in outcomes:
-        begin = f"    <testcase name={value(one.name)} classname={value(suite)}"
-        told = escape(printable(one.text, lines=True))
-        if one.type:
-            inner = f"<failure type={value(one.type)} message={value(one.message)}>{told}</failure>"
-        elif one.text:
-            inner = f"<system-out>{told}</system-out>"
+    for outcome in outcomes:
+        begin = f"    <testcase name={value(outcome.name)} classname={value(suite)}"
+        output = escape(printable(outcome.text, lines=True))
+        if outcome.type:
+            inner = (
+                f"<failure type={value(outcome.type)} message={value(outcome.message)}>"
+                f"{output}</failure>"
+            )
+        elif outcome.text:
+            inner = f"<system-out>{output}</system-out>"
         else:
             lines.append(f"{begin}/>")
             continue

@@ -1,8 +1,8 @@
-"""Results as the printed report of the source: the input, then the tables.
+"""Listing of results in the form of the source's report: the deck, then the tables.
 
-Rows and columns are as printed there, under the same names and index lists; the
-program's own tables follow. The report starts with the deck of its case, so it is
-itself a deck that can be run again, but for a case with springs.
+Rows, columns, names and index lists are printed as in the source; the additional tables of this
+program follow. As the listing begins with the deck of the case, it can be run again as a deck,
+except for a case with springs.
 """
 
 from __future__ import annotations
@@ -26,19 +26,20 @@ CONVENTIONS = (
 )
 COASTING = "Coasting: the power enters at the output; in this scaling losses are below 0."
 LISTING_DECIMALS = 3
-"""After the point, as published."""
+"""Number of decimals, as published."""
 MESSAGES = "Messages:"
 
 
 def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMALS) -> str:
-    """The report of one case; numbers in Fortran style.
+    """Write the listing of a case, with numbers in Fortran style.
 
     Parameters
     ----------
+    results : Results
     lang : {"en", "ru"}
         Language of the headings.
     digits : int
-        After the point.
+        Number of decimals.
     """
     with speaking(lang):
         lines = [deck.write(results.with_numbers_only, lang), tr(RESULTS), tr(CONVENTIONS)]
@@ -52,23 +53,23 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
 
 
 def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterator[str]:
-    """Some tables of the results, each below its heading."""
+    """Yield the lines of tables, with headings."""
     named = results.case.has_own_rows
     for table in shown:
         for title, indices, part in parts(table, results.case):
-            mark = " (1)" if part.quantity.kind is bool else ""  # of what is so
+            mark = " (1)" if part.quantity.kind is bool else ""  # the number for yes
             yield from ("", f"{heading(title)}{mark}:", indices)
             yield from _rows(part, digits, named=named and table.quantity.rows != "one")
 
 
 def messages(results: Results) -> list[str]:
-    """What is said of the gears, if anything is."""
+    """Return the lines of the messages about the gears."""
     said = [*map(str, results.messages)]
     return ["", tr(MESSAGES), *said] if said else said
 
 
 def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
-    """What is printed of a table: heading, index list and rows; torques in two parts."""
+    """Yield heading, index list and rows of a table, or of both parts of a table of torques."""
     quantity = table.quantity
     if quantity.members is None:
         if table.values.size:
@@ -78,12 +79,12 @@ def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
     if elements:
         first = table._replace(rows=table.rows[:elements], values=table.values[:elements])
         yield quantity.heading, _indices(quantity, "I=1,KL"), first
-    rest = table._replace(rows=table.rows[elements:], values=table.values[elements:])
-    yield quantity.members[case.drawing is not None], _indices(quantity, "I=(KL+1),KLG1"), rest
+    second = table._replace(rows=table.rows[elements:], values=table.values[elements:])
+    yield quantity.members[case.drawing is not None], _indices(quantity, "I=(KL+1),KLG1"), second
 
 
 def _indices(quantity: Quantity, rows: str = "") -> str:
-    """The name with its index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
+    """Return the name with an index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
     column = "K" if quantity.columns == "devices" else "J"
     columns = f"{column}=1,{'KLG' if quantity.columns == 'devices' else 'NP'}"
     if quantity.rows == "one":
@@ -93,9 +94,9 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 
 
 def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
-    """Rows of equal fields: 7 wide with three digits, 3 wide for whole numbers, or wider.
+    """Return rows of equal fields: with three decimals 7 wide, integers 3 wide, or wider.
 
-    Where the case is drawn, or has springs, each row ends with its name.
+    With `named`, for a case that is drawn or has springs, each row ends with its name.
     """
     decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)

@@ -1,4 +1,4 @@
-"""The structure of a case of planetary sets as two matrices: rigid and variable connections."""
+"""Structure of a case of planetary gear sets as matrices of rigid and variable connections."""
 
 from __future__ import annotations
 
@@ -7,36 +7,36 @@ from vstatics.core.model.parts import HOUSING, OwnDevice
 from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
-OF_ELEMENTS = {"sun": "a", "carrier": "h", "ring": "b"}
-MEMBERS = OF_ELEMENTS | {"first": "a", "third": "h", "second": "b"}
-"""Letters of a set's members, also of one that is given by its ratio, in their order."""
+MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
+"""Letters of the members of a gear set or of a mechanism, in order."""
 
 
 def write(case: Transmission) -> str:
-    """Two tables in CSV, a blank line between; rows are the links of the case.
+    """Write the two matrices as tables in CSV, separated by a blank line; rows are links.
 
-    The first has a column for each member of each set: 1 in the row of its link, -1 in that of
-    the input; none for a member on the housing. The second has a column for each shift element:
-    -1 at its first link or the link that it brakes, 1 at its second link.
+    The matrix of rigid connections has a column for each member of each gear set, unless the
+    member is fixed to the housing: 1 in the row of its link, or -1 if the link is the input. The
+    matrix of variable connections has a column for each shift element: -1 in the row of its first
+    or braked link, 1 in the row of its second link.
 
     Raises
     ------
     CaseError
-        If a mechanism or an element has other members than sun, carrier and ring.
+        If the members of a mechanism or gear set are not sun, carrier and ring.
     """
     rigid: dict[str, dict[int, int]] = {}
     for device in case.own_devices:
         for letter, link in _links(case, device).items():
             rigid[f"{device.name}.{letter}"] = {link: -1 if link == case.input else 1}
-    variable = {one.name: _ends(one) for one in case.shift_elements}
+    variable = {element.name: _ends(element) for element in case.shift_elements}
     return f"{_table(case, rigid)}\n{_table(case, variable)}"
 
 
 def _links(case: Transmission, device: OwnDevice) -> dict[str, int]:
-    """The links of sun, carrier and ring."""
+    """Return the links of sun, carrier and ring by letter."""
     links = {member.name: member.link for member in device.members}
     if case.mechanisms[device.mechanisms[0]].is_set and "first" in links:
-        links["third"] = HOUSING  # which has no row of torques
+        links["third"] = HOUSING  # the housing has no row of torques
     if not links.keys() <= MEMBERS.keys() or len(links) != 3:
         message = f"{device.name} has the members {listed(list(links))}"
         raise CaseError("E871", f"{message}; expected a set of sun, carrier and ring")
@@ -49,7 +49,6 @@ def _ends(element: ShiftElement) -> dict[int, int]:
 
 
 def _table(case: Transmission, columns: dict[str, dict[int, int]]) -> str:
-    """A row for each link, after the heading."""
     names = case.link_names[: case.own_links]
     rows = [
         [name, *(str(column.get(link, 0)) for column in columns.values())]

@@ -1,4 +1,4 @@
-"""Writes cases as YAML and JSON; read again they are equal to the last bit."""
+"""Writers of cases as YAML and JSON, which are read back exactly."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ _WORD = re.compile(r"[^\W\d]\w*")
 
 
 class _OnOneLine(dict[str, Any]):
-    """A mapping that YAML has in braces."""
+    """Mapping that YAML writes in braces."""
 
 
 def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
-    """A case as plain data, with the keys of its YAML and JSON.
+    """Convert a case to plain data with the keys of YAML and JSON.
 
-    Keys that have their default are left out.
+    Keys with their default values are omitted.
 
     Parameters
     ----------
     case : Transmission
     units : bool
-        Whether what was given with a unit keeps it, so that it is the same with another load;
-        else it is a part of the load's speed or torque.
+        Whether values given in physical units keep their unit, so that they do not change with the
+        operating point. Otherwise they are relative to the speed or torque of the operating point.
 
     Examples
     --------
@@ -70,20 +70,20 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
 
         shape = with_elements(CASE)
         values |= vars(drawing)
-        values["elements"] = {one.name: record_of(one) for one in drawing.elements}
+        values["elements"] = {element.name: record_of(element) for element in drawing.elements}
     wholes = {math.inf, *_wholes(case)} if units else {math.inf}
     if not units:
         values |= _drag_by_gear(case)
-    links, own = _link_words(case), case.own_links
-    values["links"] = own if links[1] == 1 else links[1 : own + 1]
-    values["output"] = None if case.outputs or case.output == own else case.output
+    links, own_links = _link_words(case), case.own_links
+    values["links"] = own_links if links[1] == 1 else links[1 : own_links + 1]
+    values["output"] = None if case.outputs or case.output == own_links else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
-    sets = values["mechanisms"]  # those of a drawing, where there is one
-    values["mechanisms"] = {name: mechanism_record(one) for name, one in sets.items()}
-    values["springs"] = {one.name: spring_record(one) for one in case.springs}
+    sets = values["mechanisms"]  # without the mechanisms of drawn gear sets
+    values["mechanisms"] = {name: mechanism_record(part) for name, part in sets.items()}
+    values["springs"] = {spring.name: spring_record(spring) for spring in case.springs}
     values["converters"] = {
-        one.name: {"links": one.links, "points": one.points} for one in case.converters
+        part.name: {"links": part.links, "points": part.points} for part in case.converters
     }
     if carried := carried_keys(case):
         shape = with_carried(shape, carried)
@@ -95,7 +95,7 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
 
 
 def write_yaml(case: Transmission) -> str:
-    """A case as YAML; see `mapping`."""
+    """Write a case as YAML; see `mapping`."""
     import yaml  # costs start-up time
 
     data = mapping(case)
@@ -116,55 +116,57 @@ def write_yaml(case: Transmission) -> str:
 
 
 def write_json(case: Transmission) -> str:
-    """A case as JSON; see `mapping`."""
+    """Write a case as JSON; see `mapping`."""
     import json  # costs start-up time
 
     return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
 
 
 def _wholes(case: Transmission) -> set[float]:
-    """The sizes of all speeds and torques of a load to which a number of the case may be related.
+    """Return the speeds and torques of all operating points, without signs.
 
-    One that is related to another would be no part of anything when it is read again.
+    A number relative to any other value is written without a unit, which no operating point would
+    convert back when the case is read again.
     """
     loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
-    given = [load for load in loads if load]
-    return {load.torque_size for load in given} | {abs(load.speed or 0.0) for load in given}
+    return {size for load in loads if load for size in (load.torque_size, abs(load.speed or 0.0))}
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
-    """Gears with all drags relative to their loads, which may differ from the load of the case."""
+    """Return gears with all drags relative to the operating point of each gear."""
     gears = []
     for gear in case.gears:
-        own = case.with_all_drag(gear)
-        dragging = {n: drag for n, drag in own.open_drag.items() if drag or n in gear.open_drag}
-        gears.append(own._replace(open_drag=dragging))
+        with_drag = case.with_all_drag(gear)
+        dragging = {
+            n: drag for n, drag in with_drag.open_drag.items() if drag or n in gear.open_drag
+        }
+        gears.append(with_drag._replace(open_drag=dragging))
     elements = [element._replace(drag=0.0) for element in case.shift_elements]
     return {"drag": {}, "shift_elements": elements, "gears": gears}
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """How each link is written, the housing first: the case's own by their numbers if they can."""
-    own = case.own_links
-    if list(case.link_names[:own]) == [str(number) for number in range(1, own + 1)]:
+    """Return the written links, the housing first; by number if the case has no other names."""
+    own_links = case.own_links
+    if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]
     return ["housing", *map(str, case.link_names)]
 
 
 def _as_written(case: ByKey) -> ByKey:
-    """The keys in the order in which they are written: `load` after `coast`."""
+    """Return the keys in the order of writing: `load` after `coast`."""
     keys = {key.name: key for key in case.keys}
     load = keys.pop("load")
-    at = [*keys].index("coast") + 1
+    position = [*keys].index("coast") + 1
     ordered = [*keys.values()]
-    return case._replace(keys=(*ordered[:at], load, *ordered[at:]))
+    return case._replace(keys=(*ordered[:position], load, *ordered[position:]))
 
 
 _CASE = _as_written(CASE)
 
 
 class _Writer:
-    """Gives parts of the model as plain data, by their shapes."""
+    """Converter of parts of the model to plain data, directed by shapes."""
 
     def __init__(
         self,
@@ -173,9 +175,9 @@ class _Writer:
         mechanisms: Sequence[str],
         wholes: Collection[float],
     ) -> None:
-        """Keep how links, shift elements and mechanisms are written, and what keeps its unit.
+        """Store the written names by number, and the sizes of operating points.
 
-        The first three by their numbers; what is related to one of `wholes` keeps its unit.
+        A value relative to one of the sizes `wholes` is written with its unit.
         """
         self.wholes = wholes
         self.links = links
@@ -183,14 +185,18 @@ class _Writer:
         self.elements = [str(name) for name in elements]
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
-        """The keys of a part of the model, or of a mapping, without those that say nothing."""
+        """Return the keys of a part or mapping, without default values."""
         values = part if isinstance(part, dict) else None
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
-            says = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
-            says &= key.name != "torque" or getattr(part, "power", None) is None  # it gives that
-            if value is not None and says:  # what is a part of no load is 0 as a number
+            is_written = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
+            is_written &= (
+                key.name != "torque" or getattr(part, "power", None) is None
+            )  # power gives torque
+            if (
+                value is not None and is_written
+            ):  # an OfLoad without an operating point is 0 as a number
                 data[key.name] = self.value(value, key.shape)
         return data
 
@@ -214,7 +220,7 @@ class _Writer:
         return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
 
     def speed_of(self, speed: SpeedOf) -> str:
-        """The speed of another link; behind the word `link` no name is taken for anything else."""
+        """Write a speed relative to a link; the word `link` precedes ambiguous names."""
         name = str(self.links[speed.link])
         link = name if _WORD.fullmatch(name) else f"link {name}"
         return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
@@ -230,8 +236,8 @@ class _Writer:
         return data[shape.key] if shape.written and [*data] == [shape.key] else data
 
     def numbers(self, value: Any, shape: Numbers) -> dict[int | str, Any]:
-        by = {"link": self.links, "shift element": self.elements, "mechanism": self.mechanisms}
-        words = by[shape.by]
+        names = {"link": self.links, "shift element": self.elements, "mechanism": self.mechanisms}
+        words = names[shape.by]
         return {words[part]: self.value(number, shape.item) for part, number in value.items()}
 
     def list_of(self, value: Any, shape: ListOf) -> list[Any]:
@@ -242,10 +248,12 @@ class _Writer:
 
     def row(self, value: Any, shape: RowOf) -> list[Any]:
         known = (*shape.items, *shape.optional)
-        return [self.value(one, item) for one, item in zip(value, known, strict=False)]
+        return [
+            self.value(item, item_shape) for item, item_shape in zip(value, known, strict=False)
+        ]
 
     def by_law(self, value: Any, shape: ByLaw) -> Any:
-        """A number, or a law as it was given; points of a file stand in the case."""
+        """Write a number or a law; points from a file are written in full."""
         if not isinstance(value, Law):
             return self.leaf(value, shape.scalar)
         points = [list(point) for point in value.points]
@@ -258,10 +266,10 @@ class _Writer:
         return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
 
     def by_points(self, value: Any, shape: ByPoints) -> Any:
-        """Points, or the number that holds everywhere; or by the keys of a mapping."""
+        """Write points, a constant number, or the keys of a mapping."""
         if hasattr(value, "_asdict"):
             return self.by_key(value, shape.mapping)
-        rows = [self.row(one, shape.row) for one in value]
+        rows = [self.row(point, shape.row) for point in value]
         return rows[0][1] if len(rows) == 1 and rows[0][0] == 0 else rows
 
     def pair(self, value: Any, _: Pair) -> list[str]:
@@ -283,7 +291,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     ByLaw: _Writer.by_law,
     Balances: _Writer.balance,
 }
-"""How what a shape describes is written."""
+"""Method that writes the values of each type of shape."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(
@@ -292,11 +300,11 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }
-"""How a value is written that has no unit and is no name."""
+"""Type in which values without unit or name are written, by the kind of leaf."""
 
 
 def _dumper() -> type[yaml.SafeDumper]:
-    """A dumper that writes texts of several lines as such, and no aliases."""
+    """Return a YAML dumper that writes texts on several lines, and no aliases."""
     import yaml
 
     class Dumper(yaml.SafeDumper):

@@ -1,4 +1,4 @@
-"""Problems of files as programs of CI read them: annotations of GitHub, SARIF 2.1.0."""
+"""Problems of files in formats for CI: annotations of GitHub and SARIF 2.1.0."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from vstatics.core.errors import Problem
 from vstatics.core.writers.explained import explained
 
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
-"""Of GitHub by severity."""
+"""Workflow commands of GitHub, by severity."""
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """A line for each problem, which GitHub shows in the changed file.
+    """Write a line for each problem, which GitHub shows as an annotation of the file.
 
     >>> from vstatics.core.errors import Place
     >>> place = Place("scenarios/../a,b.yaml", 3, 7)
@@ -23,19 +23,21 @@ def github(problems: Iterable[Problem]) -> str:
     ::error file=a%2Cb.yaml,line=3,col=7,title=E107::read 100%25, expected less
     """
     lines = []
-    for one in problems:
-        parts = {"title": one.id}
-        if one.place:
-            file, line, column, _ = one.place
+    for problem in problems:
+        parts = {"title": problem.id}
+        if problem.place:
+            file, line, column, _ = problem.place
             where = {"line": str(line), "col": str(column)} if line else {}
             parts = {"file": _relative(file), **where, **parts}
-        told = ",".join(f"{key}={_property(value)}" for key, value in parts.items())
-        lines.append(f"::{_COMMANDS[one.severity]} {told}::{_data(one.message)}\n")
+        properties = ",".join(
+            f"{key}={_data(value).replace(':', '%3A').replace(',', '%2C')}"
+            for key, value in parts.items()
+        )
+        lines.append(f"::{_COMMANDS[problem.severity]} {properties}::{_data(problem.message)}\n")
     return "".join(lines)
 
 
 def _relative(file: str) -> str:
-    """A path as it is from the folder of the command, without detours."""
     return os.path.relpath(file).replace(os.sep, "/")
 
 
@@ -43,38 +45,34 @@ def _data(text: str) -> str:
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 
-def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
-
-
 def sarif(problems: Sequence[Problem]) -> dict[str, Any]:
-    """The problems as a run of a tool, with rules of the ids that occur.
+    """Return the problems as a SARIF run, with a rule for each id.
 
     >>> from vstatics.core.errors import Place
-    >>> made = sarif([Problem("E107", "read 0", place=Place("my box.yaml", 3, 7))])
-    >>> [result] = made["runs"][0]["results"]
+    >>> log = sarif([Problem("E107", "read 0", place=Place("my box.yaml", 3, 7))])
+    >>> [result] = log["runs"][0]["results"]
     >>> result["ruleId"], result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
     ('E107', 'my%20box.yaml')
     """
-    ids = sorted({one.id for one in problems})
+    ids = sorted({problem.id for problem in problems})
     rules = [
         {
-            "id": one.id,
-            "shortDescription": {"text": one.cause},
-            "help": {"text": one.cure},
-            "defaultConfiguration": {"level": one.severity},
+            "id": message.id,
+            "shortDescription": {"text": message.cause},
+            "help": {"text": message.cure},
+            "defaultConfiguration": {"level": message.severity},
         }
-        for one in map(explained, ids)
+        for message in map(explained, ids)
     ]
     results = [
         {
-            "ruleId": one.id,
-            "ruleIndex": ids.index(one.id),
-            "level": one.severity,
-            "message": {"text": one.message},
-            "locations": _locations(one),
+            "ruleId": problem.id,
+            "ruleIndex": ids.index(problem.id),
+            "level": problem.severity,
+            "message": {"text": problem.message},
+            "locations": _locations(problem),
         }
-        for one in problems
+        for problem in problems
     ]
     run = {
         "tool": {"driver": {"name": "vstatics", "rules": rules}},

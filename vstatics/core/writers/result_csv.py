@@ -1,4 +1,4 @@
-"""Results as CSV in long form: one number a row, for spreadsheets and pandas."""
+"""Results as CSV in long form, with a number in each row, for spreadsheets and pandas."""
 
 from __future__ import annotations
 
@@ -13,31 +13,32 @@ CONVENTIONS = (
     "torques: external ones act on a link, positive like the input's, which is 1; Mx is the "
     "output torque, given to the load",
 )
-"""They stand in last rows without a value: a line of comment would trouble spreadsheets."""
+"""Conventions, written as rows without a value, as spreadsheets have no comments in CSV."""
 
 
 def write(results: Results, *, raw: bool = False) -> str:
-    """One result.
+    """Write the results of a case as CSV.
 
-    Columns: table, row, gear, value. AJK, which is the same in all gears, has the link
-    and the device in `row` and no gear. A value that does not exist is empty. The last
-    rows state the conventions and have no value either.
+    The columns are table, row, gear and value. AJK does not depend on the gear: its rows are
+    ``link:device``, without a gear. A value that does not exist is empty. The last rows state the
+    conventions, also without a value.
 
     Parameters
     ----------
+    results : Results
     raw : bool
-        Whether texts stay as they are, also where a spreadsheet calculates them.
+        Whether texts that begin like a formula are left unguarded; see `csv.guarded`.
     """
     return "".join([head(several=False), rows(None, results, raw=raw), tail(several=False)])
 
 
 def head(*, several: bool) -> str:
-    """The names of the columns; several results have a column `case`."""
+    """Write the names of the columns; several results need a column `case`."""
     return csv.lines([["case"] * several + ["table", "row", "gear", "value"]])
 
 
 def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
-    """The rows of one result; `file` is the first column among several."""
+    """Write the rows of a result, with the file of the case if there are several."""
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):
@@ -45,14 +46,14 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
         for row, values in zip(table.rows, table.values.tolist(), strict=True):
             for column, value in zip(table.columns, values, strict=True):
                 place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
-                kind = float if quantity.kind is float else int  # a mark is a whole number
+                kind = float if quantity.kind is float else int  # a flag is written as 0 or 1
                 shown = "" if math.isnan(value) else repr(kind(value))
                 cells.append([*front, quantity.key, *place, shown])
     return csv.lines(cells, raw=raw)
 
 
 def tail(*, several: bool) -> str:
-    """The rows of the conventions."""
+    """Write the rows of the conventions."""
     return csv.lines(
         [""] * several + ["conventions", convention, "", ""] for convention in CONVENTIONS
     )

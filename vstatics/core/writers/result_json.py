@@ -1,8 +1,9 @@
-"""Results as one JSON object; its shape is in schemas/result.schema.json."""
+"""Results as a JSON object; the schema is `schemas/result.schema.json`."""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable
 from functools import cache
 from typing import Any
@@ -30,10 +31,10 @@ CONVENTIONS = {
 
 
 def document(results: Results) -> dict[str, Any]:
-    """Results as a plain mapping, ready for JSON.
+    """Convert results to a mapping of plain data for JSON.
 
-    Tables stand under their names as lists of rows, those of one row as lists over the
-    gears; NaN becomes None. The case tells its conventions, defaults too.
+    A table is a list of rows, a list over the gears a single list; NaN becomes None. The key
+    `idle` of the case is always written.
     """
     case = results.case
     result: dict[str, Any] = {
@@ -47,37 +48,33 @@ def document(results: Results) -> dict[str, Any]:
     if case.has_own_rows:
         result["rows"] = {t.quantity.key: list(t.rows) for t in shown if t.quantity.rows != "one"}
     for table in shown:
-        quantity = table.quantity
-        rows = [_row(row, quantity.kind) for row in table.values.tolist()]
+        quantity, kind = table.quantity, table.quantity.kind
+        rows = [
+            [None if math.isnan(value) else kind(value) for value in row]
+            for row in table.values.tolist()
+        ]
         result[quantity.key] = rows[0] if quantity.rows == "one" else rows
     result["messages"] = [str(message) for message in results.messages]
     return result
 
 
 def to_json(results: Results, file: str = "") -> str:
-    """What `vstatics run -f json` writes of one case, to the byte.
+    """Write the results of a case as JSON, exactly as ``vstatics run -f json``.
 
     Parameters
     ----------
     results : Results
-        Of one case, not of arrays of variants.
+        Results of one case, not of arrays of variants.
     file : str
-        Of the case, for the key `file`; without one the key is left out.
+        File of the case, for the key `file`; empty: no such key.
     """
     expect_one_case(results, "to_json")
-    made = document(results)
-    return printable(text(with_file(made, file) if file else made), lines=True) + "\n"
+    data = document(results)
+    return printable(text(with_file(data, file) if file else data), lines=True) + "\n"
 
 
-def _row(values: list[float], kind: type) -> list[Any]:
-    """The numbers of a row as JSON has them."""
-    if kind is float:
-        return [None if value != value else value for value in values]  # noqa: PLR0124 - NaN
-    return [None if value != value else kind(value) for value in values]  # noqa: PLR0124
-
-
-def text(made: dict[str, Any]) -> str:
-    """A document on many lines, a row of a table a line, without the end of the last.
+def text(data: dict[str, Any]) -> str:
+    """Format a document on several lines, a line for each row of a table, without a final end.
 
     Examples
     --------
@@ -90,7 +87,7 @@ def text(made: dict[str, Any]) -> str:
       "ETA": [0.9]
     }
     """
-    return _braced((_text(key), _value(key, value)) for key, value in made.items())
+    return _braced((_text(key), _value(key, value)) for key, value in data.items())
 
 
 def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
@@ -99,13 +96,13 @@ def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
 
 
 def _value(key: str, value: Any) -> str:
-    """A value on one line, but a table or a list of messages, and a mapping, an entry a line."""
+    """Format a value on a line, or a table, mapping or list of messages on several lines."""
     if value is CONVENTIONS:
         return _conventions()
     if isinstance(value, dict) and value:
         return _mapping(value)
     if isinstance(value, list) and value:
-        if isinstance(value[0], list):  # of numbers: nothing else in it looks like this
+        if isinstance(value[0], list):  # rows of numbers, so "], [" only separates rows
             return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
         if key == "messages":
             return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
@@ -118,7 +115,7 @@ def _mapping(value: dict[str, Any]) -> str:
 
 @cache
 def _conventions() -> str:
-    """They are the same in every result."""
+    """Format the conventions once, as all results have equal conventions."""
     return _mapping(CONVENTIONS)
 
 

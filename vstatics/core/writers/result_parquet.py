@@ -1,4 +1,4 @@
-"""Results in Parquet, in long form as in CSV: one number a row, for many cases."""
+"""Results of many cases in Parquet, in long form as in CSV: a number in each row."""
 
 from __future__ import annotations
 
@@ -10,18 +10,17 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.parquet import GROUP, row_groups
 from vstatics.core.tables.values import tables
 
 NAMES = ("case", "table", "row", "gear")
-GROUP = 262_144
-"""Rows of a row group, at most those of one case more."""
 
 
 def rows(file: str, results: Results) -> bytes:
-    """The rows of one result, for `joined`: a stream of Arrow.
+    """Return the rows of a result as a stream of Arrow, for `joined`.
 
-    Columns: case, table, row, gear, value. AJK, which is the same in all gears, has the link and
-    the device in `row` and no gear. A value that does not exist is null.
+    The columns are case, table, row, gear and value. AJK does not depend on the gear: its rows
+    are ``link:device``, without a gear. A value that does not exist is null.
     """
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
     places: list[tuple[str, str, str | None]] = []
@@ -34,7 +33,7 @@ def rows(file: str, results: Results) -> bytes:
                 (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
                 for column in table.columns
             ]
-    name = file.encode(errors="backslashreplace").decode()  # it need not be UTF-8
+    name = file.encode(errors="backslashreplace").decode()  # file names need not be UTF-8
     columns = [[name] * len(places), *map(list, zip(*places, strict=True))]
     coded = [pa.array(column, pa.string()).dictionary_encode() for column in columns]
     numbers = pa.array(np.concatenate(values), from_pandas=True)
@@ -46,56 +45,43 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """The rows of all results as one file, piece by piece.
+    """Yield a Parquet file of all results in pieces.
 
     Parameters
     ----------
     parts : iterable of bytes
-        Those of `rows`; empty ones are left out.
+        Streams of `rows`; empty streams are skipped.
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     schema = pa.schema([*((name, pa.string()) for name in NAMES), ("value", pa.float64())])
+    read = (pa.ipc.open_stream(part).read_all().cast(schema) for part in filter(None, parts))
     sink = _Drained()
     with parquet.ParquetWriter(pa.PythonFile(sink, mode="w"), schema) as writer:
-        for group in _groups(parts, schema):
-            writer.write_table(group, row_group_size=2 * GROUP)
+        for group in row_groups(read, len):
+            writer.write_table(pa.concat_tables(group), row_group_size=2 * GROUP)
             yield sink.drained()
     yield sink.drained()
 
 
-def _groups(parts: Iterable[bytes], schema: Any) -> Iterator[Any]:
-    """Tables of so many parts together that row groups have a good size."""
-    pa = import_module("pyarrow")
-    group, count = list[Any](), 0
-    for part in filter(None, parts):
-        group.append(pa.ipc.open_stream(part).read_all().cast(schema))
-        count += len(group[-1])
-        if count >= GROUP:
-            yield pa.concat_tables(group)
-            group, count = [], 0
-    if group:
-        yield pa.concat_tables(group)
-
-
 class _Drained(io.RawIOBase):
-    """A file whose content is taken out while it is written."""
+    """File whose content can be removed during writing."""
 
     def __init__(self) -> None:
-        self.kept: list[bytes] = []
+        self.pieces: list[bytes] = []
         self.size = 0
 
     def writable(self) -> bool:
         return True
 
     def write(self, data: Any) -> int:
-        self.kept.append(bytes(data))
-        self.size += len(self.kept[-1])
-        return len(self.kept[-1])
+        self.pieces.append(bytes(data))
+        self.size += len(self.pieces[-1])
+        return len(self.pieces[-1])
 
     def tell(self) -> int:
         return self.size
 
     def drained(self) -> bytes:
-        """What was written since the last time."""
-        taken, self.kept = b"".join(self.kept), []
+        """Return the bytes written since the last call."""
+        taken, self.pieces = b"".join(self.pieces), []
         return taken

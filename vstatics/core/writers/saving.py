@@ -1,4 +1,4 @@
-"""Cases as files of any format: what a format cannot keep is told."""
+"""Cases as files of any format, with a list of the parts that a format cannot contain."""
 
 from __future__ import annotations
 
@@ -19,32 +19,34 @@ SUFFIXES = {
     ".json": "json",
     ".xlsx": "xlsx",
 }
-"""Of cases, and the format that each tells."""
+"""Formats of case files, by suffix."""
 
 
 @refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
-    """Write a case, whole or not at all; its suffix tells the format.
+    """Write a case to a file, in the format of the suffix.
+
+    The file is written completely or not at all.
 
     Parameters
     ----------
     case : Transmission
     path : path-like
-        Ends with .yaml, .json, .xlsx or .dat (a deck).
+        File, with the suffix .yaml, .json, .xlsx or .dat (a deck).
 
     Returns
     -------
     list of str
-        What the format cannot keep.
+        Parts of the case that the format cannot contain.
 
     Raises
     ------
     CaseError
-        If what is left of the case in the format would be another case.
+        If the case would have other results without these parts.
     ValueError
         If no format has the suffix.
     OSError
-        If it can't be written.
+        If the file cannot be written.
 
     Examples
     --------
@@ -67,40 +69,37 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
 
 
 def case_data(case: Transmission, form: str) -> tuple[bytes, list[str]]:
-    """A case as a file of a format holds it, and what the format cannot keep of it.
+    """Return a case as the bytes of a file, and the parts that the format cannot contain.
 
     Raises
     ------
     CaseError
-        If what is left of it in the format would be another case.
+        If the case would have other results without these parts.
     """
+    lost: list[str] = []
     if form == "xlsx":
         from vstatics.core.writers import workbook
 
-        return workbook.write(case), []
-    text, lost = _as_text(case, form)
-    return printable(text, lines=True).encode(), lost
-
-
-def _as_text(case: Transmission, form: str) -> tuple[str, list[str]]:
+        return workbook.write(case), lost
     if form == "deck":
-        from vstatics.core.writers.deck import lost
-        from vstatics.core.writers.deck import write as write_deck
+        from vstatics.core.writers import deck
         from vstatics.core.writers.deck_limits import check_deck
 
         check_deck(case)
         results = solve(case)
-        conflicts = [
+        text = deck.write(results.with_numbers_only)
+        lost = deck.lost(case)
+        lost += [
             f"that gear {gear.name} is in conflict: a deck does without the freewheel"
-            for gear, is_so in zip(case.gears, results.conflict.tolist(), strict=True)
-            if is_so
+            for gear, is_in_conflict in zip(case.gears, results.conflict.tolist(), strict=True)
+            if is_in_conflict
         ]
-        return write_deck(results.with_numbers_only), [*lost(case), *conflicts]
-    if form == "matrices":
+    elif form == "matrices":
         from vstatics.core.writers import matrices
 
-        return matrices.write(case), []
-    from vstatics.core.writers import named
+        text = matrices.write(case)
+    else:
+        from vstatics.core.writers import named
 
-    writer = named.write_yaml if form == "yaml" else named.write_json
-    return writer(case), []
+        text = named.write_yaml(case) if form == "yaml" else named.write_json(case)
+    return printable(text, lines=True).encode(), lost

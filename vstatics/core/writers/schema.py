@@ -1,4 +1,4 @@
-"""The JSON Schema of a result, made from the declaration of its tables."""
+"""JSON Schema of a result, derived from the declaration of its tables."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ SIGN = {"enum": [-1, 0, 1, None]}
 
 
 def json_schema(of_case: Schema) -> Schema:
-    """The schema of what `result_json.document` makes, one or several.
+    """Return the JSON Schema of a file of results; see `result_json.document`.
 
     Parameters
     ----------
     of_case : dict
-        The schema of a case, which stands in a result as it was calculated.
+        Schema of the case, which is contained in the result.
     """
     texts = list_of(TEXT)
     properties: Schema = {
@@ -39,12 +39,14 @@ def json_schema(of_case: Schema) -> Schema:
     properties |= {quantity.key: _table(quantity) for quantity in QUANTITIES}
     properties["messages"] = {**texts, "description": "What was noticed, gear by gear."}
     sometimes = ["rows", *(quantity.key for quantity in QUANTITIES if not quantity.always)]
-    one = {
+    content = {
         "description": "Tables of one case under the names of the deck; null: no value.",
         **object_of(properties, optional=sometimes),
     }
-    kept = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}
-    return documents("result", "Result of vstatics", one, {"case": kept, **of_case["$defs"]})
+    case_schema = {key: value for key, value in of_case.items() if key not in ("$schema", "$defs")}
+    return documents(
+        "result", "Result of vstatics", content, {"case": case_schema, **of_case["$defs"]}
+    )
 
 
 def _table(quantity: Quantity) -> Schema:

@@ -1,8 +1,8 @@
-"""The published listing word for word, in its Russian: only its fields and tables.
+"""Published listing in the source's Russian wording, with the published fields and tables only.
 
-The listing has fields for links, shift elements, mechanisms and gears. Its input is the first
-link and its output the last one, and mechanisms without power flow have a sign. `published_results`
-are those of the case as these fields hold it, so the listing is a deck with the same results.
+The listing has fields for links, shift elements, mechanisms and gears. The input is the first link
+and the output the last link, and mechanisms without power flow have a sign. `published_results`
+solves the case within these limits, so the listing is a deck with equal results.
 """
 
 from __future__ import annotations
@@ -84,16 +84,16 @@ GIVEN = {
         "Число дополнительных внешних моментов на каждой передаче:"
     ),
 }
-"""The source's words by the headings of a deck; it has none for values of given speeds."""
+"""Headings of the source by the headings of a deck; values of given speeds lack a heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists whose numbers stand below their name, where a deck has them beside it."""
+"""Lists with the numbers below the name, which precedes the numbers in a deck."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",
     "AMLG": "Б. Силовой расчет",
     "AMLGP": "В. Силовой расчет с учетом потерь в преобразующих механизмах",
 }
-"""Titles by the table that they stand above."""
+"""Titles of sections, by the first table of each section."""
 _OF_ELEMENTS = "Крутящие моменты на звеньях муфт и тормозов на каждой передаче"
 _OF_MECHANISMS = (
     "Крутящие моменты на первых звеньях (обычно солнечных шестернях дифференциалов) "
@@ -119,7 +119,7 @@ HEADINGS = {
         "(указывает направление мощностного потока):"
     ),
 }
-"""By the index lists of tables, or of their parts."""
+"""Headings by the index lists of tables, or of parts of tables."""
 
 
 NO_FOLLOWING = (
@@ -129,10 +129,10 @@ NO_FOLLOWING = (
 
 
 def published_results(results: Results) -> Results:
-    """Return the results of the case as the fields of the published listing hold it.
+    """Solve the case within the limits of the fields of the published listing.
 
-    The input is the first link and the output the last one; planets that are links come between.
-    Freewheels are elements that are engaged where they hold, and given speeds are numbers.
+    The links are renumbered with the input first and the output last. Freewheels become shift
+    elements that are engaged if the freewheel holds, and given speeds become numbers.
 
     Raises
     ------
@@ -162,7 +162,7 @@ def published_results(results: Results) -> Results:
 
 
 def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
-    """Return a warning for each gear whose efficiency depends on the signs of idle mechanisms."""
+    """Return warnings about gears whose efficiency depends on signs of idle mechanisms."""
     before, after = results.efficiency, published.efficiency
     same = np.isclose(before, after, rtol=SAME_RATIO, atol=0, equal_nan=True)
     problems = []
@@ -176,7 +176,7 @@ def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
 
 
 def _published_case(results: Results) -> Transmission:
-    """Return the case with the parts that have fields, its links in the order of the listing."""
+    """Return the case reduced to the fields of the listing, with renumbered links."""
     case = results.with_numbers_only
     ends = case.gear_input(case.gears[0]), case.gear_output(case.gears[0])
     between = (link for link in range(1, case.links + 1) if link not in ends)
@@ -222,16 +222,16 @@ def _published_case(results: Results) -> Transmission:
 def write(
     results: Results, digits: int = listing.LISTING_DECIMALS, *, own_tables: bool = False
 ) -> str:
-    """Write the published listing of one case, its rows in F8.3 and I3.
+    """Write the published listing of a case, with rows in F8.3 and I3.
 
     Parameters
     ----------
     results : Results
-        Those of `published_results`.
+        Results of `published_results`.
     digits : int
         Number of decimals.
     own_tables : bool
-        Whether the tables that the source does not have follow, in Russian, with the messages.
+        Whether the unpublished tables and the messages follow, in Russian.
     """
     shown = tables(results)
     lines = [*_given(results.case), RESULTS]
@@ -239,15 +239,15 @@ def write(
         if table.quantity.published:
             lines += _printed(table, results.case, digits)
     if own_tables:
-        own = [table for table in shown if not table.quantity.published]
+        unpublished = [table for table in shown if not table.quantity.published]
         with speaking("ru"):
-            lines += listing.table_lines(results, own, digits)
+            lines += listing.table_lines(results, unpublished, digits)
             lines += listing.messages(results)
     return "\n".join(lines) + "\n"
 
 
 def _given(case: Transmission) -> Iterator[str]:
-    """The fields of the deck that the source has, under its headings."""
+    """Yield the fields of a deck below the headings of the source."""
     for line in deck.template(case):
         name, colon, numbers = line.partition(": ")
         if line.startswith(BELOW):
@@ -257,7 +257,7 @@ def _given(case: Transmission) -> Iterator[str]:
 
 
 def _printed(table: Table, case: Transmission, digits: int) -> Iterator[str]:
-    """A table of the source, in one or two parts."""
+    """Yield the lines of a published table."""
     quantity = table.quantity
     if quantity.printed in SECTIONS:
         yield f"\n{SECTIONS[quantity.printed]}"

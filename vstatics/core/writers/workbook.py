@@ -1,4 +1,4 @@
-"""Writes cases as workbooks (XLSX); read again they are equal to the last bit."""
+"""Writer of cases as workbooks (XLSX), which are read back exactly."""
 
 from __future__ import annotations
 
@@ -29,121 +29,126 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[tuple[Part, ...], Any]]
-"""Each with its path."""
+"""Values, with the paths."""
 
 
 def write(case: Transmission) -> bytes:
-    """A case as a workbook: a sheet for links, shift elements, mechanisms or elements, and gears.
+    """Write a case as a workbook with sheets for links, shift elements, mechanisms and gears.
 
     Raises
     ------
     CaseError
-        If openpyxl is missing, or the case is larger than sheets that are read.
+        If openpyxl is missing, or the case exceeds the size of sheets that can be read.
     """
     require("xlsx", "a case in XLSX")
     return sheet_data(sheets(mapping(case)))
 
 
 def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
-    """The sheets of a case that is given as plain data, the first row of each its headings.
+    """Return the sheets of a case in plain data; the first row of each sheet has the headings.
 
     Raises
     ------
     CaseError
-        If the case is larger than sheets that are read.
+        If the case exceeds the size of sheets that can be read.
 
     Examples
     --------
-    >>> made = sheets({
+    >>> rows = sheets({
     ...     "name": "box", "links": ["a", "b"], "shift_elements": {"B": ["b", "housing"]},
     ...     "mechanisms": {"D": {"first": "a", "second": "b", "ratio": 2.0}},
     ...     "gears": {"low": {"engaged": ["B"], "speeds": {"a": 0.5}}, "free": {}}})
-    >>> made["case"], made["links"]
+    >>> rows["case"], rows["links"]
     ([['path', 'value'], ['name', 'box']], [['name'], ['a'], ['b']])
-    >>> made["shift_elements"]
+    >>> rows["shift_elements"]
     [['name', 'first', 'second'], ['B', 'b', 'housing']]
-    >>> made["gears"]
+    >>> rows["gears"]
     [['name', 'B', 'speeds.a'], ['low', 'x', 0.5], ['free', None, None]]
     """
-    rest = dict(data)
-    made: dict[str, list[_Row]] = {CASE_SHEET: []}
-    if isinstance(rest.get(LINKS), list):
-        made[LINKS] = [["name"], *([_cell(name)] for name in rest.pop(LINKS))]
-    names = list(map(str, rest.get("shift_elements", {})))
+    others = dict(data)
+    written: dict[str, list[_Row]] = {CASE_SHEET: []}
+    if isinstance(others.get(LINKS), list):
+        written[LINKS] = [["name"], *([_cell(name)] for name in others.pop(LINKS))]
+    names = list(map(str, others.get("shift_elements", {})))
     for key in PART_SHEETS:
-        if rest.get(key):
-            parts = rest.pop(key)
-            made[key] = _gears(parts, names) if key == GEARS else _parts(parts, key)
-    made[CASE_SHEET] = [["path", "value"], *([path_cell(path), one] for path, one in _flat(rest))]
-    for name, rows in made.items():
+        if others.get(key):
+            parts = others.pop(key)
+            written[key] = _gears(parts, names) if key == GEARS else _parts(parts, key)
+    written[CASE_SHEET] = [
+        ["path", "value"],
+        *([path_cell(path), value] for path, value in _flat(others)),
+    ]
+    for name, rows in written.items():
         if len(rows) > MOST_ROWS or len(rows[0]) > MOST_COLUMNS:
             message = f"the sheet {name} would have more than {MOST_ROWS} rows or {MOST_COLUMNS}"
             raise CaseError("E119", f"{message} columns; expected YAML or JSON, which hold them")
-    return made
+    return written
 
 
 def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
-    """Rows of parts, a column for each path that one of them has."""
+    """Return the rows of parts, with a column for each path of any part."""
     first = {path: heading for heading, path in PART_SHEETS[key].first.items()}
-    told: dict[str, dict[str, Any]] = {}
+    cells: dict[str, dict[str, Any]] = {}
     for name, part in parts.items():
         whole, ends = part, []
-        if first:  # a shift element, which may be its links alone
+        if first:  # a shift element, which can be given by its links alone
             whole = dict(part) if isinstance(part, dict) else {"links": part}
             ends = whole.pop("links")
-        told[name] = {first["links", at]: _cell(one) for at, one in enumerate(ends, 1)}
-        told[name] |= {path_cell(path): one for path, one in _flat(whole)}
-    headings = dict.fromkeys([*first.values(), *(one for row in told.values() for one in row)])
-    rows = [[_cell(str(name)), *map(row.get, headings)] for name, row in told.items()]
+        cells[name] = {first["links", end]: _cell(link) for end, link in enumerate(ends, 1)}
+        cells[name] |= {path_cell(path): value for path, value in _flat(whole)}
+    headings = dict.fromkeys(
+        [*first.values(), *(heading for row in cells.values() for heading in row)]
+    )
+    rows = [[_cell(str(name)), *map(row.get, headings)] for name, row in cells.items()]
     return [["name", *headings], *rows]
 
 
 def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
-    """Rows of gears: columns of shift elements, then of paths."""
+    """Return the rows of gears, with columns of shift elements and of paths."""
     engaged = {name: list(map(str, gear.get("engaged", ()))) for name, gear in gears.items()}
     columns = _in_order(names, list(engaged.values()))
     place = {name: number for number, name in enumerate(columns)}
     headings = {name: text_cell(name) for name in columns}
-    told: dict[str, dict[str, Any]] = {}
+    cells: dict[str, dict[str, Any]] = {}
     for name, gear in gears.items():
         others = {key: value for key, value in gear.items() if key != "engaged"}
-        told[name] = {}
-        for path, one in _flat(others):
+        cells[name] = {}
+        for path, value in _flat(others):
             heading = path_cell(path)
             taken = heading in headings.values()
-            told[name][quoted_path_cell(path) if taken else heading] = one
-    paths = list(dict.fromkeys(one for row in told.values() for one in row))
+            cells[name][quoted_path_cell(path) if taken else heading] = value
+    paths = list(dict.fromkeys(path for row in cells.values() for path in row))
     rows = []
-    for name, row in told.items():
-        mine = engaged[name]
-        ordered = mine == sorted(mine, key=place.__getitem__)
+    for name, row in cells.items():
+        elements = engaged[name]
+        ordered = elements == sorted(elements, key=place.__getitem__)
         marks = [
-            None if one not in mine else ENGAGED if ordered else mine.index(one) + 1
-            for one in columns
+            None if part not in elements else ENGAGED if ordered else elements.index(part) + 1
+            for part in columns
         ]
-        rows.append([_cell(str(name)), *marks, *(row.get(one) for one in paths)])
+        rows.append([_cell(str(name)), *marks, *map(row.get, paths)])
     return [["name", *headings.values(), *paths], *rows]
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Shift elements in an order that is that of the engaged ones of all gears, where it can be."""
-    best, kept = list(names), set[tuple[str, str]]()
+    """Sort the shift elements in the order within the gears, as far as possible."""
+    best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
-        pairs = kept | {*pairwise(elements)}
-        if pairs == kept:
+        pairs = known | {*pairwise(elements)}
+        if pairs == known:
             continue
         try:
-            best, kept = _sorted(names, pairs), pairs
-        except CycleError:  # its marks are numbers
+            best, known = _sorted(names, pairs), pairs
+        except CycleError:  # the gear gets numbers as marks
             continue
     return best
 
 
 def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[str]:
-    """Names with the first of each pair before the second, else in their own order."""
+    """Sort names with the first of each pair before the second, otherwise in the given order."""
     sorter = TopologicalSorter[str](dict.fromkeys(names, ()))
-    for one, following in pairs:
-        sorter.add(following, one)
+    for name, following in pairs:
+        sorter.add(following, name)
     sorter.prepare()
     place = {name: number for number, name in enumerate(names)}
     ready, ordered = list[str](), list[str]()
@@ -155,9 +160,9 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: tuple[Part, ...] = ()) -> _Values:
-    """The values of plain data, each with its path, as they stand in cells."""
-    for key, one in value.items():
-        yield from _flat_value(one, (*path, str(key)))
+    """Yield the paths of plain data with the contents of cells."""
+    for key, item in value.items():
+        yield from _flat_value(item, (*path, str(key)))
 
 
 def _flat_value(value: Any, path: tuple[Part, ...]) -> _Values:
@@ -167,31 +172,30 @@ def _flat_value(value: Any, path: tuple[Part, ...]) -> _Values:
             return
         value = flow_cell(value)
     elif isinstance(value, list):
-        told = flow_cell(value)
-        if len(told) > MOST_CELL_CHARACTERS:
+        cell = flow_cell(value)
+        if len(cell) > MOST_CELL_CHARACTERS:
             for number, item in enumerate(value, 1):
                 yield from _flat_value(item, (*path, number))
             return
-        value = told
+        value = cell
     else:
         value = _cell(value)
     yield path, value
 
 
 def _cell(value: Any) -> Any:
-    """A value as it stands in a cell.
+    """Return the content of a cell.
 
     Raises
     ------
     CaseError
-        If it is too long for one.
+        If a text is too long for a cell.
     """
-    if isinstance(value, bool) or not isinstance(value, str):
-        exact = isinstance(value, bool) or value == float(value)
-        finite = isinstance(value, bool) or abs(value) < float("inf")
-        return value if exact and finite else repr(value)
-    told = text_cell(value)
-    if len(told) > MOST_CELL_CHARACTERS:
-        message = f"a text has {len(told)} characters, a cell at most {MOST_CELL_CHARACTERS}"
+    if not isinstance(value, str):
+        is_exact = value == float(value) and abs(value) < float("inf")
+        return value if is_exact else repr(value)
+    text = text_cell(value)
+    if len(text) > MOST_CELL_CHARACTERS:
+        message = f"a text has {len(text)} characters, a cell at most {MOST_CELL_CHARACTERS}"
         raise CaseError("E119", f"{message}; expected YAML or JSON, which hold it")
-    return told
+    return text

@@ -1,7 +1,7 @@
-"""Formats of the output of a sweep: how its pieces look, and how they become one file.
+"""Formats of the output of a sweep, which is calculated in pieces and written to a file.
 
-`text` writes CSV and JSON lines, `npz` columns of numbers; `tables` has what is made of all rows
-together, Parquet, and Markdown, LaTeX and workbooks for few rows that people read.
+`text` writes CSV and JSON lines, `npz` columns of numbers. `tables` writes formats that need all
+rows together: Parquet, and Markdown, LaTeX and workbooks for few rows.
 """
 
 from __future__ import annotations
@@ -12,6 +12,6 @@ Format = Literal["csv", "jsonl", "npz", "parquet", "markdown", "latex", "xlsx"]
 
 FORMATS: tuple[Format, ...] = get_args(Format)
 TEXTS: tuple[Format, ...] = ("csv", "jsonl")
-"""Formats whose pieces are text; those of the others are columns of numbers."""
+"""Formats with pieces of text; pieces of the other formats are columns of numbers."""
 MOST_ROWS: dict[Format, int] = {"markdown": 10_000, "latex": 10_000, "xlsx": 100_000}
-"""Of the formats that people read, which are made in memory."""
+"""Greatest number of rows in formats for readers, which are written in memory."""

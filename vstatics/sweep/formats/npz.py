@@ -1,8 +1,10 @@
 """NPZ: an uncompressed ZIP archive with a NumPy array for each column.
 
-The data of the pieces are copied into place as they are. So the archive is laid out by
-hand: the sizes of all members are known, and the check sum of a member follows from those
-of its segments. Sizes are given in 64 bits throughout (ZIP64).
+The data of the pieces are copied unchanged into the archive. For this the archive is laid out here
+instead of by `zipfile`: the sizes of all members are known in advance, and the check sum of a
+member follows from the check sums of its segments. All sizes have 64 bits (ZIP64).
+
+Reference: PKWARE, APPNOTE.TXT, .ZIP File Format Specification, 6.3; NumPy, `numpy.lib.format`.
 """
 
 from __future__ import annotations
@@ -27,20 +29,20 @@ _END_64_PLACE = struct.Struct("<4sLQL")
 _END = struct.Struct("<4s4H2LH")
 _ZIP_VERSION = 45  # ZIP64
 _UTF_8 = 0x800
-_DAY_ONE = 0, 0x21  # midnight, 1 January 1980: the archive tells no time
+_DAY_ONE = 0, 0x21  # midnight, 1 January 1980, so that equal data give equal archives
 _ZIP64 = 0xFFFFFFFF
-_POLYNOMIAL = 0xEDB88320  # of CRC-32; the highest bit is that of x**0
+_POLYNOMIAL = 0xEDB88320  # generator of CRC-32; the highest bit is the coefficient of x**0
 
 
 class ColumnType(NamedTuple):
-    """A column of the output: its name and the type of its numbers."""
+    """Name and data type of a column of the output."""
 
     name: str
     dtype: np.dtype[Any]
 
 
 class ArchiveLayout(NamedTuple):
-    """A file as texts that are known and stretches to copy."""
+    """Layout of a file: texts with their places, and stretches of pieces to be copied."""
 
     texts: list[tuple[int, bytes]]
     copies: list[Copy]
@@ -52,16 +54,16 @@ def layout(
     accounts: Sequence[Account],
     codes: Mapping[str, Sequence[str]],
 ) -> ArchiveLayout:
-    """Where everything goes in the archive.
+    """Lay out the archive.
 
     Parameters
     ----------
     columns : sequence of ColumnType
-        In the order of the segments of the pieces.
+        Columns, in the order of the segments of the pieces.
     accounts : sequence of Account
-        Of all pieces, in order.
+        Sizes and check sums of all pieces, in order.
     codes : mapping of str to sequence of str
-        Further members: what the numbers of some columns stand for.
+        Further members: meanings of the integers in coded columns.
     """
     rows = sum(account.rows for account in accounts)
     texts: list[tuple[int, bytes]] = []
@@ -69,29 +71,27 @@ def layout(
     central: list[bytes] = []
     place = 0
     starts = [0] * len(accounts)  # where a column begins in the data of each piece
-    for index, column in enumerate(columns):
-        array = _array_head(column.dtype, rows)
-        segments = [account.segments[index] for account in accounts]
-        crc = zlib.crc32(array)
-        for segment in segments:
-            crc = combined_crc(crc, segment.crc, segment.length)
-        size = len(array) + sum(segment.length for segment in segments)
-        local, entry = _heads(f"{column.name}.npy", crc, size, place)
-        central.append(entry)
-        texts.append((place, local + array))
-        place += len(local) + len(array)
-        for number, (account, segment) in enumerate(zip(accounts, segments, strict=True)):
-            copies.append(Copy(account.piece, starts[number], place, segment.length))
-            starts[number] += segment.length
-            place += segment.length
+    members = [
+        (column.name, _array_head(column.dtype, rows), [a.segments[index] for a in accounts])
+        for index, column in enumerate(columns)
+    ]
     for name, words in codes.items():
         file = io.BytesIO()
         np.lib.format.write_array(file, np.array(words))
-        data = file.getvalue()
-        local, entry = _heads(f"{name}.npy", zlib.crc32(data), len(data), place)
+        members.append((name, file.getvalue(), []))
+    for name, text, segments in members:
+        crc = zlib.crc32(text)
+        for segment in segments:
+            crc = combined_crc(crc, segment.crc, segment.length)
+        size = len(text) + sum(segment.length for segment in segments)
+        local, entry = _heads(f"{name}.npy", crc, size, place)
         central.append(entry)
-        texts.append((place, local + data))
-        place += len(local) + len(data)
+        texts.append((place, local + text))
+        place += len(local) + len(text)
+        for number, segment in enumerate(segments):
+            copies.append(Copy(accounts[number].piece, starts[number], place, segment.length))
+            starts[number] += segment.length
+            place += segment.length
     end = _end(central, place)
     texts.append((place, end))
     return ArchiveLayout(texts, copies, place + len(end))
@@ -105,7 +105,7 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
-    """The two heads of a member: before its data, and in the directory at the end."""
+    """Return both headers of a member: before the data and in the central directory."""
     text = name.encode()
     sizes = _LOCAL_SIZES.pack(1, 16, size, size)
     common = _ZIP_VERSION, _UTF_8, 0, *_DAY_ONE, crc, _ZIP64, _ZIP64, len(text)
@@ -116,7 +116,6 @@ def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
 
 
 def _end(entries: Sequence[bytes], place: int) -> bytes:
-    """The directory of the archive and its end."""
     central = b"".join(entries)
     count = len(entries)
     end_64 = _END_64.pack(
@@ -127,10 +126,10 @@ def _end(entries: Sequence[bytes], place: int) -> bytes:
 
 
 def combined_crc(first: int, second: int, length: int) -> int:
-    """The CRC-32 of two stretches of data, the second of `length` bytes.
+    """Combine the CRC-32 of two consecutive stretches of data, the second of `length` bytes.
 
-    As `crc32_combine` of zlib, which Python does not offer: the first sum is carried
-    through `length` zero bytes, and then the second is added.
+    Python lacks the function `crc32_combine` of zlib: the first check sum is multiplied by
+    ``x**(8*length)``, which appends `length` zero bytes, and the second check sum is added.
 
     >>> import zlib
     >>> combined_crc(zlib.crc32(b"kinematic "), zlib.crc32(b"scheme"), 6) == zlib.crc32(
@@ -148,16 +147,16 @@ def combined_crc(first: int, second: int, length: int) -> int:
 
 @cache
 def _zeros(power: int) -> int:
-    """By what 2**power zero bytes multiply a sum, ``x**(8 * 2**power)``."""
+    """Return the polynomial that appends 2**power zero bytes, ``x**(8 * 2**power)``."""
     return _times(_zeros(power - 1), _zeros(power - 1)) if power else 1 << 23
 
 
-def _times(one: int, other: int) -> int:
-    """The product of two polynomials over the field of two numbers, less the one of CRC-32."""
+def _times(left: int, right: int) -> int:
+    """Multiply two polynomials over GF(2), modulo the polynomial of CRC-32."""
     product = 0
-    while one:
-        if one >> 31:
-            product ^= other
-        one = one << 1 & 0xFFFFFFFF
-        other = other >> 1 ^ (_POLYNOMIAL if other & 1 else 0)
+    while left:
+        if left >> 31:
+            product ^= right
+        left = left << 1 & 0xFFFFFFFF
+        right = right >> 1 ^ (_POLYNOMIAL if right & 1 else 0)
     return product

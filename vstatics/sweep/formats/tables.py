@@ -1,7 +1,7 @@
-"""Files that are made of all rows of a sweep together: Parquet, by pyarrow, and tables for people.
+"""Formats written from all rows of a sweep together: Parquet, and tables for readers.
 
-Parquet has full numbers, the status as a dictionary, what does not exist as null. Markdown, LaTeX
-and workbooks are for few rows.
+Parquet has numbers with all digits, the status as a dictionary, and null for missing numbers.
+Markdown, LaTeX and workbooks are for few rows.
 """
 
 from __future__ import annotations
@@ -14,48 +14,34 @@ from typing import IO, Any
 from vstatics.core.tables import latex, markdown, xlsx
 from vstatics.core.tables.grid import Cell, Column, Values, exact, grid_of
 from vstatics.core.tables.grid import text as words
+from vstatics.core.tables.parquet import GROUP, row_groups
 from vstatics.core.tables.written_results import GEAR
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.formats import Format
-
-GROUP = 262_144
-"""Rows of a row group, at most one piece more."""
 
 
 def write_parquet(
     file: IO[bytes], headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool
 ) -> None:
-    """Write chunks to a Parquet file, one row group at a time.
+    """Write chunks to a Parquet file by row groups.
 
     Raises
     ------
     OSError
+        If the file cannot be written.
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     kinds = {"variant": pa.int64(), "status": pa.dictionary(pa.int8(), pa.string())}
     if by_gear:
         kinds[GEAR] = pa.dictionary(pa.int32(), pa.string())
     schema = pa.schema(
-        pa.field(one, kinds.get(one, pa.float64()), nullable=one not in kinds) for one in headings
+        pa.field(name, kinds.get(name, pa.float64()), nullable=name not in kinds)
+        for name in headings
     )
     with parquet.ParquetWriter(file, schema) as writer:
-        for group in _groups(chunks):
+        for group in row_groups(chunks, lambda chunk: len(chunk.variants)):
             batches = [_batch(chunk, schema) for chunk in group]
             writer.write_table(pa.Table.from_batches(batches, schema), row_group_size=2 * GROUP)
-
-
-def _groups(chunks: Iterable[Chunk]) -> Iterator[list[Chunk]]:
-    """Chunks together, so that the row groups have a good size."""
-    group: list[Chunk] = []
-    rows = 0
-    for chunk in chunks:
-        group.append(chunk)
-        rows += len(chunk.variants)
-        if rows >= GROUP:
-            yield group
-            group, rows = [], 0
-    if group:
-        yield group
 
 
 def _batch(chunk: Chunk, schema: Any) -> Any:
@@ -72,13 +58,13 @@ def _batch(chunk: Chunk, schema: Any) -> Any:
 
 
 CELL_DIGITS = 12
-"""Significant ones, as in CSV."""
+"""Significant digits of a cell, as in CSV."""
 
 
 def text(form: Format, headings: Sequence[str], chunks: Iterable[Chunk], *, by_gear: bool) -> bytes:
-    """Chunks as one table."""
-    told = ("status", GEAR) if by_gear else ("status",)
-    columns = (words(one) if one in told else Column(one) for one in headings)
+    """Write chunks as a table in Markdown, LaTeX or a workbook."""
+    word_columns = ("status", GEAR) if by_gear else ("status",)
+    columns = (words(name) if name in word_columns else Column(name) for name in headings)
     grid = grid_of("Variants", columns, (row for chunk in chunks for row in _rows(chunk)))
     if form == "xlsx":
         return xlsx.write([("", [grid])], several=False)
@@ -93,10 +79,9 @@ def _rows(chunk: Chunk) -> Iterator[Values]:
     if chunk.gears:
         columns[place + 1] = [chunk.gears[code] for code in columns[place + 1]]
     for row in zip(*columns, strict=True):
-        yield [_cell(one) if isinstance(one, float) else one for one in row]
+        yield [_cell(value) if isinstance(value, float) else value for value in row]
 
 
 def _cell(value: float) -> Cell:
-    """A number in as many digits as CSV has."""
     cell = exact(value)
     return cell._replace(text=f"{value:.{CELL_DIGITS}g}") if math.isfinite(value) else cell

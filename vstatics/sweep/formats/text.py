@@ -1,7 +1,7 @@
-r"""Rows as text: CSV and JSON lines, twelve significant digits.
+r"""Rows of a sweep as CSV and JSON lines, with twelve significant digits.
 
-A block of rows is one call of Python's `%`, with the format of a row repeated. The status,
-what does not exist and what is the same in all rows stand in the format itself.
+For speed, a block of rows is formatted by a single `%` with the repeated format of a row. The
+format already contains the status, missing numbers and numbers that are equal in all rows.
 """
 
 from __future__ import annotations
@@ -18,17 +18,19 @@ from vstatics.sweep.formats import Format
 from vstatics.sweep.results.columns import output_headings
 
 ROWS_AT_ONCE = 512
-"""Rows to format at once: few, so that many columns are the same throughout in a grid."""
+"""Number of rows that are formatted together, small so that many columns are constant."""
 NUMBER = "%.12g"
 
 
 def head(form: Format, headings: Sequence[str], *, raw: bool = False) -> bytes:
-    r"""The line of headings of a CSV file; JSON lines have none.
+    r"""Return the line of headings of a CSV file, empty for JSON lines.
 
     Parameters
     ----------
+    form : {"csv", "jsonl"}
+    headings : sequence of str
     raw : bool
-        Whether a heading stays as it is, also where a spreadsheet calculates it.
+        Whether headings that begin like a formula are left unguarded.
 
     >>> head("csv", ["variant", "D1.ratio", "status", "-ratio[1]", "speeds[C1,1]"])
     b'variant,D1.ratio,status,\'-ratio[1],"speeds[C1,1]"\n'
@@ -39,7 +41,7 @@ def head(form: Format, headings: Sequence[str], *, raw: bool = False) -> bytes:
 
 
 def rows(form: Format, chunk: Chunk) -> bytes:
-    """The rows of a chunk as text.
+    """Format the rows of a chunk as text.
 
     Parameters
     ----------
@@ -62,11 +64,11 @@ def rows(form: Format, chunk: Chunk) -> bytes:
 
 
 WordCodes = tuple[int, int]
-"""Of a status, and of a gear."""
+"""Codes of a status and of a gear."""
 
 
 def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
-    """Rows as text; a column of one number throughout is formatted once."""
+    """Format rows; a constant column is formatted only once."""
     alike = (numbers == numbers[0]).all(axis=0)
     row.begin(numbers[0], alike.tolist())
     varied = numbers[:, ~alike]
@@ -74,13 +76,12 @@ def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
     if not exists.all():
         patterns = map(row.pattern, words, map(bytes, exists))
         return "".join(patterns) % tuple(varied[exists].tolist())
-    several = any(one != words[0] for one in words)
+    several = any(codes != words[0] for codes in words)
     pattern = "".join(map(row.pattern, words)) if several else row.pattern(words[0]) * len(words)
     return pattern % tuple(varied.ravel().tolist())
 
 
 def _numbers(chunk: Chunk, part: slice) -> Floats:
-    """All numbers of some rows, in the order of the text."""
     variants = chunk.variants[part]
     values = len(chunk.names)
     numbers = np.empty((len(variants), 1 + values + len(chunk.headings)))
@@ -91,20 +92,20 @@ def _numbers(chunk: Chunk, part: slice) -> Floats:
 
 
 def _quoted(form: Format, name: str) -> str:
-    """The name of a gear as a cell, in a format that is filled by `%`."""
+    """Return the name of a gear as a cell in a %-format."""
     if form == "csv":
         return csv.lines([[name]]).rstrip("\n").replace("%", "%%")
     return json.dumps(name, ensure_ascii=False).replace("%", "%%")
 
 
 class _Row:
-    """The format of a row, with what is known of the rows that are formatted together."""
+    """Format of a row, with the constants of rows that are formatted together."""
 
     def __init__(
         self, form: Format, names: Sequence[str], headings: Sequence[str], gears: Sequence[str]
     ) -> None:
         by_gear = bool(gears)
-        self.gears = [_quoted(form, one) for one in gears]
+        self.gears = [_quoted(form, gear) for gear in gears]
         if form == "csv":
             self.keys = ["", *"," * (len(names) + 1 + by_gear + len(headings))]
             self.end, self.null, self.quote = "\n", "", ""
@@ -113,13 +114,13 @@ class _Row:
             texts = [json.dumps(key, ensure_ascii=False).replace("%", "%%") for key in keys]
             self.keys = [f"{', ' if number else '{'}{key}: " for number, key in enumerate(texts)]
             self.end, self.null, self.quote = "}\n", "null", '"'
-        self.place = 1 + len(names)  # of the status
+        self.place = 1 + len(names)  # index of the status
         self.cells: list[str] = []
         self.varied: list[int] = []
         self.patterns: dict[tuple[WordCodes, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
-        """Begin with rows of which some columns are those of the first row throughout."""
+        """Begin a block of rows; columns marked `alike` are equal to the first row."""
         self.cells = ["%d", *[NUMBER] * (len(first) - 1)]
         self.varied = [column for column, same in enumerate(alike) if not same]
         for column, same in enumerate(alike):
@@ -129,7 +130,7 @@ class _Row:
         self.patterns.clear()
 
     def pattern(self, words: WordCodes, exists: bytes = b"") -> str:
-        """The format of a row of a status and gear; `exists`: which varied numbers there are."""
+        """Return the format of a row by status, gear and the existing varied numbers."""
         status, gear = words
         pattern = self.patterns.get((words, exists))
         if pattern is None:
@@ -137,8 +138,10 @@ class _Row:
             for column, mark in zip(self.varied, exists, strict=False):
                 if not mark:
                     cells[column] = self.null
-            told = [f"{self.quote}{STATUS[status]}{self.quote}"]
-            cells[self.place : self.place] = told + ([self.gears[gear]] if self.gears else [])
+            status_cell = [f"{self.quote}{STATUS[status]}{self.quote}"]
+            cells[self.place : self.place] = status_cell + (
+                [self.gears[gear]] if self.gears else []
+            )
             pairs = zip(self.keys, cells, strict=True)
             pattern = "".join(key + cell for key, cell in pairs) + self.end
             self.patterns[words, exists] = pattern

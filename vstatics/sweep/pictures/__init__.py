@@ -1,7 +1,7 @@
-"""Written sweeps as pictures: contours over two varied numbers, lines over one, histograms.
+"""Pictures of written sweeps: maps over two varied numbers, curves over a single one, histograms.
 
-The columns of a sweep and the names of axes go in (`columns` picks what is not named), a figure
-comes out; `map`, `curves` and `histogram` draw one kind each, `plotting` is for Python.
+Each of `map`, `curves` and `histogram` draws columns of a sweep as figures; `columns` selects the
+columns that the user does not name, and `plotting` is the interface for Python.
 
 >>> from vstatics.pictures.drawing.style import Style
 >>> from vstatics.core.tables.written_results import WrittenSweep
@@ -33,35 +33,39 @@ COLUMNS: Mapping[str, Sequence[str]] = {
     "curves": ("x", "y", "by"),
     "histogram": ("y", "by"),
 }
-"""By kind: which columns may be named."""
+"""Columns that can be named for each kind of picture."""
 
 
 def render_sweep(
-    sweep: WrittenSweep, kind: str, form: Format, style: Style, asked: DrawnColumns
+    sweep: WrittenSweep, kind: str, form: Format, style: Style, selected: DrawnColumns
 ) -> list[bytes]:
-    """The pages of a picture of a sweep as files.
+    """Draw a sweep, and return the pages as files.
 
     Parameters
     ----------
+    sweep : WrittenSweep
     kind : {"map", "curves", "histogram"}
-    asked : DrawnColumns
-        The columns that are drawn, as far as they are named.
+    form : str
+        Format of the files.
+    style : Style
+    selected : DrawnColumns
+        Names of columns, as far as the user gives them.
 
     Raises
     ------
     CaseError
-        If there is no such column, nothing to draw, or matplotlib is not installed.
+        If a column does not exist, nothing can be drawn, or matplotlib is not installed.
     """
-    figures = sweep_figures(sweep, kind, style, asked)
+    figures = sweep_figures(sweep, kind, style, selected)
     from vstatics.pictures.drawing.files import files_of
 
     return files_of(figures, form, style, f"sweep: {kind}")
 
 
 def sweep_figures(
-    sweep: WrittenSweep, kind: str, style: Style, asked: DrawnColumns
+    sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
 ) -> list[Figure]:
-    """The pages as figures of matplotlib; parameters and errors as of `render_sweep`."""
+    """Draw a sweep as figures of matplotlib; see `render_sweep`."""
     require("plot", "a picture")
     from vstatics.pictures import module_of
     from vstatics.pictures.drawing.files import settings_of
@@ -70,4 +74,4 @@ def sweep_figures(
         message = "the sweep has no row, so there is nothing to draw: expected one with variants"
         raise CaseError("E433", f"{message} that its --where leaves")
     with settings_of(style):
-        return list(module_of(kind).draw(sweep, style, asked))
+        return list(module_of(kind).draw(sweep, style, selected))

@@ -1,4 +1,4 @@
-"""Which columns of a sweep are drawn: those that are named, else those that it runs over."""
+"""Selection of the drawn columns of a sweep: named columns, or columns that vary."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.tables.written_results import GEAR, WrittenSweep
 
 
 class DrawnColumns(NamedTuple):
-    """The columns that a user names; nothing: the sweep tells."""
+    """Columns named by the user; empty: selected by the varied numbers of the sweep."""
 
     x: str = ""
     y: Sequence[str] = ()
@@ -23,24 +23,24 @@ class DrawnColumns(NamedTuple):
 
 
 class DrawnRows(NamedTuple):
-    """The rows that a panel, or a line, shows."""
+    """Rows of a panel or a line."""
 
     name: str
-    """The gear, or the value of the column `by`; nothing where all rows are shown."""
+    """Gear, or value of the column `by`; empty for all rows."""
     rows: Sequence[int]
 
 
 LARGEST = 1e300
-"""Bound of what is drawn: sums and differences of larger numbers overflow."""
+"""Greatest drawn number; sums and differences of larger numbers would overflow."""
 
 
 def numbers(sweep: WrittenSweep, name: str) -> Floats:
-    """The numbers of a column, NaN where a row has none.
+    """Return the numbers of a column, NaN for rows without a number.
 
     Raises
     ------
     CaseError
-        If there is no such column, or a number of it is too large for an axis.
+        If the column does not exist, or a number is too large for an axis.
     """
     if name not in sweep.columns:
         hint = nearest(name, sweep.columns) or f"; columns are {listed(list(sweep.columns), 12)}"
@@ -52,77 +52,72 @@ def numbers(sweep: WrittenSweep, name: str) -> Floats:
     return column
 
 
-def running(sweep: WrittenSweep, besides: Sequence[str] = ()) -> list[str]:
-    """The varied numbers that have several values, but some.
+def running(sweep: WrittenSweep, excluded: Sequence[str] = ()) -> list[str]:
+    """List the varied columns with several values, except the excluded columns.
 
     >>> columns = {"a": [1.0, 2.0], "b": [3.0, 3.0], "ratio[1]": [2.0, 3.0]}
     >>> running(WrittenSweep([0, 1], ["ok", "ok"], columns, ("a", "b")))
     ['a']
     """
     return [
-        name for name in sweep.varied if name not in besides and len(set(sweep.columns[name])) > 1
+        name for name in sweep.varied if name not in excluded and len(set(sweep.columns[name])) > 1
     ]
 
 
-def axis(sweep: WrittenSweep, named: str, besides: Sequence[str], option: str) -> str:
-    """The column of an axis: the one that is named, else the varied number that is left.
+def axis(sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str) -> str:
+    """Return the column of an axis: the named column, or the only column left that varies.
 
     Raises
     ------
     CaseError
-        If there is no such column, none is left, or several are.
+        If the named column does not exist, or not exactly one varied column is left.
     """
     if named:
         numbers(sweep, named)
         return named
-    left = running(sweep, besides)
+    left = running(sweep, excluded)
     if len(left) != 1:
         what = f"runs over {listed(left)}" if left else "has no further varied number"
         raise CaseError("E431", f"the sweep {what}: expected {option} with the name of a column")
     return left[0]
 
 
-def results_of(sweep: WrittenSweep, besides: Sequence[str]) -> list[str]:
-    """The columns that are no varied numbers, but some."""
-    return [name for name in sweep.columns if name not in (*sweep.varied, *besides)]
+def results_of(sweep: WrittenSweep, excluded: Sequence[str]) -> list[str]:
+    """List the columns of results, except the excluded columns."""
+    return [name for name in sweep.columns if name not in (*sweep.varied, *excluded)]
 
 
-def parts(sweep: WrittenSweep, asked: DrawnColumns, axes: Sequence[str]) -> list[DrawnRows]:
-    """The rows by gear, or by the values of the column that is named; else all of them.
+def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> list[DrawnRows]:
+    """Return the rows of each part, checked for unique coordinates; see `rows_by`.
 
     Raises
     ------
     CaseError
-        If several rows of a part have the same place on the axes.
+        If several rows of a part have equal values in the columns of the axes.
     """
-    found = list(rows_by(sweep, asked))
+    row_groups = list(rows_by(sweep, selected))
     places = [sweep.columns[name] for name in axes]
-    for part in found:
+    for part in row_groups:
         at = [tuple(column[row] for column in places) for row in part.rows]
         if len(set(at)) < len(at):
-            others = running(sweep, [*axes, asked.by])
-            told = f", which runs over {listed(others)} too" if others else ""
+            others = running(sweep, [*axes, selected.by])
+            hint = f", which runs over {listed(others)} too" if others else ""
             raise CaseError(
                 "E432",
-                f"several rows of the sweep have the same {' and '.join(axes)}{told}: expected "
+                f"several rows of the sweep have the same {' and '.join(axes)}{hint}: expected "
                 "--by with a column that tells them apart, or a sweep with fewer numbers",
             )
-    return found
+    return row_groups
 
 
-def said_of(sweep: WrittenSweep, part: DrawnRows) -> str:
-    """What the status of its rows is, each once."""
-    return ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
-
-
-def rows_by(sweep: WrittenSweep, asked: DrawnColumns) -> Iterator[DrawnRows]:
-    """The rows by gear, or by the values of the column that is named; else all of them.
+def rows_by(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[DrawnRows]:
+    """Yield the rows by gear or by the values of the column `by`, or all rows together.
 
     >>> sweep = WrittenSweep([0, 0], ["ok", "ok"], {"u": [1.0, 2.0]}, ("u",), ["low", "high"])
     >>> [(part.name, *part.rows) for part in rows_by(sweep, DrawnColumns())]
     [('low', 0), ('high', 1)]
     """
-    every, by = range(len(sweep.variants)), asked.by or GEAR * bool(sweep.gears)
+    every, by = range(len(sweep.variants)), selected.by or GEAR * bool(sweep.gears)
     if not by:
         yield DrawnRows("", every)
         return

@@ -1,6 +1,6 @@
-"""Histograms: how often numbers of a written sweep, or of samples, fall into parts of their range.
+"""Histograms of the numbers of a sweep or of samples, with a panel for each column.
 
-A panel for each column, with its mean and the quantiles that `vstatics simulate --samples` tells.
+Lines show the mean and the quantiles that `vstatics simulate --samples` prints.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.written_results import WrittenSweep
-from vstatics.pictures.drawing.head import Meaning, headed, sheet_head
+from vstatics.pictures.drawing.head import headed, sheet_head
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest, wrapped
 from vstatics.pictures.drawing.line_styles import Look
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
@@ -25,91 +25,87 @@ from vstatics.sweep.pictures.columns import DrawnColumns, numbers, results_of, r
 from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
-"""Least width of a panel with its scale, and height without. [pt]"""
+"""Least width of a panel with a scale, and height without the scale. [pt]"""
 HISTOGRAM_GAP = 10.0
-"""Between panels across. [pt]"""
-MOST_BARS = 30
-"""Of a panel."""
+"""Gap between adjacent panels. [pt]"""
+MOST_HISTOGRAM_BARS = 30
+"""Greatest number of bars in a panel."""
 MOST_HISTOGRAMS = 24
-"""So many columns are drawn where none is named."""
+"""Number of drawn columns, unless columns are named."""
 
 
 class Histogram(NamedTuple):
-    """Counts of the numbers of a column."""
+    """Histogram of the numbers of a column."""
 
     name: str
-    told: Statistics
-    """Of its numbers."""
+    statistics: Statistics
     edges: Floats
-    """Of its bars, one more than these."""
+    """Edges of the bars, of shape (bars + 1,)."""
     counts: Sequence[int]
 
 
 def histogram(name: str, values: Floats) -> Histogram:
-    """Bars of equal width over all numbers, as many as NumPy takes by itself, up to a bound.
+    """Count numbers in bars of equal width, chosen by NumPy, up to `MOST_HISTOGRAM_BARS`.
 
-    >>> made = histogram("x", np.array([0.0, 1.0, 1.0, 2.0, 2.0, 2.0]))
-    >>> made.edges.tolist(), made.counts
+    >>> bars = histogram("x", np.array([0.0, 1.0, 1.0, 2.0, 2.0, 2.0]))
+    >>> bars.edges.tolist(), bars.counts
     ([0.0, 0.5, 1.0, 1.5, 2.0], [1, 0, 2, 3])
     """
     edges = np.histogram_bin_edges(values, "auto")
-    bars = min(len(edges) - 1, MOST_BARS)
+    bars = min(len(edges) - 1, MOST_HISTOGRAM_BARS)
     counts, edges = np.histogram(values, bars)
     return Histogram(name, statistics(values), edges, counts.tolist())
 
 
-def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]:
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
     """Draw a panel for each column.
 
     Raises
     ------
     CaseError
-        If a column is none, or there is nothing to draw.
+        If a column does not exist, or nothing can be drawn.
     """
-    every = list(_histograms(sweep, asked))
+    every = list(_histograms(sweep, selected))
     if not every:
         raise CaseError("E433", "no column of the sweep has different numbers to draw")
-    shown = every if asked.y else every[:MOST_HISTOGRAMS]
-    words = widest(word for one in shown for word in one.name.split(" "))
+    shown = every if selected.y else every[:MOST_HISTOGRAMS]
+    words = widest(word for item in shown for word in item.name.split(" "))
     least = max(HISTOGRAM_SIZE[0], words) + HISTOGRAM_GAP
     across = max(1, int((style.width - 2 * MARGIN + HISTOGRAM_GAP) // least))
     rows = [shown[at : at + across] for at in range(0, len(shown), across)]
-    said = style.text("Histograms")
+    title = style.text("Histograms")
     note = f"{len(set(sweep.variants))} {style.text('variants')}"
     if len(shown) < len(every):
         note += f"; {style.text('columns')}: {len(shown)} / {len(every)}"
     figures, wide = [], (style.width - 2 * MARGIN + HISTOGRAM_GAP) / across
-    head = sheet_head(said, note, _key(style), style.width - 2 * MARGIN, style).high
+    quantiles = ", ".join(f"{100 * part:g}" for part in PARTS)
+    key = [
+        (True, "mean", _mean(style)),
+        (True, style.text("{parts} % are below", parts=quantiles), _quantile(style)),
+    ]
+    head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
     for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
         highs = [_high(row, wide) for row in page]
-        pen = headed(said, note, _key(style), (style.width, sum(highs) + MARGIN / 2), style)
+        pen = headed(title, note, key, (style.width, sum(highs) + MARGIN / 2), style)
         top = sum(highs) + MARGIN / 2
         for row, high in zip(page, highs, strict=True):
-            for place, one in enumerate(row):
-                _draw(pen.panel((MARGIN + place * wide, top - high), (wide, high)), one)
+            for place, item in enumerate(row):
+                _draw(pen.panel((MARGIN + place * wide, top - high), (wide, high)), item)
             top -= high
         figures.append(pen.figure)
     return figures
 
 
-def _histograms(sweep: WrittenSweep, asked: DrawnColumns) -> Iterator[Histogram]:
-    """Those of results, then those of varied numbers; only of what is not the same throughout."""
-    names = list(asked.y) or [*results_of(sweep, [asked.by]), *sweep.varied]
+def _histograms(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[Histogram]:
+    """Yield histograms of results, then of varied numbers; constant columns only if named."""
+    names = list(selected.y) or [*results_of(sweep, [selected.by]), *sweep.varied]
     for name in names:
         column = numbers(sweep, name)
-        for part in rows_by(sweep, asked):
+        for part in rows_by(sweep, selected):
             values = column[list(part.rows)]
             values = values[np.isfinite(values)]
-            if len(values) and (asked.y or statistics(values).deviation > 0):
+            if len(values) and (selected.y or statistics(values).deviation > 0):
                 yield histogram(", ".join(filter(None, (name, part.name))), values)
-
-
-def _key(style: Style) -> list[Meaning]:
-    parts = ", ".join(f"{100 * part:g}" for part in PARTS)
-    return [
-        (True, "mean", _mean(style)),
-        (True, style.text("{parts} % are below", parts=parts), _quantile(style)),
-    ]
 
 
 def _mean(style: Style) -> Look:
@@ -120,20 +116,20 @@ def _quantile(style: Style) -> Look:
     return {"color": style.ink, "width": 0.9, "linestyle": (0, (3, 2))}
 
 
-def _head(one: Histogram, wide: float) -> str:
-    return wrapped(one.name, wide - HISTOGRAM_GAP)
+def _head(item: Histogram, wide: float) -> str:
+    return wrapped(item.name, wide - HISTOGRAM_GAP)
 
 
 def _high(row: Sequence[Histogram], wide: float) -> float:
-    """A row with the names over its panels, and their scales [pt]."""
-    names = max(height(_head(one, wide)) for one in row)
+    """Return the height of a row of panels [pt] with names and scales."""
+    names = max(height(_head(item, wide)) for item in row)
     return names + HISTOGRAM_SIZE[1] + 3 * LINE_HEIGHT * SIZE
 
 
 def _pages(
     rows: Sequence[Sequence[Histogram]], wide: float, room: float
 ) -> Iterator[list[Sequence[Histogram]]]:
-    """Rows that have room on a page [pt]."""
+    """Yield the rows of panels of each page."""
     page: list[Sequence[Histogram]] = []
     taken = 0.0
     for row in rows:
@@ -146,49 +142,46 @@ def _pages(
     yield page
 
 
-def _draw(pen: Pen, one: Histogram) -> None:
-    """A panel with its name, in all the room of a pen."""
+def _draw(pen: Pen, item: Histogram) -> None:
     style, whole = pen.style, pen.size[0]
-    up = ticks(0.0, max(one.counts) * 1.05, 4)
+    up = ticks(0.0, max(item.counts) * 1.05, 4)
     up = [value for value in up if value == round(value)]
     left = widest(tick_texts(up)) + SIZE
     wide = whole - left - HISTOGRAM_GAP
     low, top = 1.6 * LINE_HEIGHT * SIZE, HISTOGRAM_SIZE[1]
     x, y = pen.corner
-    across = AxisScale(*_apart(one.edges))
-    own = pen.panel(
-        (x + left, y + low), (wide, top), across, AxisScale(0.0, max(one.counts) * 1.05)
+    low_edge, high_edge = float(item.edges[0]), float(item.edges[-1])
+    gap = 0.02 * (high_edge - low_edge)
+    across = AxisScale(low_edge - gap, high_edge + gap)
+    panel = pen.panel(
+        (x + left, y + low), (wide, top), across, AxisScale(0.0, max(item.counts) * 1.05)
     )
-    own = own.within("panel", name=one.name)
+    panel = panel.within("panel", name=item.name)
     numbers_across = ticks(across.low, across.high, 4)
-    while len(numbers_across) > 2 and _crowded(numbers_across, own):
+    while len(numbers_across) > 2 and _crowded(numbers_across, panel):
         numbers_across = numbers_across[::2]
-    own.scale("bottom", numbers_across)
-    own.scale("left", up, grid=True)
-    for (begin, end), count in zip(pairwise(one.edges.tolist()), one.counts, strict=True):
-        bar = own.within("bar", **{"from": f"{begin:.9g}", "to": f"{end:.9g}", "count": str(count)})
-        place = own.across(begin), 0.0
-        size = own.across(end) - own.across(begin), own.up(count)
-        said = f"{one.name}: {number(begin)} … {number(end)}: {count}"
+    panel.scale("bottom", numbers_across)
+    panel.scale("left", up, grid=True)
+    for (begin, end), count in zip(pairwise(item.edges.tolist()), item.counts, strict=True):
+        bar = panel.within(
+            "bar", **{"from": f"{begin:.9g}", "to": f"{end:.9g}", "count": str(count)}
+        )
+        place = panel.across(begin), 0.0
+        size = panel.across(end) - panel.across(begin), panel.up(count)
+        title = f"{item.name}: {number(begin)} … {number(end)}: {count}"
         face: Look = {"facecolor": style.power, "edgecolor": style.paper, "width": 0.5}
-        bar.box(place, size, title=said, **face)
-    own.frame("left", "bottom")
-    for part, value in zip(PARTS, one.told.quantiles, strict=True):
-        at = own.across(value)
-        said = f"{100 * part:g} %: {number(value)}"
-        own.line((at, 0.0), (at, top), title=said, **_quantile(style))
-    mean = own.across(one.told.mean)
-    own.line((mean, 0.0), (mean, top), title=number(one.told.mean), **_mean(style))
-    pen.text(0.0, low + top + 5, _head(one, whole), va="bottom", bold=False)
-
-
-def _apart(edges: Floats) -> tuple[float, float]:
-    low, high = float(edges[0]), float(edges[-1])
-    room = 0.02 * (high - low)
-    return low - room, high + room
+        bar.box(place, size, title=title, **face)
+    panel.frame("left", "bottom")
+    for part, value in zip(PARTS, item.statistics.quantiles, strict=True):
+        at = panel.across(value)
+        title = f"{100 * part:g} %: {number(value)}"
+        panel.line((at, 0.0), (at, top), title=title, **_quantile(style))
+    mean = panel.across(item.statistics.mean)
+    panel.line((mean, 0.0), (mean, top), title=number(item.statistics.mean), **_mean(style))
+    pen.text(0.0, low + top + 5, _head(item, whole), va="bottom", bold=False)
 
 
 def _crowded(values: Sequence[float], pen: Pen) -> bool:
-    """Whether numbers of a scale would touch one another."""
+    """Check that the numbers of a scale would overlap."""
     step = abs(pen.across(values[1]) - pen.across(values[0]))
     return math.isfinite(step) and widest(tick_texts(values)) + SIZE / 2 > step

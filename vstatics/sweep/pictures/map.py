@@ -1,4 +1,4 @@
-"""A map: contours of a column over two varied numbers, and where operation ends."""
+"""Map of a sweep: contours of a column over two varied numbers, and the limit of operation."""
 
 from __future__ import annotations
 
@@ -31,78 +31,77 @@ from vstatics.sweep.pictures.columns import (
     parts,
     results_of,
     running,
-    said_of,
 )
 
 MAP_SIZE = (300.0, 230.0)
-"""Width and height of a panel, at most. [pt]"""
+"""Greatest width and height of a panel. [pt]"""
 MAPS_SIDE_BY_SIDE = 2
 MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
-"""For the scales. [pt]"""
+"""Width and height of the scales of a panel. [pt]"""
 MAP_HEAD_HEIGHT = 22.0
-"""For the gear over a panel. [pt]"""
+"""Height of the name of the gear above a panel. [pt]"""
 MAP_LEVELS = 9
-"""Contours, about."""
+"""Approximate number of contours."""
 MOST_LEVELS = 16
-"""Contours, where fewer even steps would leave many values between two."""
+"""Number of contours at equal steps, if fewer leave a crowded band."""
 CROWDED_BAND = 0.35
-"""Levels are no even steps where more than this part of all values lies between two."""
+"""Fraction of all values in a band of equal steps above which the levels follow quantiles."""
 LEAST_BAND = 0.02
-"""No band is narrower than this part of all values."""
+"""Least width of a band, as a fraction of the range of values."""
 LEAST_FILLED = 0.5
-"""A table of all x and y of which at least this part has rows is a grid."""
+"""Least fraction of filled places for points to form a rectangular grid."""
 GRID_OF_POINTS = 121
-"""Points that are no grid are drawn on one of so many values in each direction."""
+"""Number of interpolated values in each direction, for points that do not form a grid."""
 
 
 class Surface(NamedTuple):
-    """A column over a grid: NaN where there is no operation."""
+    """Values of a column on a grid, NaN for points without operation."""
 
     name: str
     x: Floats
     y: Floats
     z: Floats
-    """(y, x)."""
+    """Values of shape (y, x)."""
     instead: str = ""
-    """What is said where no row has a number."""
+    """Text for a surface without any number."""
 
 
-def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]:
-    """Draw a map of each gear, or of each value of a column, all to the same levels.
+def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figure]:
+    """Draw a map for each gear or value of a column, all with equal levels.
 
     Raises
     ------
     CaseError
-        If a column is none, or there is nothing to draw.
+        If a column does not exist, or nothing can be drawn.
     """
-    upward = next(iter(asked.y), "")
-    left = running(sweep, [upward, asked.by])
-    x = asked.x or (left[0] if len(left) == 2 - bool(upward) else "")
-    x = axis(sweep, x, [upward, asked.by], "--x")
-    y = axis(sweep, upward, [x, asked.by], "--y")
-    z = asked.z or next(iter(results_of(sweep, [x, y, asked.by])), "")
+    upward = next(iter(selected.y), "")
+    left = running(sweep, [upward, selected.by])
+    x = selected.x or (left[0] if len(left) == 2 - bool(upward) else "")
+    x = axis(sweep, x, [upward, selected.by], "--x")
+    y = axis(sweep, upward, [x, selected.by], "--y")
+    z = selected.z or next(iter(results_of(sweep, [x, y, selected.by])), "")
     if not z:
         raise CaseError("E433", "the sweep has no column beside its varied numbers to draw")
-    surfaces = [
-        _surface(one, *(numbers(sweep, name)[one.rows] for name in (x, y, z)))._replace(
-            instead=f"{style.text('no number')}: {said_of(sweep, one)}"
-        )
-        for one in parts(sweep, asked, (x, y))
-    ]
-    every = np.concatenate([one.z[np.isfinite(one.z)] for one in surfaces])
-    if not every.size:
+    surfaces = []
+    for part in parts(sweep, selected, (x, y)):
+        surface = _surface(part, *(numbers(sweep, name)[part.rows] for name in (x, y, z)))
+        statuses = ", ".join(dict.fromkeys(sweep.status[row] for row in part.rows))
+        instead = f"{style.text('no number')}: {statuses}"
+        surfaces.append(surface._replace(instead=instead))
+    values = np.concatenate([surface.z[np.isfinite(surface.z)] for surface in surfaces])
+    if not values.size:
         raise CaseError("E433", f"no row of the sweep has {z}, so there is nothing to draw")
-    levels = contour_levels(every)
-    ends = _ends(surfaces, "x"), _ends(surfaces, "y")
-    limits = any(0 < np.isfinite(one.z).mean() < 1 for one in surfaces)
+    levels = contour_levels(values)
+    scales = _axis_scale(surfaces, "x"), _axis_scale(surfaces, "y")
+    limits = any(0 < np.isfinite(surface.z).mean() < 1 for surface in surfaces)
     meanings = [(limits, "limit of operation", _limit_look(style))]
-    named = f"{z}: {x}, {y}"
+
     columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
     wide = min(MAP_SIZE[0], (style.width - MARGIN) / columns - MAP_SCALE_WIDTH - MARGIN)
     size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
     up = MAP_HEAD_HEIGHT * bool(surfaces[0].name) + size[1] + MAP_SCALE_HEIGHT
     across = columns * (MAP_SCALE_WIDTH + wide + MARGIN) + MARGIN
-    head = sheet_head(named, "", meanings, across - 2 * MARGIN, style)
+    head = sheet_head(f"{z}: {x}, {y}", "", meanings, across - 2 * MARGIN, style)
     most = columns * int(min(max(1, (style.height - head.high - MARGIN) // up), len(surfaces)))
     figures = []
     for start in range(0, len(surfaces), most):
@@ -115,25 +114,24 @@ def draw(sweep: WrittenSweep, style: Style, asked: DrawnColumns) -> list[Figure]
                 column * (MAP_SCALE_WIDTH + wide + MARGIN) + MAP_SCALE_WIDTH,
                 (rows - 1 - row) * up + MAP_SCALE_HEIGHT,
             )
-            panel = pen.panel(corner, size, *(AxisScale(*one) for one in ends))
+            panel = pen.panel(corner, size, *scales)
             _draw(panel, surface, levels, (x, y))
         figures.append(pen.figure)
     return figures
 
 
-def _ends(surfaces: Sequence[Surface], name: str) -> tuple[float, float]:
-    """The least and the largest of an axis."""
-    every = np.concatenate([getattr(one, name) for one in surfaces])
-    return float(every.min()), float(every.max())
+def _axis_scale(surfaces: Sequence[Surface], name: str) -> AxisScale:
+    values = np.concatenate([getattr(surface, name) for surface in surfaces])
+    return AxisScale(float(values.min()), float(values.max()))
 
 
 def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
-    """The rows of a panel as a grid.
+    """Return the rows of a panel as values on a grid, interpolated if necessary.
 
     Raises
     ------
     CaseError
-        If they lie on a line.
+        If the points lie on a line.
     """
     known = np.isfinite(x) & np.isfinite(y)
     x, y, z = x[known], y[known], z[known]
@@ -145,7 +143,7 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
         table = np.full((len(ys), len(xs)), np.nan)
         table[row, column] = z
         return Surface(part.name, xs, ys, table)
-    xs, ys = (np.linspace(one.min(), one.max(), GRID_OF_POINTS) for one in (x, y))
+    xs, ys = (np.linspace(points.min(), points.max(), GRID_OF_POINTS) for points in (x, y))
     exists = np.isfinite(z)
     try:
         net = Triangulation(x[exists], y[exists])
@@ -156,9 +154,9 @@ def _surface(part: DrawnRows, x: Floats, y: Floats, z: Floats) -> Surface:
 
 
 def contour_levels(values: Floats) -> list[float]:
-    """Round numbers between values: even steps if they part them, or as many between any two.
+    """Return round levels: equal steps, or levels near quantiles if a step has most values.
 
-    So an efficiency of .5 in a corner does not take the levels from .9 to .97.
+    Quantiles show efficiencies from 0.9 to 0.97 even if an efficiency of 0.5 occurs in a corner.
 
     >>> contour_levels(np.linspace(0.0, 10.0, 101))
     [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
@@ -167,21 +165,21 @@ def contour_levels(values: Floats) -> list[float]:
     """
     low, high = float(values.min()), float(values.max())
     for most in (MAP_LEVELS, MOST_LEVELS):
-        even = [one for one in ticks(low, high, most + 1) if low < one < high]
+        even = [tick for tick in ticks(low, high, most + 1) if low < tick < high]
         between, _ = np.histogram(values, [-math.inf, *even, math.inf])
         if between.max() <= CROWDED_BAND * len(values):
             return even
     quantiles = np.quantile(values, np.linspace(0.0, 1.0, MAP_LEVELS + 2)).tolist()
-    found: list[float] = []
-    for before, one, after in zip(quantiles, quantiles[1:], quantiles[2:], strict=False):
-        gap = min(one - before, after - one)
+    levels: list[float] = []
+    for before, quantile, after in zip(quantiles, quantiles[1:], quantiles[2:], strict=False):
+        gap = min(quantile - before, after - quantile)
         if gap > LEAST_BAND * (high - low):
             unit = 10.0 ** math.floor(math.log10(gap))
             step = max(digit * unit for digit in (1, 2, 5) if digit * unit <= gap)
-            level = float(f"{round(one / step) * step:.12g}")
-            if before < level < after and level not in found:
-                found.append(level)
-    return found
+            level = float(f"{round(quantile / step) * step:.12g}")
+            if before < level < after and level not in levels:
+                levels.append(level)
+    return levels
 
 
 def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str, str]) -> None:
@@ -194,15 +192,15 @@ def _draw(pen: Pen, surface: Surface, levels: Sequence[float], names: tuple[str,
         )
     )
     hidden = np.ma.masked_invalid(surface.z)
-    made: Any = contour_generator(xs, ys, hidden, fill_type="OuterOffset")
+    contours: Any = contour_generator(xs, ys, hidden, fill_type="OuterOffset")
     edges = [-math.inf, *levels, math.inf]
     for place, (low, up) in enumerate(pairwise(edges)):
         colour = mixed(style.power, style.paper, 0.1 + 0.9 * place / max(len(levels), 1))
-        _fill(pen, made.filled(low, up), colour)
+        _fill(pen, contours.filled(low, up), colour)
     taken: list[tuple[float, float, float, float]] = []
     for level in levels:
         text = typeset(f"{level:g}")
-        lines = made.lines(level)
+        lines = contours.lines(level)
         for piece in lines:
             places = [(float(x), float(y)) for x, y in piece]
             pen.line(*places, width=0.7, color=style.ink, title=f"{surface.name} {text}".strip())
@@ -222,7 +220,7 @@ def _limit_look(style: Style) -> Look:
 
 
 def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) -> None:
-    """The polygons of a band, each with its holes."""
+    """Fill the polygons of a band between two levels, without their holes."""
     left, low = pen.corner
     for points, offsets in zip(*filled, strict=True):
         codes = np.full(len(points), Path.LINETO, dtype=np.uint8)
@@ -238,9 +236,9 @@ def _label(
     text: str,
     taken: list[tuple[float, float, float, float]],
 ) -> None:
-    """The number of a level where it covers no other: on its longest line, near the middle.
+    """Label a level on its longest line, near the middle, where the text covers no other label.
 
-    At the edge it is moved inward, so that it still stands on its line.
+    A label at the edge of the panel is moved inward.
     """
     long, tall = width(text, SMALL_NUMBER) + 3, 1.2 * SMALL_NUMBER
     half, up = long / 2, tall / 2
@@ -259,26 +257,25 @@ def _label(
 
 
 PLACES_TRIED = 48
-"""Of a line for its number."""
+"""Number of places on a line that are tried for its label."""
 
 
 def _places(lines: Sequence[Floats]) -> Iterator[Point]:
-    """Points along lines where a number may stand, the middle of the longest first."""
-    for piece in sorted(lines, key=lambda one: -_along(one)[-1]):
+    """Yield possible points of labels along lines, first the middle of the longest line."""
+    for piece in sorted(lines, key=lambda line: -_along(line)[-1]):
         along = _along(piece)
         places = np.linspace(0.0, along[-1], PLACES_TRIED + 1)
-        for at in sorted(places, key=lambda one: abs(one - along[-1] / 2)):
+        for at in sorted(places, key=lambda distance: abs(distance - along[-1] / 2)):
             yield float(np.interp(at, along, piece[:, 0])), float(np.interp(at, along, piece[:, 1]))
 
 
 def _along(piece: Floats) -> Floats:
-    """How far each point of a line is from its start."""
+    """Return the distance [pt] of each point from the start, along the line."""
     steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _scales(pen: Pen, names: tuple[str, str]) -> None:
-    """Both scales with the names of what they are of."""
     wide, high = pen.size
     across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
     up = ticks(pen.y.low, pen.y.high, max(int(high / (3 * height(""))), 2))

@@ -1,4 +1,4 @@
-"""A picture of a sweep for those who work in Python: shown in a notebook, or saved."""
+"""Pictures of sweeps in Python, shown in a notebook or saved to a file."""
 
 from __future__ import annotations
 
@@ -25,35 +25,37 @@ if TYPE_CHECKING:
 
 
 class SweepPicture:
-    """A picture of a sweep; a notebook shows it as SVG."""
+    """Picture of a sweep, which a notebook shows as SVG."""
 
-    def __init__(self, sweep: WrittenSweep, kind: str, style: Style, asked: DrawnColumns) -> None:
-        """Keep what is to be drawn; it is drawn when it is shown or saved."""
-        self._sweep, self._kind, self._style, self._asked = sweep, kind, style, asked
+    def __init__(
+        self, sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
+    ) -> None:
+        """Store the sweep and the settings; drawing is deferred until display or saving."""
+        self._sweep, self._kind, self._style, self._selected = sweep, kind, style, selected
 
     def __repr__(self) -> str:
-        """What it shows."""
+        """Return the kind of picture and the number of rows."""
         return f"<SweepPicture {self._kind} of {len(self._sweep.variants)} rows>"
 
     def _repr_svg_(self) -> str:
-        [drawn, *_] = render_sweep(self._sweep, self._kind, "svg", self._style, self._asked)
+        [drawn, *_] = render_sweep(self._sweep, self._kind, "svg", self._style, self._selected)
         return drawn.decode()
 
     @property
     def figure(self) -> Figure:
-        """The figure of matplotlib, to be changed."""
-        return sweep_figures(self._sweep, self._kind, self._style, self._asked)[0]
+        """Figure of matplotlib, for further changes."""
+        return sweep_figures(self._sweep, self._kind, self._style, self._selected)[0]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write it to a file, as a `Picture`.
+        """Write the picture to a file, in a format of `Picture.save`.
 
         Raises
         ------
         ValueError
-            For another suffix.
+            If no format has the suffix.
         """
         form, style = format_of_picture(path), self._style._replace(height=PAGE_HEIGHT)
-        drawn = render_sweep(self._sweep, self._kind, form, style, self._asked)
+        drawn = render_sweep(self._sweep, self._kind, form, style, self._selected)
         replace_pages(os.fspath(path), drawn)
 
 
@@ -71,41 +73,47 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     dark: bool = False,
     lang: Language = "en",
 ) -> SweepPicture:
-    """A picture of a sweep.
+    """Draw curves, a map or histograms of a sweep.
 
     Parameters
     ----------
     sweep : WrittenSweep
     kind : {"curves", "map", "histogram"}
-        Columns over one varied number, contours over two, or how often numbers occur.
-    x, z, by : str, optional
-        Columns: of the lower axis, of contours, and what has a line or a panel for each value.
+        Curves over a varied number, contours over two, or frequencies of numbers.
+    x : str, optional
+        Column of the horizontal axis.
     y : str or sequence of str, optional
-        Columns: of lines or histograms; of a map its upright axis.
+        Columns of curves or histograms, or the column of the vertical axis of a map.
+    z : str, optional
+        Column of the contours.
+    by : str, optional
+        Column whose values each have a curve or a panel.
     width : float, optional
-        Of a page, 80 to 1200. [mm]
+        Width of the page, 80 to 1200. [mm]
     dark : bool, optional
-        Light on dark.
+        Whether the picture is light on a dark background.
     lang : {"en", "ru"}, optional
-        Of axes and titles.
+        Language of axes and titles.
 
     Returns
     -------
     SweepPicture
-        Shown as SVG by a notebook; ``save`` writes it to a file, ``figure`` is for matplotlib.
+        Picture that a notebook shows as SVG; ``save`` writes a file, ``figure`` is the figure of
+        matplotlib.
 
     Raises
     ------
     CaseError
-        If matplotlib is not installed, or there is no such column.
+        If matplotlib is not installed, or a column does not exist.
     ValueError
-        If there is no such kind or language, a column is not for the kind, or no page is so wide.
+        If the kind or language does not exist, the kind does not use a column, or the width is out
+        of range.
 
     Examples
     --------
     >>> columns = {"u": [1.0, 2.0], "eta": [0.9, 0.8]}
-    >>> made = WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",))
-    >>> plot_sweep(made, "curves", y="eta")._repr_svg_()[:5]
+    >>> sweep = WrittenSweep([0, 1], ["ok", "ok"], columns, ("u",))
+    >>> plot_sweep(sweep, "curves", y="eta")._repr_svg_()[:5]
     '<?xml'
     """
     require("plot", "a picture")
@@ -113,23 +121,25 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         expected = f"; expected one of {', '.join(COLUMNS)}"
         hint = nearest(kind, COLUMNS) or expected
         raise ValueError(f"there is no picture {kind!r} of a sweep{hint}")
-    asked = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
-    _check(sweep, kind, asked)
+    selected = DrawnColumns(x, (y,) if isinstance(y, str) else tuple(y), z, by)
+    _check(sweep, kind, selected)
     style = Style(lang, dark, width=checked_width(width), height=math.inf)
-    return SweepPicture(sweep, kind, style, asked)
+    return SweepPicture(sweep, kind, style, selected)
 
 
-def _check(sweep: WrittenSweep, kind: str, asked: DrawnColumns) -> None:
-    """Refuse columns that there are not, or that the kind does not show.
+def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
+    """Refuse columns that do not exist, or that the kind does not use.
 
     Raises
     ------
     CaseError
+        If a column does not exist.
     ValueError
+        If the kind does not use a column.
     """
-    for option, given in asked._asdict().items():
+    for option, given in selected._asdict().items():
         if given and option not in COLUMNS[kind]:
-            takes = spoken([f"`{one}`" for one in COLUMNS[kind]])
+            takes = spoken([f"`{name}`" for name in COLUMNS[kind]])
             raise ValueError(f"plot of kind {kind!r}: `{option}` is not for it; it takes {takes}")
         for name in (given,) if isinstance(given, str) else given:
             if name and not (option == "by" and name == GEAR and sweep.gears):

@@ -147,7 +147,7 @@ class SweepNames:
                 raise self.source.error(message, read.at)
             row = self._index(subscripts.pop(0), rows, kind) if subscripts else None
         gear = self._gear(subscripts)
-        parts = [ROWS[kind].one] * (kind != "one") + ["gear"] * (not self.by_gear)
+        parts = [ROWS[kind].singular] * (kind != "one") + ["gear"] * (not self.by_gear)
         self._nothing_more(subscripts, f"{read.name}[{', '.join(parts)}]" if parts else read.name)
         return Selection(known.name, gear, row, len(rows))
 
@@ -178,7 +178,7 @@ class SweepNames:
 
     def row(self, table: str) -> str:
         """What a row of a table is."""
-        return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].one
+        return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].singular
 
     @cached_property
     def _modes(self) -> list[str]:
@@ -233,7 +233,7 @@ class SweepNames:
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
         """What to say of a row or a gear that there is not."""
         if written[0] == "#":
-            what = ROWS[kind].one
+            what = ROWS[kind].singular
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
         second = f"; a gear goes in the second place: [:,{written}]"
         hint = second if kind != "one" and name in self.gears else ""

@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import ROUNDED_DEVIATION
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 
 PARTS = (0.05, 0.5, 0.95)
 """Of all variants that lie below a quantile."""
@@ -18,7 +18,7 @@ _LARGE = 2.0**500
 """Size above which numbers are divided by a power of 2, so exactly, before they are squared."""
 
 
-@told("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
+@json_keys("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
 class Statistics(NamedTuple):
     """Of a column, over the variants in which it exists; NaN if there are too few of them."""
 

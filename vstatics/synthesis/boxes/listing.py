@@ -10,7 +10,7 @@ from vstatics.core.errors import ReadError, listed
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers import from_dict
 from vstatics.core.statics.solve import solve
-from vstatics.core.tables.answer import Count, Sometimes, Words, told
+from vstatics.core.tables.answer import Count, Sometimes, Words, json_keys
 from vstatics.core.writers.named import mapping
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, BoxSearch
 from vstatics.synthesis.boxes.choice import RankedBox
@@ -34,7 +34,7 @@ class ListedGear(NamedTuple):
     drag: float
 
 
-@told(
+@json_keys(
     *("code", "input", "output", "held", "elements", "ratios", "gears"),
     *BoxFigures._fields,
     *("family", "core", "known", "ravigneaux", "pareto", "case"),
@@ -209,7 +209,7 @@ def _asked(ends: Range) -> Range:
     return () if tuple(ends) == ANY_QUOTIENT else ends
 
 
-@told(
+@json_keys(
     *("searched", "found", "complete", "given_up", "wanted"),
     families="family_count",
     boxes="boxes",

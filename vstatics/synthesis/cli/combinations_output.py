@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, file_name
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.progress import Advance, progress
 from vstatics.core.errors import listed
-from vstatics.core.tables.answer import Count, line, told
+from vstatics.core.tables.answer import Count, json_keys, line
 from vstatics.core.tables.grid import Grid
 from vstatics.core.tables.grid import text as words
 from vstatics.synthesis.gears.kinds import EngagedSet, combination_grids
@@ -58,7 +58,7 @@ def _length(search: CombinationSearch) -> float:
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
-@told("elements", "engaged", count="total", bytes="bytes", seconds="seconds")
+@json_keys("elements", "engaged", count="total", bytes="bytes", seconds="seconds")
 class CombinationEstimate(NamedTuple):
     """What is known before any combination is tried."""
 

@@ -20,7 +20,7 @@ from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import each, value, wrong_value
 from vstatics.core.errors import Problem, typed_number
 from vstatics.core.jobs.files import is_stream
-from vstatics.core.tables.answer import Count, Flat, Known, as_json, told
+from vstatics.core.tables.answer import Count, Flat, Known, as_json, json_keys
 from vstatics.synthesis.structures import growth as search
 from vstatics.synthesis.structures.counts import count
 from vstatics.synthesis.structures.estimate import estimate
@@ -126,7 +126,7 @@ def structures(
             advance(text.count(b"\n"))
 
 
-@told("sets", count="total", by_links="by_links")
+@json_keys("sets", count="total", by_links="by_links")
 class StructureCount(NamedTuple):
     """How many schemes there are."""
 

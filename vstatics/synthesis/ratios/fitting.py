@@ -17,7 +17,7 @@ from vstatics.core.model.transmission import HOUSING, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_same
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 from vstatics.synthesis.ratios.arrays import ratio_arrays
 from vstatics.synthesis.ratios.problem import (
     LARGEST_SET_RATIO,
@@ -49,7 +49,7 @@ class FitSolution(NamedTuple):
     """Gears with a deviation above the tolerance."""
 
 
-@told(*FitSolution._fields, "solutions")
+@json_keys(*FitSolution._fields, "solutions")
 class Fit(NamedTuple):
     """Best solution and all solutions."""
 

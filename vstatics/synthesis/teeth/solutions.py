@@ -15,7 +15,7 @@ from vstatics.core.model.parts import Mechanism
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Integers
 from vstatics.core.statics.solve import solve
-from vstatics.core.tables.answer import SOMETIMES, told
+from vstatics.core.tables.answer import SOMETIMES, json_keys
 from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.rows import TeethRows
@@ -26,7 +26,7 @@ ERROR_DECIMALS = 14
 """Number of decimals of an error; further digits are rounding noise."""
 
 
-@told("teeth", "planets", "gears", "error", "modules")
+@json_keys("teeth", "planets", "gears", "error", "modules")
 class TeethSolution(NamedTuple):
     """Tooth numbers of the gear sets that affect a wanted ratio."""
 

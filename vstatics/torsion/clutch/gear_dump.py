@@ -21,7 +21,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import Failure, Flat, Unfailed, document, told
+from vstatics.core.tables.answer import Failure, Flat, Unfailed, document, json_keys
 from vstatics.torsion.clutch.clutch_dump import NEEDED, ClutchDump
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpTorque, dump
 from vstatics.torsion.clutch.given import Dump
@@ -30,7 +30,7 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 
 
-@told("name", "to", "error", reduced="given", made="made")
+@json_keys("name", "to", "error", reduced="given", made="made")
 class GearDump(NamedTuple):
     """A clutch that is dumped in a gear."""
 

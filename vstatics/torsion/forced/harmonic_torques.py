@@ -15,7 +15,7 @@ from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats
 from vstatics.core.numerics.tolerances import NO_POWER
-from vstatics.core.tables.answer import Failure, Sometimes, told
+from vstatics.core.tables.answer import Failure, Sometimes, json_keys
 from vstatics.torsion.forced.cycle import Sum, summed
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
@@ -93,7 +93,7 @@ class SummedResponse(NamedTuple):
     torques: Mapping[str, Sum]
 
 
-@told("name", "speeds", "orders", "sum", "resonances", "converters", "error")
+@json_keys("name", "speeds", "orders", "sum", "resonances", "converters", "error")
 class GearResponse(NamedTuple):
     """The response of a gear."""
 

@@ -15,7 +15,7 @@ from vstatics.core.extras import higher
 from vstatics.core.model.fields import Carried
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.answer import Failure, Sometimes, told
+from vstatics.core.tables.answer import Failure, Sometimes, json_keys
 from vstatics.torsion.forced.harmonic_torques import not_excitable
 from vstatics.torsion.random.excited import ExcitedGear
 from vstatics.torsion.random.spectra import Spectrum
@@ -66,7 +66,7 @@ class RandomSpectrum(NamedTuple):
     """Of twists. [rad^2*s/rad]"""
 
 
-@told("name", "devices", "links", "half_widths", "spectrum", "converters", "error")
+@json_keys("name", "devices", "links", "half_widths", "spectrum", "converters", "error")
 class GearRandom(NamedTuple):
     """The random vibration of a gear."""
 

@@ -16,10 +16,10 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 
 
-@told(
+@json_keys(
     *("speed_ratio", "pump_speed", "pump_torque", "turbine_torque"),
     *("A1", "A2", "A3", "A4"),
 )

@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import dependencies
 from vstatics.core.numerics.motions import Form
 from vstatics.core.numerics.tolerances import TIE
-from vstatics.core.tables.answer import Failure, Sometimes, told
+from vstatics.core.tables.answer import Failure, Sometimes, json_keys
 from vstatics.core.tables.html import shown
 from vstatics.torsion.system.converters import WorkingConverter
 from vstatics.torsion.system.coordinates import Coordinates, coordinates, form_values
@@ -43,7 +43,7 @@ class Sensitivity(NamedTuple):
     inertia: Named
 
 
-@told(
+@json_keys(
     *("omega", "frequency", "damping_ratio", "damped_frequency"),
     *("nodes", "shape", "torques", "kinetic", "elastic", "sensitivity"),
 )

@@ -14,7 +14,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, listed, quoted, spoken
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.suggestions import nearest
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 from vstatics.torsion.system.gear_system import TorsionalDevice
 from vstatics.torsion.system.state import vibrating
 from vstatics.torsion.vibration import decrements as formulas
@@ -34,7 +34,7 @@ class Identified(NamedTuple):
     """
 
 
-@told("omega", "dampings", "decrement", "shares", messages="notes")
+@json_keys("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
     """Dampings of the elastic devices of a gear with given decrements."""
 

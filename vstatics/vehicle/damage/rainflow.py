@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 
 
-@told("range", "mean", count="counted")
+@json_keys("range", "mean", count="counted")
 class LoadCycle(NamedTuple):
     """A cycle, or several that are alike."""
 

@@ -22,7 +22,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import document, told
+from vstatics.core.tables.answer import document, json_keys
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import CycleLosses, CycleSteps, GearChoice
 from vstatics.vehicle.operation.fuel_map import FuelMap
@@ -44,7 +44,7 @@ class CycleEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@told("duration", "distance", "fuel", "energy", "messages")
+@json_keys("duration", "distance", "fuel", "energy", "messages")
 class DriveCycle(NamedTuple):
     """What a driving cycle takes."""
 

@@ -18,7 +18,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import told
+from vstatics.core.tables.answer import json_keys
 from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 from vstatics.vehicle.damage.tables import damage_grid
@@ -52,7 +52,7 @@ class MemberLoad(NamedTuple):
     """``(sum |T|^p n t / sum n t)^(1/p)`` with that speed n [N*m]; NaN where nothing turns."""
 
 
-@told(in_="in_", out="out", lost="lost")
+@json_keys(in_="in_", out="out", lost="lost")
 class DutyEnergy(NamedTuple):
     """Energies of a duty cycle [J]; of shares mean powers [W]."""
 
@@ -62,7 +62,7 @@ class DutyEnergy(NamedTuple):
     """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
-@told("energy", "efficiency", "exponent", "members")
+@json_keys("energy", "efficiency", "exponent", "members")
 class Spectrum(NamedTuple):
     """What a duty cycle by points does."""
 

@@ -1,0 +1,31 @@
+"""Row groups of Parquet files, which are written from many small tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import TypeVar
+
+T = TypeVar("T")
+
+GROUP = 262_144
+"""Intended number of rows of a row group, exceeded by less than a table."""
+
+
+def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
+    """Yield consecutive tables together that are large enough for a row group.
+
+    Parameters
+    ----------
+    tables : iterable
+    rows : callable
+        Function that returns the number of rows of a table.
+    """
+    group, count = list[T](), 0
+    for table in tables:
+        group.append(table)
+        count += rows(table)
+        if count >= GROUP:
+            yield group
+            group, count = [], 0
+    if group:
+        yield group
