@@ -1,4 +1,4 @@
-"""Documents other than cases, which annexes declare: how each kind is recognised."""
+"""Documents other than cases, which annexes declare: recognition of each kind."""
 
 from __future__ import annotations
 
@@ -12,37 +12,37 @@ from vstatics.core.readers.reading import Reading
 
 NO_TEXTS: Mapping[str, bytes] = {}
 OF_KEYS: Mapping[str, Kind] = {"scenario": "scenario", "sweep file": "sweep file"}
-"""Kinds that are recognised by their keys."""
+"""Kinds of documents recognised by keys."""
 
 
 class DocumentOfCase(Protocol):
-    """A document that was read with the case that it names, such as a scenario."""
+    """Document that was read together with a case, such as a scenario."""
 
     @property
     def name(self) -> str:
-        """As the document gives it; else empty."""
+        """Name given in the document, or an empty string."""
 
     @property
     def description(self) -> str:
-        """Description of what happens to the case."""
+        """Description of the events."""
 
     @property
     def reading(self) -> Reading:
-        """The case."""
+        """The case of the document, as read."""
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
         """Speeds of the input that the document gives [rpm]."""
 
     def allowing(self, ids: Sequence[str]) -> Self:
-        """Return the document with more messages that are not printed."""
+        """Return the document with further messages suppressed."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Give a problem of the document, or of its case, its place."""
+        """Add the place in the file to a problem of the document or the case."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """Whether a text is a document of this kind, or a written sweep.
+    """True if a text is a document of this kind, or a written sweep.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
@@ -64,12 +64,12 @@ def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
 
     Documents of an annex with the function `taken` are taken.
     """
-    found = []
+    problems = []
     for kind, (annex, _) in DOCUMENTS.items():
         if is_a(kind, data, name):
-            known = document_kind(kind)
-            if known is None:
-                found.append(of_file("E004", name, not_installed(kind, annex)))
-            elif taken not in known.functions:
-                found.append(of_file("E004", name, known.note))
-    return found
+            record = document_kind(kind)
+            if record is None:
+                problems.append(of_file("E004", name, not_installed(kind, annex)))
+            elif taken not in record.functions:
+                problems.append(of_file("E004", name, record.note))
+    return problems
