@@ -118,7 +118,11 @@ def compare(
         lines = _lines(comparison, form, all_numbers=all_numbers, summary=summary)
         tally = all(folders) or (len(comparison.cases) > 1 and lines)
         lines += [comparison.tally] * bool(tally)
-    return _told(lines, count, actual, expected)
+    if lines:
+        files.write_output("\n".join(lines) + "\n", None)
+    if count:
+        files.say(f"{actual} and {expected} differ in {count} {plural('place', count)}")
+    return FAILED if count else DONE
 
 
 def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
@@ -155,11 +159,3 @@ def _as_junit(total: Verdict) -> str:
             for case in total.cases
         ],
     ).rstrip("\n")
-
-
-def _told(lines: list[str], count: int, actual: str, expected: str) -> int:
-    if lines:
-        files.write_output("\n".join(lines) + "\n", None)
-    if count:
-        files.say(f"{actual} and {expected} differ in {count} {plural('place', count)}")
-    return FAILED if count else DONE

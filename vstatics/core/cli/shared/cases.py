@@ -18,7 +18,6 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
 from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
-from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
@@ -315,10 +314,13 @@ def calculate_one(
     """
     from vstatics.core.checking import located_messages  # needless for help
 
-    name, data = STDIN_NAME if file == files.STDIN else file, b""
+    name, data = files.file_name(file), b""
     scenario, locate = None, None
     try:
-        data, name = _content(file, texts, regular=regular)
+        if file in texts:
+            data, name = texts[file], file
+        else:
+            data, name = files.read_input(file, regular=regular)
         with_case = settings.scenarios and document_function("read_with_case", data, name)
         if with_case:
             read: DocumentOfCase = with_case(data, name, settings.input_format, texts=texts)
@@ -337,19 +339,14 @@ def calculate_one(
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
         problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
     except ReadError as error:
-        no_case = documents.no_case(data, name, "read_with_case" * settings.scenarios)
+        taken = "read_with_case" if settings.scenarios else ""
+        no_case = documents.no_case(data, name, taken)
         results, problems = None, no_case or error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     reported = settings.telling.told(problems)
     is_run = settings.of_runs and scenario is not None
     return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
-
-
-def _content(file: str, texts: Mapping[str, bytes], *, regular: bool) -> tuple[bytes, str]:
-    if file in texts:
-        return texts[file], file
-    return files.read_input(file, regular=regular)
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:

@@ -7,12 +7,10 @@ from typing import Protocol, Self
 
 from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
 from vstatics.core.errors import Problem, of_file
-from vstatics.core.readers.kinds import Kind, is_of_kind
+from vstatics.core.readers.kinds import KEYS, is_of_kind
 from vstatics.core.readers.reading import Reading
 
 NO_TEXTS: Mapping[str, bytes] = {}
-OF_KEYS: Mapping[str, Kind] = {"scenario": "scenario", "sweep file": "sweep file"}
-"""Kinds of documents recognised by keys."""
 
 
 class DocumentOfCase(Protocol):
@@ -42,27 +40,23 @@ class DocumentOfCase(Protocol):
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """True if a text is a document of this kind, or a written sweep.
+    """Return whether a text is a document of a kind that an annex declares.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
-    if kind == "sweep":
-        from vstatics.core.readers.sweep_tables import is_sweep
-
-        return is_sweep(data)
     if DOCUMENTS[kind][1] not in data:
         return False
-    if kind in OF_KEYS:
-        return is_of_kind(OF_KEYS[kind], data, name)
-    known = document_kind(kind)
-    return known is None or bool(module(known.functions["is_document"]).is_document(data))
+    if kind in KEYS:
+        return is_of_kind(kind, data, name)
+    record = document_kind(kind)
+    return record is None or bool(module(record.functions["is_document"]).is_document(data))
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return what is said of a text that is no case, but a document that nobody takes.
+    """Return the problem of a document that a command cannot use as a case, if any.
 
-    Documents of an annex with the function `taken` are taken.
+    Documents of a kind with the function `taken` can be used.
     """
     problems = []
     for kind, (annex, _) in DOCUMENTS.items():

@@ -39,6 +39,11 @@ ALIKE, SHORT = 0.75, 0.66
 CLOSED = "it is closed"
 
 
+def file_name(file: str) -> str:
+    """Return the name of an input file in messages."""
+    return STDIN_NAME if file == STDIN else file
+
+
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
@@ -57,7 +62,7 @@ def read_input(
     ReadError
         If the file cannot be read, or is larger.
     """
-    name = STDIN_NAME if file == STDIN else file
+    name = file_name(file)
     try:
         if file != STDIN:
             return read_file(file, most, regular=regular), name

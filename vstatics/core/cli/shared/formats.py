@@ -104,7 +104,11 @@ class OutputOptions(NamedTuple):
         suffix = suffix_of(output)
         form_of_suffix = format_of(output, self.formats) if suffix else self.formats[0]
         if form_of_suffix is None and not is_stream(output):
-            raise click.UsageError(f"{output}: {self._expected(several=several)}")
+            expected = " ".join(known(self.formats))
+            plain = ", or none for text" if self.formats[0] in ("text", "listing") else ""
+            folder = "; a directory ends with /" if several else ""
+            message = f"no format has this suffix here: expected {expected}{plain}{folder}"
+            raise click.UsageError(f"{output}: {message}")
         if form_of_suffix and (message := mismatch(form, output)):
             raise click.UsageError(f"-f {message}")
         if form is None and suffix:
@@ -137,12 +141,6 @@ class OutputOptions(NamedTuple):
         if needed and (message := missing(chosen, needed)):
             raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)
-
-    def _expected(self, *, several: bool) -> str:
-        expected = " ".join(known(self.formats))
-        plain = ", or none for text" * (self.formats[0] in ("text", "listing"))
-        folder = "; a directory ends with /" * several
-        return f"no format has this suffix here: expected {expected}{plain}{folder}"
 
 
 def each_by_itself(

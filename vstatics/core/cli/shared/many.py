@@ -19,7 +19,7 @@ from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import ReadError, listed, plural
 from vstatics.core.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.core.jobs.finished_cases import FinishedCases
-from vstatics.core.jobs.finished_parts import CaseMark, FinishedParts
+from vstatics.core.jobs.finished_parts import FinishedParts
 from vstatics.core.jobs.finished_pieces import SUFFIX
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.core.jobs.workers import workers
@@ -155,18 +155,25 @@ def _begun(
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
     """Return the remaining cases of an earlier run, or all if resuming is impossible."""
-    try:
+    with _other_options_as_wrong_use():
         why_not = finished.resume()
-    except ReadError as error:
-        if error.problems[0].id != "E031":
-            raise
-        raise click.UsageError(error.problems[0].message) from None  # it had other options
     if why_not:
         if not quiet:
             files.say(f"{finished.folder}: {why_not}; every case is calculated")
         finished.begin()
         return todo
     return [task for task in todo if not finished.is_done(task.file, str(task.target))]
+
+
+@contextmanager
+def _other_options_as_wrong_use() -> Iterator[None]:
+    """Report an earlier run with other options as wrong use of --resume."""
+    try:
+        yield
+    except ReadError as error:
+        if error.problems[0].id != "E031":
+            raise
+        raise click.UsageError(error.problems[0].message) from None
 
 
 def to_stream(
@@ -221,12 +228,8 @@ def to_stream(
 def _done_before(
     parts: FinishedParts, cases: Sequence[str], *, resume: bool, quiet: bool
 ) -> set[str]:
-    try:
+    with _other_options_as_wrong_use():
         why_not = parts.open(resume=resume)
-    except ReadError as error:
-        if error.problems[0].id != "E031":
-            raise
-        raise click.UsageError(error.problems[0].message) from None  # it had other options
     if why_not and not quiet:
         files.say(f"{parts.directory}: {why_not}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}
@@ -265,19 +268,15 @@ def _follow(
             if done.stop:
                 raise _HaltedError
             if parts is not None and done.mark is not None and isinstance(done.part, bytes):
-                _put(parts, done.file, done.mark, done.part)
+                try:
+                    parts.put(done.file, done.mark, done.part)
+                except OSError as error:
+                    files.show([unwritable(parts.path, error)])
+                    raise _HaltedError from None
             yield done.part
             count.add(done)
             advance(1)
             stop.check()
-
-
-def _put(parts: FinishedParts, file: str, mark: CaseMark, part: bytes) -> None:
-    try:
-        parts.put(file, mark, part)
-    except OSError as error:
-        files.show([unwritable(parts.path, error)])
-        raise _HaltedError from None
 
 
 @contextmanager

@@ -13,11 +13,11 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases, files, formats, texts
 from vstatics.core.cli.shared.cases import check_streams, read_data, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.options import gathered, needs
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
-from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Answer
@@ -46,11 +46,6 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
     if problem.path or located.place is None:
         return located
     return problem.in_file(located.place.file)
-
-
-def file_name(file: str) -> str:
-    """Return the name of an input file in messages."""
-    return STDIN_NAME if file == files.STDIN else file
 
 
 class CaseAnswer(NamedTuple):

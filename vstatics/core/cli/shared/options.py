@@ -29,12 +29,7 @@ def needs(extra: str, purpose: str) -> None:
 
 def provided(name: str) -> Callable[[Command], Command]:
     """Return the decorator of options of an annex, or a neutral decorator without the annex."""
-    decorator: Callable[[Command], Command] = _unchanged
-    return higher(name) if module_of_method(name) else decorator
-
-
-def _unchanged(command: Command) -> Command:
-    return command
+    return higher(name) if module_of_method(name) else lambda command: command
 
 
 def gathered(

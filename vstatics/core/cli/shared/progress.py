@@ -93,7 +93,7 @@ def progress(
     if quiet or (beside_stdout and _is_terminal(sys.stdout)):
         yield lambda count: None  # noqa: ARG005
         return
-    if not _is_watched():
+    if not _is_terminal(sys.stderr) or os.environ.get("TERM") == "dumb":
         with _lines(total, unit) as advance:
             yield advance
         return
@@ -131,11 +131,6 @@ def _lines(total: int | None, unit: str) -> Iterator[Advance]:
 
     with telling(said):
         yield advance
-
-
-def _is_watched() -> bool:
-    """Return whether stderr is a terminal that can show a bar."""
-    return _is_terminal(sys.stderr) and os.environ.get("TERM") != "dumb"
 
 
 def _is_terminal(stream: TextIO | None) -> bool:

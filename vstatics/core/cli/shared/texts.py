@@ -100,7 +100,11 @@ def among_several(
     """
     file = outcome.file
     if to.form in ("json", "jsonl"):
-        text = _json(file, shown or _failed(outcome), to, folders=folders)
+        if shown is None:
+            from vstatics.core.tables.answer import failure
+
+            shown = CaseOutput([], {}, answer=partial(failure, file, outcome.problems))
+        text = _json(file, shown, to, folders=folders)
         return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
@@ -112,12 +116,6 @@ def among_several(
         else:
             return _tables(file, shown, to)
     return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + output
-
-
-def _failed(outcome: CalculatedCase) -> CaseOutput:
-    from vstatics.core.tables.answer import failure
-
-    return CaseOutput([], {}, answer=partial(failure, outcome.file, outcome.problems))
 
 
 def joined(
