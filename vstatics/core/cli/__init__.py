@@ -1,15 +1,15 @@
-"""The command line: it alone prints, opens files and exits.
+"""Command line of the program: the only part that prints, opens files and exits.
 
-Words of a command line go in; results go to stdout, messages to stderr, and an exit status.
+A command line gives results on stdout, messages on stderr, and an exit status.
 
 >>> from click.testing import CliRunner
->>> said = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
->>> said.exit_code, said.stderr.rstrip()
+>>> answer = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
+>>> answer.exit_code, answer.stderr.rstrip()
 (1, "nowhere/box.yaml: error: can't be read: No such file or directory [E006]")
 
-The record of the core and those of the annexes list the commands.
-`shared` has what all of them share: input and output, cases, values of options. `templates` are
-the cases of `new`. `schemas` writes the JSON Schemas of all.
+The records of the core and of the annexes list the commands. `shared` contains what commands have
+in common: input and output, cases, values of options. `templates` are the cases of `new`.
+`schemas` writes the JSON Schemas of all documents.
 """
 
 from __future__ import annotations
@@ -37,35 +37,35 @@ from vstatics.core.suggestions import nearest
 click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
-"""Commands that have words in other languages, by --lang."""
+"""Commands with words in several languages, chosen by --lang."""
 
 
 class Commands(LazyGroup):
-    """The commands, and the exit status of each."""
+    """Commands of the program with their exit statuses."""
 
     def listed(self) -> Modules:
-        """Return the commands of the core and of the annexes in the order of their places."""
+        """Return the commands of the core and of all annexes, sorted by place."""
         commands = [pair for record in (CORE, *annexes()) for pair in record.commands.items()]
         ordered = sorted(commands, key=lambda pair: pair[1].place)
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command; records are read for those of annexes alone."""
+        """Return the module of a command; records of annexes are read only if needed."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
-        """As click does; messages are safe to print, and that of the version may fail."""
+        """Make a context as click does, with messages that are safe to print."""
         try:
-            with _safely_told():
+            with _safe_usage_errors():
                 return super().make_context(*values, **named)
         except ReadError as error:
             files.show(error.problems)
             raise click.exceptions.Exit(FAILED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Exit with the status of the command, also where it can't read or write or is stopped."""
+        """Exit with the status of the command, also after an error or a signal."""
         try:
-            with stoppable() as stop, _safely_told():
+            with stoppable() as stop, _safe_usage_errors():
                 status = self._status(ctx, stop)
         except StoppedError as stopped:
             files.say("stopped")
@@ -73,7 +73,6 @@ class Commands(LazyGroup):
         ctx.exit(status)
 
     def _status(self, ctx: click.Context, stop: Stop) -> int:
-        """The exit status that the command returns; 1 if a file can't be read or written."""
         try:
             return super().invoke(ctx) or DONE
         except click.exceptions.Exit as leaving:
@@ -82,8 +81,8 @@ class Commands(LazyGroup):
             files.show(error.problems)
         except (click.ClickException, click.Abort, OSError):
             raise
-        except Exception as error:  # noqa: BLE001 - whoever uses the program wants no trace
-            stop.check()  # an import that is stopped may end in an error of another kind
+        except Exception as error:  # noqa: BLE001 - users need a message, not a traceback
+            stop.check()  # an import that is stopped can raise an unrelated error
             from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
@@ -91,12 +90,11 @@ class Commands(LazyGroup):
 
 
 @contextlib.contextmanager
-def _safely_told() -> Iterator[None]:
-    """Let click tell wrong use in a message that is safe to print."""
+def _safe_usage_errors() -> Iterator[None]:
     try:
         yield
     except click.exceptions.NoArgsIsHelpError:
-        raise  # its message is the help, and shown as that
+        raise  # its message is the help, which needs no hint
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
         if isinstance(error, click.NoSuchOption) and error.option_name == "--lang":
@@ -112,7 +110,7 @@ def with_languages() -> list[str]:
 
 
 def _with_hint(message: str) -> str:
-    """Return a message of click with a hint on the spelling of a number or of a choice.
+    """Add a hint to click's message on the spelling of a number or a choice.
 
     >>> _with_hint("'stik' is not one of 'stick', 'flow'.")
     "'stik' is not one of 'stick', 'flow'; did you mean `stick`?"
@@ -123,7 +121,7 @@ def _with_hint(message: str) -> str:
     number = re.search(r"'([^']*)' is not a valid float", message)
     if number is None:
         return message
-    from vstatics.core.readers.named.arithmetic import slip  # needless at the start of commands
+    from vstatics.core.readers.named.arithmetic import slip  # costs start-up time
 
     return message + slip(number[1])
 
@@ -166,10 +164,10 @@ def main() -> None:
 
 
 def entry() -> None:
-    """Run the program and leave at once.
+    """Run the program and exit at once.
 
-    Tearing the interpreter down takes longer than a calculation, and all files are
-    closed by then; `main` alone is for calls from Python.
+    Finalising the interpreter takes longer than a calculation, and all files are closed by then.
+    Python code calls `main` instead.
     """
     code: int | str | None = DONE
     try:
@@ -177,9 +175,9 @@ def entry() -> None:
             main(prog_name="vstatics")
         except SystemExit as leaving:
             code = leaving.code
-        if not code and sys.stdout is not None:  # whoever called may have closed it
+        if not code and sys.stdout is not None:  # the caller can have closed it
             sys.stdout.flush()
-    except BrokenPipeError:  # the reader has seen enough
+    except BrokenPipeError:  # the reader of a pipe has left
         code = FAILED
     except OSError as error:
         files.show([unwritable(None, error)])

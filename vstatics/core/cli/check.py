@@ -37,21 +37,21 @@ from vstatics.core.tables.text import lines
 
 
 class ProblemRecord(NamedTuple):
-    """A problem as it stands in JSON."""
+    """Problem as a record in JSON."""
 
     file: str
-    """As it was called, `<stdin>` for standard input."""
+    """Name of the file as given, or `<stdin>` for standard input."""
     line: Annotated[int, Words(minimum=1)] | None
-    """From 1; None for the file as a whole."""
+    """Line, from 1; None for the file as a whole."""
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
     id: str
-    """Of its cause: a letter for the severity, and three digits; see docs/messages.md."""
+    """Id of the cause: a letter for the severity and three digits; see docs/messages.md."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
-    """The problems of a file.
+    """Yield the records of the problems of a file.
 
     >>> from vstatics.core.errors import Place
     >>> list(problem_records("a.yaml", [Problem("E107", "read 0", place=Place("a.yaml", 3, 7))]))
@@ -77,7 +77,7 @@ def _count(number: int, noun: str) -> str:
 
 
 def conditions(file: str, results: Results) -> Grid:
-    """What the case is, and how many conditions each gear has for its speeds."""
+    """Return a table of the parts of a case and the constraints on speeds in each gear."""
     case = results.case
     free = freedom(case)
     counts = [
@@ -105,18 +105,18 @@ def conditions(file: str, results: Results) -> Grid:
         strict=True,
     )
     for index, (gear, holds, missing, excess, tied_up, conflict) in enumerate(states):
-        held = [number for number in case.freewheels if holds[number - 1]]
-        engaged = " ".join(names[number - 1] for number in (*gear.engaged, *held)) or "nothing"
+        holding = [number for number in case.freewheels if holds[number - 1]]
+        engaged = " ".join(names[number - 1] for number in (*gear.engaged, *holding)) or "nothing"
         unloaded = results.gear_at(index).unloaded if missing else ()
-        verdict = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)
-        verdict += [f"{missing} missing"] * bool(missing and not unloaded)
-        verdict += [f"{excess} in excess"] * bool(excess)
-        verdict += [TIED_UP.english] * bool(tied_up)
-        verdict += [CONFLICT.english] * bool(conflict)
-        count = given_conditions(gear) + len(held)
-        bypassed = case.bypassed(with_engaged(gear, held))  # which give none
+        faults = [f"{spoken(unloaded)} unloaded"] * bool(unloaded)
+        faults += [f"{missing} missing"] * bool(missing and not unloaded)
+        faults += [f"{excess} in excess"] * bool(excess)
+        faults += [TIED_UP.english] * bool(tied_up)
+        faults += [CONFLICT.english] * bool(conflict)
+        count = given_conditions(gear) + len(holding)
+        bypassed = case.bypassed(with_engaged(gear, holding))  # bypassed parts impose no constraint
         needed = free + len(bypassed)
-        state = f"{count} of {needed} conditions: {', '.join(verdict) or 'ok'} (engaged: {engaged})"
+        state = f"{count} of {needed} conditions: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
     return grid_of(title, ["", ""], rows)
@@ -196,102 +196,102 @@ def check(
         return DONE
     as_text = to.form == "text"
     options = CaseOptions(input_format, telling=telling._replace(notes=True, each_gear=not as_text))
-    text, failed = _told(names, options) if as_text else _for_programs(names, options, to.form)
+    text, failed = _as_text(names, options) if as_text else _for_programs(names, options, to.form)
     files.write_output(text, output)
     return FAILED if failed else DONE
 
 
 def _explained(asked: str, form: str) -> str:
-    """What ids with commas between, or all of them, stand for."""
+    """Return the explanations of comma-separated ids, or of all ids."""
     from vstatics.core.writers.explained import explained, known_ids, text
 
-    ids = dict.fromkeys(one if one == "all" else one.upper() for one in separated([asked]))
+    ids = dict.fromkeys(item if item == "all" else item.upper() for item in separated([asked]))
     try:
-        told = [explained(one) for one in (known_ids() if "all" in ids else ids)]
+        explanations = [explained(identity) for identity in (known_ids() if "all" in ids else ids)]
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="'--explain'") from None
     if form == "json":
-        return _array(told)
-    return "\n".join(map(text, told))
+        return _array(explanations)
+    return "\n".join(map(text, explanations))
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a file, its problems, whether it failed, and its contents."""
+"""Name of a file, problems, failure, and the table of constraints in each gear."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
-    """Check each file."""
     for file in cases:
         if check_document := _of_document(file):
             yield check_document(file, options)
             continue
         outcome = calculate_one(file, options)
-        shown = None if outcome.results is None else conditions(outcome.file, outcome.results)
-        yield outcome.file, outcome.problems, outcome.failed, shown
+        grid = None if outcome.results is None else conditions(outcome.file, outcome.results)
+        yield outcome.file, outcome.problems, outcome.failed, grid
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return how an annex checks a document; None of a case, and of what cannot be read."""
-    found: Callable[[str, CaseOptions], CheckedFile] | None = None
+    """Return the function of an annex that checks a document, or None for a case."""
+    check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
     if file != files.STDIN:
         with contextlib.suppress(ReadError):
-            found = document_function("check_document", *files.read_input(file))
-    return found
+            check_document = document_function("check_document", *files.read_input(file))
+    return check_document
 
 
 def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[Problem]:
-    """What is told of a file, and that it fails by what is not."""
     return [*telling.printed(problems), *telling.quiet_failure(problems, file)]
 
 
 class _Once:
-    """What was told already: a case that several scenarios name has its problems once."""
+    """Memory of the reported problems, so that a case of several scenarios reports each once."""
 
     def __init__(self) -> None:
-        self._told: set[tuple[str, str, str, int, int]] = set()
+        self._reported: set[tuple[str, str, str, int, int]] = set()
 
     def first(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Those that are told for the first time, at their places, however these are spelled."""
-        found = []
-        for one in problems:
-            file, line, column = one.place[:3] if one.place else ("", 0, 0)
-            key = (one.id, one.message, os.path.realpath(file), line, column)
-            if not file or key not in self._told:
-                found.append(one)
-            self._told.add(key)
-        return found
+        """Return the problems that are new, by place, however the file is spelled."""
+        new = []
+        for problem in problems:
+            file, line, column = problem.place[:3] if problem.place else ("", 0, 0)
+            key = (problem.id, problem.message, os.path.realpath(file), line, column)
+            if not file or key not in self._reported:
+                new.append(problem)
+            self._reported.add(key)
+        return new
 
 
-def _told(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """The conditions of all cases, and whether one failed; problems are printed."""
-    found, failed, once = list[str](), False, _Once()
+def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
+    """Print the problems of all cases; return the tables and whether a case failed."""
+    text, failed, once = list[str](), False, _Once()
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
         files.show(once.first(_printed(file, problems, options.telling)))
         if grid is not None and (fails or not options.telling.quiet):
-            found += [f"{text}\n" for text in lines(grid, indent="  ")]
-    return "".join(found), failed
+            text += [f"{conditions_line}\n" for conditions_line in lines(grid, indent="  ")]
+    return "".join(text), failed
 
 
 def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:
-    """The problems of all cases in a format for programs, and whether one failed."""
+    """Return the problems of all cases in a format for programs, and whether a case failed."""
     by_file, failed = list[tuple[str, list[Problem]]](), False
     for file, problems, fails, _ in _calculated(cases, options):
         failed |= fails
-        told = _printed(file, problems, options.telling)
-        by_file.append((file, [one if one.place else one.in_file(file) for one in told]))
+        printed = _printed(file, problems, options.telling)
+        by_file.append(
+            (file, [problem if problem.place else problem.in_file(file) for problem in printed])
+        )
     once = _Once()
     firsts = [(file, once.first(problems)) for file, problems in by_file]
-    found = [one for _, problems in firsts for one in problems]
+    problems_of_all = [problem for _, problems in firsts for problem in problems]
     match form:
         case "github":
             from vstatics.core.writers.problems import github
 
-            return github(found), failed
+            return github(problems_of_all), failed
         case "sarif":
             from vstatics.core.writers.problems import sarif
 
-            return as_json(sarif(found), None), failed
+            return as_json(sarif(problems_of_all), None), failed
         case "junit":
             return _as_junit(by_file, options.telling), failed
     return _array(
@@ -300,21 +300,20 @@ def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tupl
 
 
 def _array(records: Iterable[tuple[object, ...]]) -> str:
-    """Records as an array, a line each."""
-    told = [line(plain_data(one)).rstrip("\n") for one in records]
-    return "[\n" + ",\n".join(told) + "\n]\n" if told else "[]\n"
+    texts = [line(plain_data(record)).rstrip("\n") for record in records]
+    return "[\n" + ",\n".join(texts) + "\n]\n" if texts else "[]\n"
 
 
 def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
-    """A test case for each file; by warnings it fails only with --strict."""
+    """Return the outcome of each file; warnings are failures with --strict only."""
     from vstatics.core.writers.junit import CaseOutcome, junit
 
     outcomes = []
     for file, problems in by_file:
         fatal = [
-            one
-            for one in problems
-            if one.severity == "error" or (telling.strict and one.severity == "warning")
+            problem
+            for problem in problems
+            if problem.severity == "error" or (telling.strict and problem.severity == "warning")
         ]
         failure = (fatal[0].id, fatal[0].message) if fatal else ("", "")
         outcomes.append(CaseOutcome(file, *failure, "\n".join(map(str, fatal))))

@@ -1,4 +1,4 @@
-"""`vstatics compare`: two results, what changed first."""
+"""`vstatics compare`: differences of two results, changes of the case first."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
         multiple=True,
         metavar="TABLE",
         callback=value(left_out),
-        shell_complete=completing(lambda: (one.name for one in QUANTITIES)),
+        shell_complete=completing(lambda: (path.name for path in QUANTITIES)),
         help="Do not compare this table, by name or alias; may be given several times.",
     ),
 )
@@ -94,74 +94,68 @@ def compare(
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
-    folders = [os.path.isdir(one) for one in (actual, expected)]  # noqa: PTH112
+    folders = [os.path.isdir(caseh) for caseh in (actual, expected)]  # noqa: PTH112
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
         refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
-        made = verdict([*verdicts_of_directories(actual, expected, how)])
+        comparison = verdict([*verdicts_of_directories(actual, expected, how)])
     else:
         try:
-            made = _of_files(actual, expected, how)
+            comparison = _of_files(actual, expected, how)
         except ReadError as error:
             if form == "text":
                 raise
-            made = verdict([unreadable(file_stem(actual), error.problems)])
-    for one in made.cases:
-        files.show(one.problems)
-    count = sum(len(one.differences) or one.differs for one in made.cases)
+            comparison = verdict([unreadable(file_stem(actual), error.problems)])
+    for case in comparison.cases:
+        files.show(case.problems)
+    count = sum(len(case.differences) or case.differs for case in comparison.cases)
     if form == "json":
-        lines = [json.dumps(plain_data(made), ensure_ascii=False, indent=1)]
+        lines = [json.dumps(plain_data(comparison), ensure_ascii=False, indent=1)]
     elif form == "junit":
-        lines = [_as_junit(made)]
+        lines = [_as_junit(comparison)]
     else:
-        lines = _lines(made, form, all_numbers=all_numbers, summary=summary)
-        tally = all(folders) or (len(made.cases) > 1 and lines)
-        lines += [made.tally] * bool(tally)
-    return _told(lines, count, actual, expected)
-
-
-def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
-    """What is said of two files."""
-    read = [files.read_input(file, TABLE_BYTES) for file in (actual, expected)]
-    here, there = (content(*file) for file in read)
-    names = read[0][1], read[1][1]
-    refuse((message := sweep_alone(here, there, names), message))
-    return verdict(verdicts_of_files(here, there, names, how))
-
-
-def _lines(made: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """What is told of all cases that are not the same."""
-    lay_out = layout.markdown if form == "markdown" else layout.text
-    lines: list[str] = []
-    for one in made.cases:
-        if one.state != "same":
-            own = lay_out(one, all_numbers=all_numbers)
-            lines += own[: 1 if summary else None]
-            lines += [""] * (form == "markdown")
-    return lines
-
-
-def _as_junit(made: Verdict) -> str:
-    """A test case for each; changes of a case without effect are told, and no failure."""
-    return junit(
-        "vstatics compare",
-        [
-            CaseOutcome(
-                one.name,
-                one.state * one.differs,
-                one.headline,
-                "\n".join(layout.text(one)) * (one.state != "same"),
-            )
-            for one in made.cases
-        ],
-    ).rstrip("\n")
-
-
-def _told(lines: list[str], count: int, actual: str, expected: str) -> int:
-    """Write lines; the exit status by what differs, which is counted on stderr."""
+        lines = _lines(comparison, form, all_numbers=all_numbers, summary=summary)
+        tally = all(folders) or (len(comparison.cases) > 1 and lines)
+        lines += [comparison.tally] * bool(tally)
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
     if count:
         files.say(f"{actual} and {expected} differ in {count} {plural('place', count)}")
     return FAILED if count else DONE
+
+
+def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
+    contents = [files.read_input(file, TABLE_BYTES) for file in (actual, expected)]
+    actual_content, expected_content = (content(*file) for file in contents)
+    names = contents[0][1], contents[1][1]
+    refuse((message := sweep_alone(actual_content, expected_content, names), message))
+    return verdict(verdicts_of_files(actual_content, expected_content, names, how))
+
+
+def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
+    """Return the lines about all cases that differ."""
+    lay_out = layout.markdown if form == "markdown" else layout.text
+    lines: list[str] = []
+    for case in total.cases:
+        if case.state != "same":
+            about_case = lay_out(case, all_numbers=all_numbers)
+            lines += about_case[: 1 if summary else None]
+            lines += [""] * (form == "markdown")
+    return lines
+
+
+def _as_junit(total: Verdict) -> str:
+    """Return the outcome of each case; changes without effect on numbers are successes."""
+    return junit(
+        "vstatics compare",
+        [
+            CaseOutcome(
+                case.name,
+                case.state * case.differs,
+                case.headline,
+                "\n".join(layout.text(case)) * (case.state != "same"),
+            )
+            for case in total.cases
+        ],
+    ).rstrip("\n")

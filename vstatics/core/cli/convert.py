@@ -1,4 +1,4 @@
-"""`vstatics convert`: a case from one format to another."""
+"""`vstatics convert`: conversion of a case from one format to another."""
 
 from __future__ import annotations
 
@@ -63,8 +63,8 @@ def convert(
     try:
         data, lost = case_data(reading.case, wanted)
     except CaseError as error:
-        raise ReadError(one.in_file(source) for one in error.problems) from error
+        raise ReadError(problem.in_file(source) for problem in error.problems) from error
     files.write_data(data, target)
-    for what in lost:
-        files.say(f"{target}: not kept: {what}")
+    for loss in lost:
+        files.say(f"{target}: not kept: {loss}")
     return FAILED if lost or telling.fails(reading.warnings) else DONE

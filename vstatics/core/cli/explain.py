@@ -1,4 +1,4 @@
-"""`vstatics explain`: a gear's matrix, its equations and their solution, its ratio as a formula."""
+"""`vstatics explain`: matrix, equations, solution and ratio formula of a gear."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class AskedExercise(NamedTuple):
-    """A gear as an exercise: with blanks, with numbers, with other numbers for each seed."""
+    """Exercise on a gear: as a worksheet or a solution, with other numbers for each seed."""
 
     worksheet: bool
     solution: bool
@@ -94,8 +94,8 @@ def explain(
         ),
     )
     if exercise:
-        own = partial(_exercise, gears=gears, seed=seed, solved=solution)
-        return carry_out(Job("explain", settings, to, own), cases)
+        show_exercise = partial(_exercise, gears=gears, seed=seed, solved=solution)
+        return carry_out(Job("explain", settings, to, show_exercise), cases)
     show = partial(_shown, gears=gears, style=to.style)
     return carry_out(Job("explain", settings, to, show), cases)
 
@@ -108,18 +108,17 @@ def _exercise(
     *,
     solved: bool,
 ) -> texts.CaseOutput:
-    """A gear as an exercise."""
     from vstatics.core.explain.exercise import exercise, grids
 
-    index, *others = arguments.gear_indices(results.case, gears)
-    if others:
-        names = listed([one.name for one in results.case.gears], 12)
+    index, *further_gears = arguments.gear_indices(results.case, gears)
+    if further_gears:
+        names = listed([gear.name for gear in results.case.gears], 12)
         message = f"an exercise is of one gear, expected one of {names}"
         raise click.BadParameter(message, param_hint="--gear")
     try:
         sheet = exercise(results, results.case.gears[index].name, seed=seed)
     except CaseError as error:
-        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
     shown = partial(grids, sheet, solved=solved)
     return texts.CaseOutput(sheet.titles(outcome.file), {}, shown, sheet.document)
 
@@ -127,7 +126,6 @@ def _exercise(
 def _shown(
     outcome: CalculatedCase, results: Results, gears: tuple[str, ...], style: TextStyle
 ) -> texts.CaseOutput:
-    """The gears of a case, explained."""
     from vstatics.core.explain import explain_gear
 
     case = results.case
@@ -135,7 +133,7 @@ def _shown(
     try:
         explanations = [explain_gear(results, case.gears[index].name) for index in indices]
     except CaseError as error:
-        raise ReadError(one.in_file(outcome.file) for one in error.problems) from None
+        raise ReadError(problem.in_file(outcome.file) for problem in error.problems) from None
 
     def as_text(_: str | None) -> str:
         from vstatics.core.explain import text

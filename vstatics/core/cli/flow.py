@@ -1,4 +1,4 @@
-"""`vstatics flow`: where the power goes in every gear, what is lost and what circulates."""
+"""`vstatics flow`: the power flow of every gear, with losses and recirculating power."""
 
 from __future__ import annotations
 
@@ -57,7 +57,6 @@ def flow(
 def _shown(
     outcome: CalculatedCase, results: Results, gears: tuple[str, ...], style: TextStyle
 ) -> texts.CaseOutput:
-    """The power of each gear of a case."""
     from vstatics.core.flow.power import flows
 
     powers = flows(results)
@@ -67,7 +66,7 @@ def _shown(
     def as_text(_: str | None) -> str:
         from vstatics.core.flow.text import text
 
-        return "\n".join(text(one, style.digits) for one in shown)
+        return "\n".join(text(gear_flow, style.digits) for gear_flow in shown)
 
     def grids() -> Iterable[Grid]:
         from vstatics.core.flow.rows import flow_grids

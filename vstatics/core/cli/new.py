@@ -1,4 +1,4 @@
-"""`vstatics new`: a commented case to start from: a template, or a case that is shipped."""
+"""`vstatics new`: a commented case to start from, a template or a shipped case."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ TEMPLATES = (
     "input_split",
     "worm",
 )
-"""Their names, the simplest first; none is that of a shipped case, `_` and `-` being one sign."""
+"""Names of templates, the simplest first; no shipped case has an equal name."""
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """The text of a template, or of an example of this name, as a deck if it is there as one.
+    """Return the text of a template or shipped case, as a deck if the case has a deck.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
@@ -49,13 +49,13 @@ def template(name: str, suffix: str = ".yaml") -> str:
 
 
 def _known(name: str) -> str:
-    """The name of a template or an example, or wrong use that tells the nearest.
+    """Return the name of a template or shipped case; refuse unknown names with a hint.
 
     >>> _known("drive-axle"), _known("power_split")
     ('drive_axle', 'power-split')
     """
     known = [*TEMPLATES, *example_files()]
-    alike = {one.replace("_", "-"): one for one in known}
+    alike = {spelling.replace("_", "-"): spelling for spelling in known}
     name = alike.get(name.replace("_", "-"), name)
     if name not in known:
         names, hint = ", ".join(TEMPLATES), nearest(name, known)

@@ -1,4 +1,4 @@
-"""`vstatics run`: calculate cases and write the results."""
+"""`vstatics run`: calculation of cases, with the results in any format."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
-"""Of a text in a file, without colours."""
+"""Options of rich for a text in a file, without colours."""
 FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
-"""From so many cases on all cores share them."""
+"""Number of cases from which all cores are used."""
 
 
 @click.command()
@@ -123,12 +123,12 @@ def run(
 
 
 def _without_alias(wanted: OutputOptions) -> OutputOptions:
-    """Return the options with `--lang source` resolved, an alias of `-f source`.
+    """Return the options with `--lang source` replaced by `-f source`.
 
     Raises
     ------
     UsageError
-        If another format is asked for.
+        If another format is requested.
     """
     if wanted.style.lang != "source":
         return wanted
@@ -138,7 +138,7 @@ def _without_alias(wanted: OutputOptions) -> OutputOptions:
 
 
 def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.CaseOutput:
-    """All tables of the results of a case."""
+    """Return all tables of the results of a case as output."""
     style = to.style
     if to.form == "source":
         return _as_published(outcome, results, style)
@@ -177,13 +177,15 @@ def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.Ca
         return [*of_results(results), *[messages] * bool(messages.rows)]
 
     titles = [results.case.name or outcome.file]
-    own: dict[str, Callable[[str | None], str | bytes]]
-    own = {"listing": listing, "csv": csv, "parquet": parquet}
-    return texts.CaseOutput(titles, own, grids, document, lay_out)
+    by_format: dict[str, Callable[[str | None], str | bytes]]
+    by_format = {"listing": listing, "csv": csv, "parquet": parquet}
+    return texts.CaseOutput(titles, by_format, grids, document, lay_out)
 
 
 def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
-    """Return the published listing, of the case as its fields hold it.
+    """Return the published listing of a case as output.
+
+    Efficiencies that the fields of the listing cannot hold are rounded, with a message.
 
     Raises
     ------
@@ -205,7 +207,6 @@ def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -
 
 
 def _frame() -> texts.Frame:
-    """Around the rows of several results in CSV."""
     from vstatics.core.writers import result_csv
 
     head, tail = result_csv.head(several=True), result_csv.tail(several=True)
@@ -220,7 +221,7 @@ def _pretty(
     *,
     several: bool,
 ) -> int:
-    """Show the gears of each case to a person; the exit status."""
+    """Print a table of the gears of each case for people, and return the exit status."""
     from vstatics.core.cli.shared.console import SafeConsole, trimmed
     from vstatics.core.summary.pretty import ASCII, DOTS, view
 
@@ -231,17 +232,17 @@ def _pretty(
     to_stdout = to.output in (None, STDOUT)
     console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
     marks = ASCII if to_stdout and console.options.ascii_only else DOTS
-    failed, made = False, list[str]()
+    failed, views = False, list[str]()
     for outcome in calculate(names, settings):
         failed |= outcome.failed
         if outcome.results is None:
             continue
         with console.capture() as captured, speaking(language):
             console.print(view(outcome.results, marks, wanted.style.digits, console.width))
-        head = "\n" * bool(made) + f"==> {printable(outcome.file)} <==\n" if several else ""
-        made.append(head + trimmed(captured.get()))
+        head = "\n" * bool(views) + f"==> {printable(outcome.file)} <==\n" if several else ""
+        views.append(head + trimmed(captured.get()))
         if to_stdout:
-            files.write_coloured(made[-1])
-    if made and not to_stdout:
-        files.write_output("".join(made), to.output)
+            files.write_coloured(views[-1])
+    if views and not to_stdout:
+        files.write_output("".join(views), to.output)
     return FAILED if failed else DONE

@@ -1,4 +1,4 @@
-"""All JSON Schemas in ``schemas/``: ``python -m vstatics.core.cli.schemas FOLDER`` writes them."""
+"""JSON Schemas of ``schemas/``, written by ``python -m vstatics.core.cli.schemas FOLDER``."""
 
 from __future__ import annotations
 
@@ -25,43 +25,43 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""Of a file of documents: its title, the record that each is made of."""
+"""File of documents -> title, and type of each document."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
 }
-"""Of a file that is one of these."""
+"""File with a single document -> title, and type of the document."""
 
 
 def schemas() -> dict[str, dict[str, Any]]:
-    """By the name of what each describes."""
+    """Return all JSON schemas by file name."""
     of_case = case.json_schema()
     return {
         "case": of_case,
         "result": result.json_schema(of_case),
         **{name: documents_of(name, *of) for name, of in ANSWERS.items()},
         **{name: of_file(name, title, schema(kind)) for name, (title, kind) in OTHERS.items()},
-        **{name: _of_annex(name, of) for one in annexes() for name, of in one.schemas.items()},
+        **{name: _of_annex(name, of) for annex in annexes() for name, of in annex.schemas.items()},
     }
 
 
 def _of_annex(name: str, declared: Schema) -> dict[str, Any]:
     described = getattr(module(declared.module), declared.type)
     if not declared.title:
-        own: dict[str, Any] = described()
-        return own
+        own_schema: dict[str, Any] = described()
+        return own_schema
     if declared.documents:
         return documents_of(name, declared.title, described)
     return of_file(name, declared.title, schema(described))
 
 
 def text(schema: dict[str, Any]) -> str:
-    """A schema as it stands in its file."""
+    """Return the text of the file of a schema."""
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 if __name__ == "__main__":
-    for name, made in schemas().items():
+    for name, described in schemas().items():
         path = os.path.join(sys.argv[1], f"{name}.schema.json")  # noqa: PTH118
         with open(path, "w", encoding="utf-8") as file:  # noqa: PTH123
-            file.write(text(made))
+            file.write(text(described))

@@ -1,4 +1,4 @@
-"""`vstatics summary`: the design table of a case, and what follows from it."""
+"""`vstatics summary`: the design table of a case: ratios, steps, transitions, largest values."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
 
 MOST_COMBINATIONS = 10_000
-"""That are tried where nobody says how many."""
+"""Number of combinations of shift elements tried by default."""
 
 
 def _torque(text: str) -> float:
-    """A torque in N*m, bare or with its unit."""
+    """Parse a torque in N*m, with or without unit."""
     from vstatics.core.readers.named.si_units import measured
 
     try:
@@ -133,19 +133,19 @@ def _of_boxes(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of found boxes; in JSON one after another."""
+    """Write the summaries of gearboxes found by synthesis: a table, or a series in JSON."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
     if to.form not in ("json", "jsonl"):
         return _side_by_side(outcomes, summarized, to)
     parts = [
-        texts.among_several(one, _shown(one, one.results, summarized), to)
-        for one in outcomes
-        if one.results is not None
+        texts.among_several(case, _shown(case, case.results, summarized), to)
+        for case in outcomes
+        if case.results is not None
     ]
     files.write_data(b"".join(texts.joined(parts, to)), to.output)
-    return FAILED if any(one.failed for one in outcomes) else DONE
+    return FAILED if any(case.failed for case in outcomes) else DONE
 
 
 def _side_by_side(
@@ -153,32 +153,33 @@ def _side_by_side(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of all cases that have one beside one another."""
     from vstatics.core.summary.contrast import contrasted, letters
     from vstatics.core.summary.sections import doubts
 
-    failed, found = False, []
+    failed, summaries = False, []
     for outcome in outcomes:
         failed |= outcome.failed
         if outcome.results is not None:
             try:
                 summary = summarized(outcome, outcome.results)
-                more = doubts(summary.cycle, outcome.file)
+                dubious = doubts(summary.cycle, outcome.file)
                 telling = outcome.telling._replace(notes=True)
-                show_problems(more, telling, outcome.file)
-                failed |= telling.fails(more)
-                found.append((outcome, summary))
+                show_problems(dubious, telling, outcome.file)
+                failed |= telling.fails(dubious)
+                summaries.append((outcome, summary))
             except ReadError as error:
                 files.show(error.problems)
                 failed = True
-    if found:
+    if summaries:
         titles = [
             f"{letter}: {outcome.file}{f' ({name})' if name else ''}"
-            for letter, (outcome, summary) in zip(letters(len(found)), found, strict=True)
+            for letter, (outcome, summary) in zip(letters(len(summaries)), summaries, strict=True)
             for name in [summary.results.case.name]
         ]
-        shown = texts.CaseOutput(titles, {}, lambda: contrasted([summary for _, summary in found]))
-        files.write_pages(texts.alone(found[0][0].file, shown, to), to.output)
+        shown = texts.CaseOutput(
+            titles, {}, lambda: contrasted([summary for _, summary in summaries])
+        )
+        files.write_pages(texts.alone(summaries[0][0].file, shown, to), to.output)
     return FAILED if failed else DONE
 
 
@@ -190,7 +191,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """The summary of a case; too many combinations are a problem of its file."""
+    """Return the summary of a case; report too many combinations as a problem of the file."""
     from vstatics.core.summary import summarize
 
     with files.problems_of_file(outcome.file, "; see --at-most"):
@@ -203,7 +204,6 @@ def _shown(
     results: Results,
     summarized: Callable[[CalculatedCase, Results], Summary],
 ) -> texts.CaseOutput:
-    """The summary of a case by itself."""
     from vstatics.core.summary.sections import doubts
 
     summary = summarized(outcome, results)

@@ -1,58 +1,59 @@
-"""Kinds of documents, recognised by keys: case, scenario, sweep file."""
+"""Kinds of documents, recognised by their keys: case, scenario, sweep file."""
 
 from __future__ import annotations
 
 import re
-from typing import Any, Literal
+from collections.abc import Mapping
+from typing import Any
 
 from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
 from vstatics.core.errors import ReadError, of_file
-from vstatics.core.readers.named.nodes import Mapping, Node, decode
+from vstatics.core.readers.named import nodes
+from vstatics.core.readers.named.nodes import Node
 
-Kind = Literal["scenario", "sweep file", "case"]
-_KEYS: dict[Kind, str] = {
+KEYS: Mapping[str, str] = {
     "scenario": "duration",
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Keys that identify each kind; the first kind with a match counts."""
+"""Kind of documents -> keys, one of which identifies the kind unless an earlier kind matches."""
 
 
-def kind_of(root: Node) -> Kind | None:
+def kind_of(root: Node) -> str | None:
     """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
-    keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
-    return next((kind for kind, words in _KEYS.items() if not keys.isdisjoint(words.split())), None)
+    keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
+    return next((kind for kind, words in KEYS.items() if not keys.isdisjoint(words.split())), None)
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Check whether a text file, such as `/etc/passwd`, lacks all keys of a case.
+    """Return whether a file contains no key of a case, so that messages do not quote it.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
     """
     from vstatics.core.readers import format_of
 
-    keys = rb"(?:^|[\s{,\"'])(?:%s)[\"']?\s*:" % _KEYS["case"].replace(" ", "|").encode()
+    keys = rb"(?:^|[\s{,\"'])(?:%s)[\"']?\s*:" % KEYS["case"].replace(" ", "|").encode()
     if b"\0" in data or re.search(keys, data):  # zero bytes occur in UTF-16 and UTF-32
         return False
     return format_of(file, data) not in ("deck", "xlsx")
 
 
-def is_of_kind(kind: Kind, data: bytes, file: str) -> bool:
-    """Check whether a file is a document of a kind, in YAML or JSON.
+def is_of_kind(kind: str, data: bytes, file: str) -> bool:
+    """Return whether a file is a document of a kind of `KEYS`, in YAML or JSON.
 
     >>> is_of_kind("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
     from vstatics.core.readers import format_of
 
-    has_key = any(key.encode() in data for key in _KEYS[kind].split())
+    has_key = any(key.encode() in data for key in KEYS[kind].split())
     if not has_key or format_of(file, data) in ("deck", "xlsx"):
         return False
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
     try:
-        return kind_of(yaml_tree(decode(data, file))) == kind
+        return kind_of(yaml_tree(nodes.decode(data, file))) == kind
     except ReadError:
         return False
 
@@ -65,9 +66,8 @@ def document_function(name: str, data: bytes, file: str) -> Any:
     ReadError
         If the annex of the document is not installed.
     """
-    for kind in ("scenario", "sweep file"):
-        annex, mark = DOCUMENTS[kind]
-        if mark in data and is_of_kind(kind, data, file):
+    for kind, (annex, mark) in DOCUMENTS.items():
+        if kind in KEYS and mark in data and is_of_kind(kind, data, file):
             known = document_kind(kind)
             if known is None:
                 raise ReadError([of_file("E004", file, not_installed(kind, annex))])

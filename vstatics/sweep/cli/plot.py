@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, cast
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.documents import is_a
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.options import refuse
@@ -48,7 +47,7 @@ def plot_written_sweep(
         ),
     )
     data, name = files.read_input(sweeps[0], TABLE_BYTES)
-    if not is_a("sweep", data, name):
+    if not sweep_tables.is_sweep(data):
         message = "this is no table of variants: expected what `vstatics sweep -o` has written"
         raise ReadError([of_file("E039", name, message)])
     sweep = sweep_tables.read(data, name)

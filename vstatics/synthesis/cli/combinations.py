@@ -10,7 +10,8 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.one_case import OneCase, file_name, one_case, problems_of
+from vstatics.core.cli.shared.files import file_name
+from vstatics.core.cli.shared.one_case import OneCase, one_case, problems_of
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated, value, wrong_value

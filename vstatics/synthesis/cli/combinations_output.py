@@ -13,8 +13,9 @@ import click
 from vstatics.core.cli.shared import files, one_case, texts
 from vstatics.core.cli.shared.estimates import CommandEstimate, size_text
 from vstatics.core.cli.shared.estimates import check_room as check_disk_room
+from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination
-from vstatics.core.cli.shared.one_case import CaseAnswer, file_name
+from vstatics.core.cli.shared.one_case import CaseAnswer
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.progress import Advance, progress
 from vstatics.core.errors import listed

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import click
 
 from vstatics.core.cli.shared import files
-from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.shared.files import file_name
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.progress import progress

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
-from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, one_case, warnings_of
+from vstatics.core.cli.shared.files import file_name
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import named, pair, separated, told, value, wrong_use

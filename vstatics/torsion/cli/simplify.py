@@ -10,8 +10,9 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
+from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
-from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, file_name, warnings_of
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, warnings_of
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import separated, value

@@ -1,4 +1,4 @@
-"""Cases of a run, each with the file for its result; what is refused beforehand."""
+"""Cases of a run with the file for each result, and the conflicts between those files."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vstatics.core.tables.suffixes import known
 
 STDIN_STEM = "stdin"
 MOST_TOLD = 5
-"""So many lines of what is refused are told."""
+"""Number of conflicts that a message lists at most."""
 TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
-    """A case, and the file for its result; None where it goes to a stream."""
+    """Case, and the file for the result, or `None` if results go to a stream."""
 
     file: str
     target: str | None = None
@@ -28,7 +28,7 @@ class CaseTask(NamedTuple):
 def tasks(
     cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
 ) -> list[CaseTask]:
-    """The file for the result of each case: its stem with the suffix, in the folder.
+    """Assign a result file in the folder to each case: the stem of the case with the suffix.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def tasks(
     Raises
     ------
     UsageError
-        If a case is named twice, two results have one name, or one would overwrite a
-        case; every pair is named.
+        If a case is named twice, two results have the same name, or a result would overwrite
+        a case; the message lists every pair.
 
     Examples
     --------
@@ -69,28 +69,27 @@ def tasks(
         if real(other) in results
     ]
     if refused:
-        told = [*refused[:MOST_TOLD]]
-        if more := len(refused) - len(told):
-            told.append(f"... and {more} more")
+        lines = [*refused[:MOST_TOLD]]
+        if more := len(refused) - len(lines):
+            lines.append(f"... and {more} more")
         if len(results) < len(inputs):
-            one = "write all to one file, -o all.jsonl, where they keep their folders, or "
-            told.append(
+            to_one_file = "write all to one file, -o all.jsonl, where they keep their folders, or "
+            lines.append(
                 "cases of one name are told apart by their folders: "
-                f"{one * (suffix in TABULAR)}each folder to a directory of its own"
+                f"{to_one_file * (suffix in TABULAR)}each folder to a directory of its own"
             )
-        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(told))
+        raise click.UsageError("nothing was calculated:\n  " + "\n  ".join(lines))
     return planned
 
 
 def _stem(file: str) -> str:
-    """The name of a case without folder and suffix."""
     if file == files.STDIN:
         return STDIN_STEM
     return os.path.splitext(os.path.basename(file))[0]  # noqa: PTH119, PTH122
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """The path of a file without links; what is no file is itself."""
+    """Return the path of a file without links, or `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

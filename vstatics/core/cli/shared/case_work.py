@@ -1,4 +1,4 @@
-"""One case of several: read, calculated and written by whichever process has it."""
+"""One of several cases: read, calculated and written by one of the processes."""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ from vstatics.core.jobs.page_files import set_pages_aside
 
 
 class Done(NamedTuple):
-    """What became of a case, without its results."""
+    """Outcome of a case without the results."""
 
     file: str
     problems: list[Problem]
     failed: bool = True
     has_result: bool = False
-    """Whether there is something to write, if only of some of its gears."""
+    """True if there is output to write, perhaps of some gears only."""
     part: texts.Part = b""
-    """Of a stream."""
+    """Part of the case in a stream."""
     stop: bool = False
-    """Whether the others can't be written either."""
+    """True if the remaining cases cannot be written either."""
     left: str = ""
-    """Where an earlier result of a case that failed is now."""
+    """Present file of an earlier result, if the case failed."""
     mark: CaseMark | None = None
-    """Of which case the part is, where it is to be kept."""
+    """Mark of the case, if the part is to be stored."""
 
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
-    """Read, calculate and write a case; nothing that is wrong with it is raised."""
+    """Read, calculate and write a case, with all errors as problems."""
     case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
             part = texts.among_several(case, shown, job.to, folders=job.folders)
             is_kept = job.marked and not case.failed
-            mark = case_mark(case.data, _beside(case)) if is_kept else None
+            mark = case_mark(case.data, _named_files(case)) if is_kept else None
             return Done(file, problems, case.failed, shown is not None, part, mark=mark)
         if shown is None or case.results is None:
             return Done(file, problems, left=set_pages_aside(task.target))
         result = texts.alone(file, shown, job.to)
-        beside = _beside(case)
-        job.finished.put(task.target, result, case.data, beside, failed=case.failed)
-    except ReadError as error:  # a page would overwrite a file of others
+        named_files = _named_files(case)
+        job.finished.put(task.target, result, case.data, named_files, failed=case.failed)
+    except ReadError as error:  # a page would overwrite a file of another origin
         return Done(file, [*problems, *error.problems])
     except OSError as error:
         return Done(
@@ -63,37 +63,35 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     return Done(file, problems, case.failed, has_result=True)
 
 
-def _beside(case: CalculatedCase) -> set[str]:
-    """The files that a case names."""
+def _named_files(case: CalculatedCase) -> set[str]:
     return {law.file for law in case.results.case.laws if law.file} if case.results else set()
 
 
 def _shown_of_case(
     job: Job, case: CalculatedCase
 ) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """What is shown of a case; one that lacks what was asked for fails."""
+    """Return the output of a case, and a failure if the output is impossible."""
     if case.results is None:
         return case, None
     try:
         shown = job.show(case, case.results)
         return case.with_told(shown.problems), shown
     except ReadError as error:
-        why = error.problems
+        causes = error.problems
     except click.BadParameter as error:
-        why = [of_file("E090", case.file, error.message)]
+        causes = [of_file("E090", case.file, error.message)]
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
-        why = [unexpected(case.file, error)]
-    return case._replace(results=None, problems=[*case.problems, *why]), None
+        causes = [unexpected(case.file, error)]
+    return case._replace(results=None, problems=[*case.problems, *causes]), None
 
 
 def _given_up(task: CaseTask) -> Done:
-    """What is said of a case that is given up."""
     message = "the process that calculated it died, twice (out of memory, or killed)"
     return Done(task.file, [of_file("E011", task.file, message)])
 
 
 def _is_only_here(task: CaseTask) -> bool:
-    """Whether only this process can read a case: another one has other streams."""
+    """Return whether a case is a stream that other processes cannot read."""
     return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
 
 

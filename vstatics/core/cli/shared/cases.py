@@ -1,4 +1,4 @@
-"""What commands share: their arguments, and reading and calculating each case."""
+"""Options and arguments of commands with cases, and the reading and calculation of each case."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
 from vstatics.core.errors import DOUBTS, CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
-from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.checks import hints
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.kinds import document_function
@@ -40,7 +39,7 @@ argument, optional_argument = (
     )
     for required in (True, False)
 )
-"""Cases of a command, and of one that may do without; patterns among them are expanded."""
+"""Required and optional argument of cases, in which patterns are expanded."""
 files_from = click.option(
     "--files-from",
     type=click.Path(),
@@ -87,7 +86,7 @@ limit = click.option(
     metavar="SECONDS",
     help="So long a run may take by the clock; then it stops, with what it has.",
 )
-"""Of the commands that run scenarios."""
+"""Limit of the time of commands that simulate scenarios."""
 some_gears = click.option(
     "--gear",
     "gears",
@@ -98,38 +97,39 @@ some_gears = click.option(
 
 
 class RequiredUnless(click.Option):
-    """An option that a command can't do without, unless another one is given."""
+    """Option that is required unless a second option is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
         super().__init__(*names, **named)
         self.unless = unless
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """As click has it, with what makes it needless."""
-        said = super().get_help_record(ctx)
+        """Return click's help, with the option that replaces this one."""
+        record = super().get_help_record(ctx)
         other = self._other(ctx)
-        if said is None or other is None:
-            return said
-        return said[0], said[1].replace("[required]", f"[required without {other.opts[-1]}]")
+        if record is None or other is None:
+            return record
+        return record[0], record[1].replace("[required]", f"[required without {other.opts[-1]}]")
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
-        """As click does it; one that is missing is told with what may stand in its place."""
+        """Process as click does, and name the alternative of a missing option."""
         try:
             return super().process_value(ctx, value)
         except click.MissingParameter:
             if (other := self._other(ctx)) is None:
                 raise
-            this, that = (f"{one.opts[-1]} {one.metavar or ''}".rstrip() for one in (self, other))
+            this, that = (
+                f"{option.opts[-1]} {option.metavar or ''}".rstrip() for option in (self, other)
+            )
             message = f"Expected {this}, or {that} in its place."
             raise click.MissingParameter(message, ctx, self) from None
 
     def _other(self, ctx: click.Context) -> click.Option | None:
-        """The option that makes it needless."""
-        options = (one for one in ctx.command.params if isinstance(one, click.Option))
-        return next((one for one in options if one.name == self.unless), None)
+        options = (option for option in ctx.command.params if isinstance(option, click.Option))
+        return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Whether it is needed, and not given."""
+        """Return whether the option is missing and required."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -137,7 +137,7 @@ class RequiredUnless(click.Option):
 
 
 def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
-    """The option for a file that a command can't do without, unless it has an eager other one."""
+    """Return the option of an output file, required unless `unless` is given."""
     return click.option(
         "-o",
         "--output",
@@ -151,7 +151,7 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
-    """The option for the language of something, which may have more than the usual ones."""
+    """Return the option of the language of something, with further languages `more`."""
     return click.option(
         "--lang",
         type=click.Choice([*get_args(Language), *more]),
@@ -162,20 +162,20 @@ def language(of: str, *more: str) -> Callable[[Command], Command]:
 
 
 class CalculatedCase(NamedTuple):
-    """What became of a case: results, or only problems."""
+    """Outcome of a case: results and problems, or problems alone."""
 
     file: str
     results: Results | None
     problems: list[Problem]
     data: bytes = b""
-    """What was read."""
+    """Content of the file."""
     telling: Telling = Telling()
     scenario: DocumentOfCase | None = None
-    """That which names the case, where the command takes one."""
+    """Scenario that names the case, if the command takes scenarios."""
     is_run: bool = False
-    """Whether its run is shown."""
+    """True if the run of the scenario is shown."""
     locate: Callable[[Problem], Problem] | None = None
-    """Gives a problem of the model its place in the file."""
+    """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
         """Return an error about the model with places in the file of the case."""
@@ -184,68 +184,68 @@ class CalculatedCase(NamedTuple):
 
     @property
     def failed(self) -> bool:
-        """Whether the case is in error, a gear is tied up, or what is told makes it fail."""
+        """True if the case has an error, a gear is tied up, or warnings are fatal."""
         if self.results is None or (self.results.failed and not self.is_run):
             return True
         return self.telling.fails(self.problems)
 
     def with_told(self, more: Sequence[Problem]) -> CalculatedCase:
-        """The same, with what is told of what is shown."""
+        """Return the outcome with further problems."""
         return self._replace(problems=[*self.problems, *more])
 
 
 class CaseOptions(NamedTuple):
-    """How cases are read and calculated; what is None is as the case says."""
+    """Options of reading and calculating cases; by default as the case says."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
     idle: IdleConvention | None = None
     telling: Telling = Telling()
     scenarios: bool = False
-    """Whether a scenario may stand for its case."""
+    """True if a scenario can be given instead of a case."""
     of_runs: bool = False
-    """Whether its run is shown then, of which faults of gears are none."""
+    """True if the run of a scenario is shown, which faults of gears do not prevent."""
     of_vibration: bool = False
-    """Whether vibration is shown, in which a converter without a speed ratio is open."""
+    """True if vibration is shown, for which a converter without ratio is open."""
 
     @property
     def on_page(self) -> CaseOptions:
-        """The same where a page tells notes, which are not printed."""
+        """Options for a page that shows the notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
 
 
 telling = gathered("telling", Telling, quiet, strict, allow)
-"""The options of what is printed and what fails."""
+"""Options of the printed and the fatal messages."""
 settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
-"""The options of how cases are read, calculated and told."""
+"""Options of reading, calculating and reporting cases."""
 
 
 def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
-    """The number of a gear from 1: the one of this name, else the one of this number.
+    """Return the number of a gear, from 1, by name or else by number.
 
     Raises
     ------
     BadParameter
-        If there is none; it tells the option that asked, and the nearest name.
+        If the gear does not exist; the message names the option and the nearest name.
     """
     with wrong_value(option):
         return case.gear_number(asked)
 
 
 def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
-    """The indices of the gears that are asked for, each once; all where none is.
+    """Return the indices of the requested gears without repetition; all by default.
 
     Raises
     ------
     BadParameter
-        If there is no such gear.
+        If a gear does not exist.
     """
-    numbers = dict.fromkeys(gear_number(case, one, option) for one in asked)
+    numbers = dict.fromkeys(gear_number(case, name, option) for name in asked)
     return [number - 1 for number in numbers] or range(len(case.gears))
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
-    """Read and calculate each case, print its problems, and go on after a bad one."""
+    """Calculate each case and print the problems; a failed case does not stop the others."""
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
@@ -254,26 +254,26 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Which laws were asked outside their points, if any and nobody allowed it."""
+    """Return notes on laws evaluated outside their points, unless suppressed."""
     from vstatics.core.statics.diagnosis import outside_message
 
-    found = not_allowed([outside_message(names)] if names else [], case.untold)
-    return [of_file(one.id, file, one.text) for one in found]
+    messages = not_allowed([outside_message(names)] if names else [], case.untold)
+    return [of_file(message.id, file, message.text) for message in messages]
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
-    """Print problems of a file on stderr, and that it fails by what is not printed."""
+    """Print problems of a file on stderr, and a failure by unprinted warnings."""
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
 
 
 def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
-    """All cases, of arguments and of the list.
+    """Return all cases, of the arguments and of the list of --files-from.
 
     Raises
     ------
     UsageError
-        If there is none, or standard input is to be two things.
+        If there are no cases, or standard input is both the list and a case.
     ReadError
         If the list can't be read.
     """
@@ -290,13 +290,13 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
 
 
 def check_streams(cases: Sequence[str]) -> None:
-    """Standard input can be one case only."""
+    """Refuse standard input that is named twice."""
     if cases.count(files.STDIN) > 1:
         raise click.UsageError("standard input (-) can be read once")
 
 
 def check_order(case: str, table: str) -> None:
-    """A case stands before the table in CSV that belongs to it."""
+    """Refuse a case in CSV that follows the table of numbers."""
     if suffix_of(case) == ".csv" != suffix_of(table):
         raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
 
@@ -308,16 +308,19 @@ def calculate_one(
     *,
     regular: bool = False,
 ) -> CalculatedCase:
-    """Read and calculate a case; whatever goes wrong with it is a problem of this case.
+    """Read and calculate a case, with all errors as problems.
 
-    Texts replace the content of the files of their names. `regular` refuses pipes and devices.
+    `texts` replace the content of the files of their names. `regular` refuses pipes and devices.
     """
     from vstatics.core.checking import located_messages  # needless for help
 
-    name, data = STDIN_NAME if file == files.STDIN else file, b""
+    name, data = files.file_name(file), b""
     scenario, locate = None, None
     try:
-        data, name = _content(file, texts, regular=regular)
+        if file in texts:
+            data, name = texts[file], file
+        else:
+            data, name = files.read_input(file, regular=regular)
         with_case = settings.scenarios and document_function("read_with_case", data, name)
         if with_case:
             read: DocumentOfCase = with_case(data, name, settings.input_format, texts=texts)
@@ -330,34 +333,29 @@ def calculate_one(
         locate = reading.locate
         results = _solved(reading, settings, opens=opens)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
-        each = settings.telling.each_gear
-        found = located_messages(reading, results, each_gear=each)
+        each_gear = settings.telling.each_gear
+        gear_messages = located_messages(reading, results, each_gear=each_gear)
         if settings.of_runs and scenario is not None:
-            found = (one._replace(id="N004") for one in found)
-        problems = not_allowed([*reading.warnings, *notes, *found], reading.case.untold)
+            gear_messages = (problem._replace(id="N004") for problem in gear_messages)
+        problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
     except ReadError as error:
-        no_case = documents.no_case(data, name, "read_with_case" * settings.scenarios)
+        taken = "read_with_case" if settings.scenarios else ""
+        no_case = documents.no_case(data, name, taken)
         results, problems = None, no_case or error.problems
     except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
-    told = settings.telling.told(problems)
+    reported = settings.telling.told(problems)
     is_run = settings.of_runs and scenario is not None
-    return CalculatedCase(name, results, told, data, settings.telling, scenario, is_run, locate)
-
-
-def _content(file: str, texts: Mapping[str, bytes], *, regular: bool) -> tuple[bytes, str]:
-    if file in texts:
-        return texts[file], file
-    return files.read_input(file, regular=regular)
+    return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
-    """The results of a case, converters without a speed ratio open in it if that is asked.
+    """Solve a case; `opens` opens converters without a speed ratio.
 
     Raises
     ------
     ReadError
-        If a law of it gives no torque that can be, with its place.
+        If a law of the case gives an impossible torque, with its place.
     """
     from vstatics.core.model.open_converters import with_needed_ratios
     from vstatics.core.statics.solve import solve  # needless for help
@@ -372,12 +370,12 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 def read_data(
     data: bytes, name: str, input_format: readers.Format | None, telling: Telling
 ) -> Reading:
-    """Read the case of a command that does not show its results, and print its warnings.
+    """Read a case and print the warnings, for a command without results.
 
     Raises
     ------
     ReadError
-        If it can't be read; with the problems to print.
+        If the case cannot be read; with the problems to print.
     """
     try:
         reading = readers.read(data, name, input_format).allowing(telling.allow)
@@ -388,9 +386,9 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """The problem that the program itself has a fault, with the line to look at.
+    """Return the problem of a fault in the program, with the line of the fault.
 
-    A package that can't be imported is none of it.
+    A package that cannot be imported is reported as such.
     """
     if why := broken(error):
         return of_file("E014", name, why)

@@ -1,6 +1,6 @@
-"""What rich prints: names and messages of anybody come out safe, colours are its own.
+"""Terminal output by rich, with texts of users escaped and rich's own colours kept.
 
-This module imports rich, which costs start-up time: import it where it is used.
+Import this module where it is used, because rich costs start-up time.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from rich.segment import Segment
 from vstatics.core.errors import printable
 
 _BLANKS = re.compile(r"[ ]+((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""At the end of a line, before the marks that end its colours."""
+"""Blanks at the end of a line, before the marks that end colours."""
 
 
 class SafeConsole(Console):
-    r"""A console that escapes the texts it is given.
+    r"""Console that escapes all printed texts.
 
     >>> SafeConsole().print("a\x1b[2J")
     a\u001b[2J
@@ -27,14 +27,14 @@ class SafeConsole(Console):
     def render(
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
-        """As rich does, each stretch of text made safe."""
+        """Render as rich does, with the text of each segment made safe."""
         for text, style, control in super().render(renderable, options):
             shown = text if control else printable(text, lines=True)
             yield Segment(shown, style, control)
 
 
 def trimmed(text: str) -> str:
-    r"""A text for a terminal without blanks at the ends of its lines, and lines at its end.
+    r"""Return a text for a terminal without trailing blanks and empty lines.
 
     >>> trimmed("gear  \n\x1b[1m1   \x1b[0m\n  \n")
     'gear\n\x1b[1m1\x1b[0m\n'

@@ -1,4 +1,4 @@
-"""Documents other than cases, which annexes declare: how each kind is recognised."""
+"""Documents other than cases, which annexes declare: recognition of each kind."""
 
 from __future__ import annotations
 
@@ -7,69 +7,63 @@ from typing import Protocol, Self
 
 from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
 from vstatics.core.errors import Problem, of_file
-from vstatics.core.readers.kinds import Kind, is_of_kind
+from vstatics.core.readers.kinds import KEYS, is_of_kind
 from vstatics.core.readers.reading import Reading
 
 NO_TEXTS: Mapping[str, bytes] = {}
-OF_KEYS: Mapping[str, Kind] = {"scenario": "scenario", "sweep file": "sweep file"}
-"""Kinds that are recognised by their keys."""
 
 
 class DocumentOfCase(Protocol):
-    """A document that was read with the case that it names, such as a scenario."""
+    """Document that was read together with a case, such as a scenario."""
 
     @property
     def name(self) -> str:
-        """As the document gives it; else empty."""
+        """Name given in the document, or an empty string."""
 
     @property
     def description(self) -> str:
-        """Description of what happens to the case."""
+        """Description of the events."""
 
     @property
     def reading(self) -> Reading:
-        """The case."""
+        """The case of the document, as read."""
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
         """Speeds of the input that the document gives [rpm]."""
 
     def allowing(self, ids: Sequence[str]) -> Self:
-        """Return the document with more messages that are not printed."""
+        """Return the document with further messages suppressed."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Give a problem of the document, or of its case, its place."""
+        """Add the place in the file to a problem of the document or the case."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """Whether a text is a document of this kind, or a written sweep.
+    """Return whether a text is a document of a kind that an annex declares.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
     """
-    if kind == "sweep":
-        from vstatics.core.readers.sweep_tables import is_sweep
-
-        return is_sweep(data)
     if DOCUMENTS[kind][1] not in data:
         return False
-    if kind in OF_KEYS:
-        return is_of_kind(OF_KEYS[kind], data, name)
-    known = document_kind(kind)
-    return known is None or bool(module(known.functions["is_document"]).is_document(data))
+    if kind in KEYS:
+        return is_of_kind(kind, data, name)
+    record = document_kind(kind)
+    return record is None or bool(module(record.functions["is_document"]).is_document(data))
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return what is said of a text that is no case, but a document that nobody takes.
+    """Return the problem of a document that a command cannot use as a case, if any.
 
-    Documents of an annex with the function `taken` are taken.
+    Documents of a kind with the function `taken` can be used.
     """
-    found = []
+    problems = []
     for kind, (annex, _) in DOCUMENTS.items():
         if is_a(kind, data, name):
-            known = document_kind(kind)
-            if known is None:
-                found.append(of_file("E004", name, not_installed(kind, annex)))
-            elif taken not in known.functions:
-                found.append(of_file("E004", name, known.note))
-    return found
+            record = document_kind(kind)
+            if record is None:
+                problems.append(of_file("E004", name, not_installed(kind, annex)))
+            elif taken not in record.functions:
+                problems.append(of_file("E004", name, record.note))
+    return problems

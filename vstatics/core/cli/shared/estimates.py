@@ -1,4 +1,4 @@
-"""What a command will give and take, as --dry-run says it, and whether its disk has room."""
+"""Estimates before a command runs, as --dry-run prints them, and a check of free disk space."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class CommandEstimate(NamedTuple):
-    """What is known before a command is carried out.
+    """Time, size and other numbers known before a command is carried out.
 
     Examples
     --------
@@ -28,23 +28,23 @@ class CommandEstimate(NamedTuple):
     """
 
     said: Mapping[str, str]
-    """In words, by short names."""
+    """Label -> text of an estimated quantity."""
     answer: Answer
-    """What JSON is made of, with the seconds."""
+    """Record written as JSON, which contains the seconds."""
     seconds: float
     jobs: int = 1
     at_least: bool = False
-    """Whether it may take much longer."""
+    """True if the command can take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
-        """All that is said."""
+        """Label -> text of all estimates, including the time."""
         processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
         more = " or more" if self.at_least else ""
         return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
 
     def text(self, form: str | None, least: int = 0) -> str:
-        """In JSON, or in lines whose names have so many letters, with blanks, at least."""
+        """Return JSON, or lines with labels padded to at least `least` letters."""
         if form in ("json", "jsonl"):
             from vstatics.core.tables.answer import as_json
 
@@ -54,7 +54,7 @@ class CommandEstimate(NamedTuple):
 
 
 def size_text(length: float) -> str:
-    """Bytes as one says them.
+    """Return a size in bytes as a short text with unit.
 
     >>> size_text(999), size_text(1.3e9)
     ('999 bytes', '1.3 GB')
@@ -65,7 +65,7 @@ def size_text(length: float) -> str:
 
 
 def duration_text(seconds: float) -> str:
-    """A duration as one says it.
+    """Return a duration as a short text with unit.
 
     >>> duration_text(0.2), duration_text(90), duration_text(9000), duration_text(1e8)
     ('a second', '1.5 minutes', '2.5 hours', '3.17 years')
@@ -83,7 +83,7 @@ def duration_text(seconds: float) -> str:
 
 
 def about(number: float) -> str:
-    """A number that is not known exactly, as one says it.
+    """Return an approximate number as text.
 
     >>> about(785_512.3), about(2.03e22)
     ('about 786000', 'about 2.03e+22')
@@ -94,15 +94,15 @@ def about(number: float) -> str:
 
 
 def check_room(size: float, output: str | None, expected: str) -> None:
-    """Refuse an output that its disk has no room for.
+    """Refuse an output that is larger than the free disk space.
 
     Parameters
     ----------
     size : float
-        About how large it will be. [bytes]
+        Estimated size. [bytes]
     output : str, optional
     expected : str
-        What to ask for in its place.
+        Alternative named in the message.
 
     Raises
     ------
@@ -116,10 +116,10 @@ def check_room(size: float, output: str | None, expected: str) -> None:
 
 
 def free_room(output: str | None) -> int | None:
-    """What is free where an output goes [bytes]; None unless it goes to a file, as stdout may."""
+    """Return the free disk space for an output file [bytes], or `None` for a stream."""
     from shutil import disk_usage
 
-    # what can't be told here is told when the output is to be written
+    # a failure here is reported when the output is written
     with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
         if output is None or output == STDOUT:
             stdout = sys.stdout.fileno()

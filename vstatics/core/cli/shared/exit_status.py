@@ -1,18 +1,18 @@
-"""The exit statuses of all commands."""
+"""Exit statuses of all commands."""
 
 from __future__ import annotations
 
 DONE = 0
 FAILED = 1
-"""A case is in error, or a gear of it can't be; an output was not written to its end."""
+"""Status if a case has an error, a gear is impossible, or an output is incomplete."""
 WRONG_USE = 2
-"""Of the command line; `cli` tells click to leave with it."""
+"""Status of wrong use of the command line, which click exits with."""
 EMPTY = 3
-"""Of a sweep without rows, with --fail-empty."""
+"""Status of a sweep without rows, with --fail-empty."""
 
 
 def stopped_by(signal: int) -> int:
-    """That of a process that a signal asked to end, as shells have it.
+    """Return the exit status of a process stopped by a signal, as in shells.
 
     >>> stopped_by(2), stopped_by(15)
     (130, 143)

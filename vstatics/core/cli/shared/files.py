@@ -1,4 +1,4 @@
-"""What goes in and out of the program: files, standard streams, messages."""
+"""Input and output of the program: files, standard streams, messages."""
 
 from __future__ import annotations
 
@@ -31,33 +31,38 @@ if TYPE_CHECKING:
 
 STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
-"""So many problems of a case are printed."""
+"""Number of problems of a case that are printed at most."""
 MOST_SEARCHED = 1000
-"""So many files of a folder are looked at for one that may be meant."""
+"""Number of files of a folder among which a similar name is searched at most."""
 ALIKE, SHORT = 0.75, 0.66
-"""So near the name of one that may be meant is, from 0 to 1; of three letters one may differ."""
+"""Similarity, from 0 to 1, of names that are suggested; lower for names of three letters."""
 CLOSED = "it is closed"
+
+
+def file_name(file: str) -> str:
+    """Return the name of an input file in messages."""
+    return STDIN_NAME if file == STDIN else file
 
 
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and its name for messages.
+    """Return the bytes of a file or of standard input, and the name in messages.
 
     Parameters
     ----------
     file : str
     most : int
-        Bound of its size. [bytes]
+        Largest size accepted. [bytes]
     regular : bool
-        Whether it must be a regular file, as another file names it.
+        True if the input must be a regular file, because another file names it.
 
     Raises
     ------
     ReadError
-        If it cannot be read, or is larger.
+        If the file cannot be read, or is larger.
     """
-    name = STDIN_NAME if file == STDIN else file
+    name = file_name(file)
     try:
         if file != STDIN:
             return read_file(file, most, regular=regular), name
@@ -71,14 +76,14 @@ def read_input(
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         raise ReadError([unreadable(name, error)]) from None
-    except ValueError as error:  # a name that holds a zero byte
+    except ValueError as error:  # a name that contains a zero byte
         reason = str(error)
     raise ReadError([of_file("E006", name, f"can't be read: {reason}")])
 
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Tell problems as those of a file as a whole, with a hint behind each.
+    """Report problems without a line, with a hint after each message.
 
     Raises
     ------
@@ -88,22 +93,22 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
         yield
     except CaseError as error:
         raise ReadError(
-            of_file(one.id, file, one.message + hint) for one in error.problems
+            of_file(problem.id, file, problem.message + hint) for problem in error.problems
         ) from None
 
 
 def _nearest_file(file: str) -> str:
-    """A hint that names the file of its folder that is nearest to one that is not there.
+    """Return a hint that names the most similar file in the folder.
 
-    Suffixes make names alike that are not, so those are near whose stems are.
+    Stems are compared, because equal suffixes make different names similar.
     """
     from difflib import get_close_matches  # costs start-up time
 
     folder, name = os.path.split(file)
     try:
         with os.scandir(folder or os.curdir) as entries:
-            some = itertools.islice(entries, MOST_SEARCHED)
-            stems = {one.name: _stem(one.name) for one in some if one.is_file()}
+            first_entries = itertools.islice(entries, MOST_SEARCHED)
+            stems = {entry.name: _stem(entry.name) for entry in first_entries if entry.is_file()}
         if os.path.islink(file):  # noqa: PTH114
             return f"; it is a link to {os.readlink(file)}, which is not there"  # noqa: PTH115
     except OSError:
@@ -111,7 +116,7 @@ def _nearest_file(file: str) -> str:
     asked = _stem(name)
     cutoff = ALIKE if len(asked) > 3 else SHORT
     near = get_close_matches(asked, {*stems.values()}, n=10, cutoff=cutoff)
-    return nearest(name, [one for one, stem in stems.items() if stem in near])
+    return nearest(name, [file_name for file_name, stem in stems.items() if stem in near])
 
 
 def _stem(name: str) -> str:
@@ -119,7 +124,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """How one gets a file that comes with the program, if this is the name of one.
+    """Return a hint on the command that writes a shipped case of this name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -129,38 +134,38 @@ def _shipped(file: str) -> str:
     path, suffix = os.path.splitext(file)  # noqa: PTH122
     path = path.replace(os.sep, "/").removeprefix("cases/")
     names = [path] + [os.path.basename(path)] * (suffix == ".yaml")  # noqa: PTH119
-    name = next((one for one in names if one in example_files()), None)
+    name = next((candidate for candidate in names if candidate in example_files()), None)
     if name is None:
         return ""
     return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 
 def show(problems: Iterable[Problem]) -> None:
-    """Print problems to stderr, in the wording of a compiler, with the line and a caret."""
-    all_of_them = list(problems)
-    for problem in all_of_them[:MOST_SHOWN_PROBLEMS]:
+    """Print problems to stderr in the format of a compiler, with the line and a caret."""
+    all_problems = list(problems)
+    for problem in all_problems[:MOST_SHOWN_PROBLEMS]:
         say(str(problem))
         place = problem.place
         if place is not None and place.text.strip():
             for line in excerpt(place):
                 say(f"  {line}")
-    if len(all_of_them) > MOST_SHOWN_PROBLEMS:
-        say(f"... and {len(all_of_them) - MOST_SHOWN_PROBLEMS} more")
+    if len(all_problems) > MOST_SHOWN_PROBLEMS:
+        say(f"... and {len(all_problems) - MOST_SHOWN_PROBLEMS} more")
 
 
 def say(line: str) -> None:
-    """Print a line to stderr, made safe; results do not suffer where that is not possible."""
+    """Print a line to stderr, made safe; a closed stderr is ignored."""
     with contextlib.suppress(OSError):
         _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""The last one prints: a bar on the terminal puts itself here, so that lines go above it."""
+"""Functions that print lines, of which the last is used."""
 
 
 @contextlib.contextmanager
 def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
-    """Let `speaker` print the lines for `say`, for a while."""
+    """Let `speaker` print the lines of `say` within the context."""
     _speakers.append(speaker)
     try:
         yield
@@ -169,7 +174,7 @@ def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
 
 
 def spare(inputs: Iterable[str], output: str | None) -> None:
-    """Refuse an output that would write over what the command reads.
+    """Refuse an output that would overwrite an input.
 
     Raises
     ------
@@ -177,16 +182,16 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     """
     if output is None or is_stream(output):
         return
-    for one in inputs:
-        with contextlib.suppress(OSError, ValueError, AttributeError):  # one of them is no file
-            read = sys.stdin.fileno() if one == STDIN else one
+    for file in inputs:
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all are files
+            read = sys.stdin.fileno() if file == STDIN else file
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
                 raise click.UsageError(f"{message}; expected another output")
 
 
 def refuse_existing(output: str) -> None:
-    """Refuse to write a case over a file, which may have been edited; streams are none.
+    """Refuse to overwrite a file, which may have been edited; streams are allowed.
 
     Raises
     ------
@@ -198,29 +203,29 @@ def refuse_existing(output: str) -> None:
 
 
 def write_output(text: str, output: str | None) -> None:
-    """Write to a file, whole or not at all, or to stdout; always in UTF-8.
+    """Write a text in UTF-8 to a file, completely or not at all, or to stdout.
 
     Raises
     ------
     ReadError
-        If it cannot be written.
+        If the output cannot be written.
     """
     write_data(encoded(text), output)
 
 
 def write_data(data: bytes, output: str | None) -> None:
-    """Write what is no text, or is encoded already; as `write_output`."""
+    """Write bytes to a file, completely or not at all, or to stdout."""
     with stream(output) as write:
         write(data)
 
 
 def write_pages(pages: Sequence[bytes], output: str | None) -> None:
-    """Write the pages of a picture, each to its file, all or none; to a stream there is one.
+    """Write the pages of a picture to a file each, or the only page to a stream.
 
     Raises
     ------
     ReadError
-        If one cannot be written, or would overwrite a file of others.
+        If a page cannot be written, or would overwrite a file of another origin.
     """
     if output is None or is_stream(output):
         [data] = pages
@@ -235,12 +240,12 @@ def write_pages(pages: Sequence[bytes], output: str | None) -> None:
 
 
 def write_coloured(text: str) -> None:
-    """Write to stdout what `SafeConsole` has made: it has escaped all but its own colours.
+    """Write a text of `SafeConsole`, which is already escaped, to stdout.
 
     Raises
     ------
     ReadError
-        If it cannot be written.
+        If stdout cannot be written to.
     """
     with stream(None, coloured=True) as write:
         write(text.encode(errors="backslashreplace"))
@@ -250,14 +255,14 @@ def write_coloured(text: str) -> None:
 def stream(
     output: str | None, *, coloured: bool = False, folder: StateFolder | None = None
 ) -> Iterator[Write]:
-    """Write bit by bit: to stdout or a device at once, to a file that is there at the end.
+    """Yield a function that writes piece by piece, to stdout, a device or a file.
 
-    Until then the file is in a folder; in its own, if none is given.
+    A file appears at the end; until then its content is in `folder`, or in the folder of the file.
 
     Raises
     ------
     ReadError
-        If it cannot be written.
+        If the output cannot be written.
     """
     try:
         if output is None or output == STDOUT:
@@ -270,13 +275,13 @@ def stream(
             with way as write:
                 yield write
     except BrokenPipeError:
-        raise  # the reader has seen enough; click ends quietly
+        raise  # the reader of a pipe has left; click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
 
 
 def encoded(text: str, *, as_is: bool = False) -> bytes:
-    r"""A text in UTF-8, safe to print; or as it is, but for half characters in names of files.
+    r"""Encode a text in UTF-8, escaped for a terminal unless `as_is`.
 
     >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
     (b'\\u001b[2J', b'\x1b[2J')
@@ -285,9 +290,9 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""The names in a list of files: one a line, or ended by NUL as `find -print0` does.
+    r"""Read the names in a list of files, a line each, or ended by NUL (`find -print0`).
 
-    Lines are taken without blanks around them; what is empty or begins with # names nothing.
+    Blanks around a line are removed; empty lines and lines that begin with # are ignored.
 
     Raises
     ------
@@ -300,14 +305,14 @@ def read_names(file: str) -> list[str]:
         named = data.split(b"\0")
     else:
         named = [line.strip() for line in data.split(b"\n") if not line.lstrip().startswith(b"#")]
-    names = [os.fsdecode(one) for one in named if one]
+    names = [os.fsdecode(name_bytes) for name_bytes in named if name_bytes]
     if not names:
         say(f"{name}: names no file")
     return names
 
 
 def _print(data: bytes | memoryview, *, coloured: bool) -> None:
-    """Write to stdout at once; data that are written as they are become safe at a terminal."""
+    """Write to stdout at once; at a terminal, uncoloured data are escaped."""
     if sys.stdout is None:
         raise OSError(CLOSED)
     if sys.stdout.isatty() and not coloured:

@@ -1,4 +1,4 @@
-"""Where a command writes to and in which format: told by -f and the suffix of -o."""
+"""Output file and format of a command, chosen by -f and the suffix of -o."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from vstatics.core.tables.suffixes import SUFFIXES, format_of, known, mismatch, 
 from vstatics.core.texts import Language
 
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
-"""The formats of a command with tables."""
+"""Formats of a command with tables."""
 READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
-"""They have words in the language that is asked for."""
+"""Formats with words in the chosen language."""
 FULL = ("json", "jsonl", "csv", "parquet")
-"""They have all digits of a number."""
+"""Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
-"""All cases are one file, whatever their number; a run that was stopped can go on."""
+"""Formats that hold all cases in one file, which allows --resume."""
 
 
 class TextStyle(NamedTuple):
-    """How texts are laid out."""
+    """Style of texts."""
 
     lang: Language | Literal["source"] = "en"
-    """"source" is an alias of the format of that name, which `run` resolves."""
+    """Language of the words; `run` resolves "source", an alias of a format."""
     digits: int | None = None
-    """After the point; None: those that suit a number."""
+    """Number of decimals; by default a number of digits that suits each value."""
     raw: bool = False
-    """Whether texts in CSV stay as they are."""
+    """True if texts in CSV are written without a guarding apostrophe."""
     own_tables: bool = False
-    """Whether the tables that the source does not have follow the published listing."""
+    """True if the program's own tables follow the published listing."""
 
 
 class Destination(NamedTuple):
-    """Where results go."""
+    """Output and format of a command."""
 
     form: str
     output: str | None
@@ -50,26 +50,26 @@ class Destination(NamedTuple):
 
     @property
     def suffix(self) -> str:
-        """Of a file in a directory."""
+        """Suffix of a file in a directory."""
         return SUFFIXES[self.form][0]
 
     @property
     def language(self) -> Language:
-        """Of the words; what programs read stays English."""
+        """Language of the words; formats for programs are in English."""
         lang = self.style.lang
         return lang if lang != "source" and self.form in READ_BY_PEOPLE else "en"
 
     @property
     def is_text(self) -> bool:
-        """Whether people read it as it is."""
+        """True if people read the format directly."""
         return self.form in ("text", "listing", "source")
 
 
 class OutputOptions(NamedTuple):
-    """What -f, -o, --digits and --raw say."""
+    """Values of -f, -o, --digits and --raw."""
 
     formats: Sequence[str]
-    """Which the command has; without a word it is the first."""
+    """Formats of the command, the default first."""
     form: str | None
     output: str | None
     style: TextStyle
@@ -77,23 +77,23 @@ class OutputOptions(NamedTuple):
     def destination(
         self, inputs: Sequence[str], *, several: bool = False, together: bool = False
     ) -> Destination:
-        """Where results go, and in which format; refused before anything is calculated.
+        """Return output and format, checked before any calculation.
 
         Parameters
         ----------
         inputs : sequence of str
-            Files that are read, so nothing may be written over them.
+            Input files, which no output may overwrite.
         several : bool
-            Whether there are several cases. To a name without suffix they go into a directory.
+            Whether there are several cases, for which a name without suffix is a directory.
         together : bool
-            Whether they give one text even there, but in a directory that is there or is meant.
+            Whether several cases share one text, unless the output is a directory.
 
         Raises
         ------
         UsageError
-            If the command has no such format, two are told, or an input would be overwritten.
+            If the format is unknown or contradictory, or an input would be overwritten.
         ReadError
-            If a package is missing that the format needs, or the directory of a file.
+            If a package of the format, or the directory of the file, is missing.
         """
         files.spare(inputs, self.output)
         output, form = self.output, self.form
@@ -102,13 +102,17 @@ class OutputOptions(NamedTuple):
         if output.endswith("/") or os.path.isdir(output):  # noqa: PTH112
             return self._checked(form, is_folder=True)
         suffix = suffix_of(output)
-        told = format_of(output, self.formats) if suffix else self.formats[0]
-        if told is None and not is_stream(output):
-            raise click.UsageError(f"{output}: {self._expected(several=several)}")
-        if told and (message := mismatch(form, output)):
+        form_of_suffix = format_of(output, self.formats) if suffix else self.formats[0]
+        if form_of_suffix is None and not is_stream(output):
+            expected = " ".join(known(self.formats))
+            plain = ", or none for text" if self.formats[0] in ("text", "listing") else ""
+            folder = "; a directory ends with /" if several else ""
+            message = f"no format has this suffix here: expected {expected}{plain}{folder}"
+            raise click.UsageError(f"{output}: {message}")
+        if form_of_suffix and (message := mismatch(form, output)):
             raise click.UsageError(f"-f {message}")
         if form is None and suffix:
-            form = told
+            form = form_of_suffix
         is_folder = several and not (suffix or together or form in STREAMS or is_stream(output))
         if is_folder and os.path.exists(output):  # noqa: PTH110
             message = f"several cases give a result each, and {output} is a file"
@@ -138,22 +142,16 @@ class OutputOptions(NamedTuple):
             raise ReadError([Problem("E014", message)])
         return Destination(chosen, self.output, self.style, is_folder)
 
-    def _expected(self, *, several: bool) -> str:
-        expected = " ".join(known(self.formats))
-        plain = ", or none for text" * (self.formats[0] in ("text", "listing"))
-        folder = "; a directory ends with /" * several
-        return f"no format has this suffix here: expected {expected}{plain}{folder}"
-
 
 def each_by_itself(
     output: str, cases: Sequence[str], formats: Sequence[str], what: str, *, most: int = 1
 ) -> Destination:
-    """Where one text or picture of each case goes: several of them need a directory.
+    """Return the output of a text or picture of each case: a directory for several.
 
     Parameters
     ----------
     most : int
-        So many may be on one.
+        Number of cases that one picture can show.
 
     Raises
     ------
@@ -181,7 +179,7 @@ digits = click.option(
 
 
 def options(*formats: str, says: str = "Format of the output") -> Callable[[Command], Command]:
-    """The options -f, -o, --digits and --raw; the command gets `wanted`."""
+    """Return the decorator of -f, -o, --digits and --raw; the command gets `wanted`."""
     return gathered(
         "wanted",
         partial(OutputOptions, formats),

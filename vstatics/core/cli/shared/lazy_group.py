@@ -1,4 +1,4 @@
-"""A group of commands, each a module that is imported when its command is called."""
+"""Group of commands, each in a module that is imported when its command is called."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
-"""Name of a command -> its module, which has a function of that name, and its summary."""
+"""Command -> module, which has a function of that name, and summary."""
 
 
 class LazyGroup(click.Group):
-    """A group that imports a command when it is called."""
+    """Group that imports commands on demand."""
 
     modules: ClassVar[Modules] = {}
 
@@ -26,7 +26,7 @@ class LazyGroup(click.Group):
         return self.modules
 
     def module(self, name: str) -> str:
-        """Return the module of a command; empty if there is no such command."""
+        """Return the module of a command, or an empty string."""
         return self.listed().get(name, ("", ""))[0]
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
@@ -34,7 +34,7 @@ class LazyGroup(click.Group):
         return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """The command of that name."""
+        """Import and return the command of a name."""
         module = self.module(cmd_name)
         if not module:
             return None
@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """As click does; a name that is none gets the nearest one as a hint."""
+        """Resolve as click does, with the nearest command for an unknown name."""
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
@@ -54,6 +54,6 @@ class LazyGroup(click.Group):
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """List the commands without importing them."""
+        """List the commands without importing any."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

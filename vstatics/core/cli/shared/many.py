@@ -1,4 +1,4 @@
-"""Several cases, each to a file of a directory or all to one stream."""
+"""Several cases, each to a file in a directory, or all to one stream."""
 
 from __future__ import annotations
 
@@ -19,31 +19,29 @@ from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import ReadError, listed, plural
 from vstatics.core.jobs.files import STDOUT, is_stream, unwritable
 from vstatics.core.jobs.finished_cases import FinishedCases
-from vstatics.core.jobs.finished_parts import CaseMark, FinishedParts
+from vstatics.core.jobs.finished_parts import FinishedParts
 from vstatics.core.jobs.finished_pieces import SUFFIX
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
 from vstatics.core.jobs.workers import workers
 
 
 class _HaltedError(Exception):
-    """No case can be written any more."""
+    """No further case can be written."""
 
 
 class _Count:
-    """How far a run has come."""
+    """Progress of a run."""
 
-    def __init__(self, total: int, kept: int = 0) -> None:
-        """Begin with the cases that need not be calculated again."""
-        self.total, self.kept = total, kept
-        self.done = kept
-        self.calculated = kept
+    def __init__(self, total: int, finished_before: int = 0) -> None:
+        self.total, self.finished_before = total, finished_before
+        self.done = finished_before
+        self.calculated = finished_before
         self.doubtful = 0
-        """So many have results, and yet fail."""
+        """Number of cases that have results and nevertheless fail."""
         self.failures: list[str] = []
-        """A line for each case that failed."""
+        """A line for each failed case."""
 
     def add(self, done: Done) -> None:
-        """Count a case."""
         self.done += 1
         self.calculated += done.has_result
         self.doubtful += done.has_result and done.failed
@@ -52,37 +50,34 @@ class _Count:
 
     @property
     def status(self) -> int:
-        """The exit status."""
+        """Exit status of the run."""
         return FAILED if self.failures else DONE
 
     def summary(self, *, quiet: bool, strict: bool) -> None:
-        """Say what became of the cases; quietly, where one failed."""
+        """Print the numbers of calculated and failed cases; with -q, only after failures."""
         if quiet and not self.failures:
             return
         line = f"{self.calculated} of {self.total} cases calculated"
-        if self.kept:
-            line += f" ({self.kept} of them before)"
+        if self.finished_before:
+            line += f" ({self.finished_before} of them before)"
         if self.doubtful:
             line += f", {self.doubtful} with errors{' or warnings' * strict}"
-        if without := len(self.failures) - self.doubtful:
-            line += f", {without} failed"
+        if failed := len(self.failures) - self.doubtful:
+            line += f", {failed} failed"
         line += ":" * bool(self.failures)
         for sentence in (line, *self.failures):
             files.say(sentence)
 
 
 def _failure(done: Done) -> str:
-    """The line of a case that failed: its first error, and how many more there are.
-
-    Without an error it is a warning that made it fail.
-    """
-    why = [problem for problem in done.problems if problem.severity == "error"]
-    why = why or [problem for problem in done.problems if problem.severity == "warning"]
-    first = str(why[0]) if why else "failed"
-    named = bool(why) and why[0].place is not None and why[0].place.file == done.file
-    line = f"  {first}" if named else f"  {done.file}: {first}"
-    if len(why) > 1:
-        line += f" ... and {len(why) - 1} more {plural('problem', len(why) - 1)}"
+    """Describe a failed case by the first error or warning and the number of further ones."""
+    causes = [problem for problem in done.problems if problem.severity == "error"]
+    causes = causes or [problem for problem in done.problems if problem.severity == "warning"]
+    first = str(causes[0]) if causes else "failed"
+    names_file = bool(causes) and causes[0].place is not None and causes[0].place.file == done.file
+    line = f"  {first}" if names_file else f"  {done.file}: {first}"
+    if len(causes) > 1:
+        line += f" ... and {len(causes) - 1} more {plural('problem', len(causes) - 1)}"
     return line + (f" (its earlier result is {done.left} now)" if done.left else "")
 
 
@@ -95,7 +90,7 @@ def to_directory(
     resume: bool,
     others: Sequence[str],
 ) -> int:
-    """Write the result of each case into a directory; the exit status.
+    """Write the result of each case to a directory, and return the exit status.
 
     Parameters
     ----------
@@ -105,19 +100,19 @@ def to_directory(
     Raises
     ------
     UsageError
-        If results would overwrite one another or a case, or --resume does not fit.
+        If results would overwrite one another or a case, or the earlier run had other options.
     ReadError
         If the directory cannot be written to.
     """
     suffix, telling = job.to.suffix, job.options.telling
-    kept = f"results are in {folder}; the same command with --resume goes on"
+    remains = f"results are in {folder}; the same command with --resume goes on"
     with FinishedCases(folder, suffix, _depends(job)) as finished:
         todo = planned = tasks(cases, folder, suffix, [*others, finished.path])
-        with _until_written(folder, lambda: kept if finished.exists() else ""):
+        with _until_written(folder, lambda: remains if finished.exists() else ""):
             todo = _begun(todo, finished, resume=resume, quiet=telling.quiet)
         count = _Count(len(cases), len(cases) - len(todo))
         job = job._replace(finished=finished)
-        with _until_stopped(count, kept) as stop, _results(job, todo, jobs) as results:
+        with _until_stopped(count, remains) as stop, _results(job, todo, jobs) as results:
             for _ in _follow(count, results, stop, telling):
                 pass
     if count.total > 1:
@@ -128,10 +123,10 @@ def to_directory(
 
 
 def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """Name results that are of no case of a run: it may be that the case is no more."""
-    own = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
-    there = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
-    if others := sorted(there - own):
+    """List results of other cases, such as deleted files."""
+    expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
+    present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
+    if others := sorted(present - expected):
         count, noun = len(others), plural("result", len(others))
         files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
 
@@ -139,12 +134,12 @@ def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
 def _begun(
     todo: list[CaseTask], finished: FinishedCases, *, resume: bool, quiet: bool
 ) -> list[CaseTask]:
-    """Begin a run, or take up the one that is there; the cases that are left to be done.
+    """Begin or resume a run, and return the cases that remain to be calculated.
 
     Raises
     ------
     UsageError
-        If there is a file instead of the directory, or --resume does not fit.
+        If the directory is a file, or the earlier run had other options.
     OSError
     """
     try:
@@ -159,63 +154,70 @@ def _begun(
 
 
 def _not_done(todo: list[CaseTask], finished: FinishedCases, *, quiet: bool) -> list[CaseTask]:
-    """What is left of a run that is taken up; all of it where none can be."""
-    try:
-        without = finished.resume()
-    except ReadError as error:
-        if error.problems[0].id != "E031":
-            raise
-        raise click.UsageError(error.problems[0].message) from None  # it had other options
-    if without:
+    """Return the remaining cases of an earlier run, or all if resuming is impossible."""
+    with _other_options_as_wrong_use():
+        why_not = finished.resume()
+    if why_not:
         if not quiet:
-            files.say(f"{finished.folder}: {without}; every case is calculated")
+            files.say(f"{finished.folder}: {why_not}; every case is calculated")
         finished.begin()
         return todo
     return [task for task in todo if not finished.is_done(task.file, str(task.target))]
 
 
+@contextmanager
+def _other_options_as_wrong_use() -> Iterator[None]:
+    """Report an earlier run with other options as wrong use of --resume."""
+    try:
+        yield
+    except ReadError as error:
+        if error.problems[0].id != "E031":
+            raise
+        raise click.UsageError(error.problems[0].message) from None
+
+
 def to_stream(
     cases: Sequence[str], output: str | None, job: Job, *, jobs: int, resume: bool = False
 ) -> int:
-    """Write the results of all cases to one stream or file as they come; the exit status.
+    """Write the results of all cases to a stream or file, and return the exit status.
 
     Raises
     ------
     UsageError
-        If --resume does not fit.
+        If the earlier run had other options.
     ReadError
-        If it cannot be written.
+        If the output cannot be written.
     """
-    telling, whole = job.options.telling, not is_stream(output)
-    kept = f"{output} was not written" if whole else "what was written ends there"
+    telling, is_file = job.options.telling, not is_stream(output)
+    remains = f"{output} was not written" if is_file else "what was written ends there"
     names = {os.path.basename(file) for file in cases}  # noqa: PTH119
     are_alike = len(names) < len({*cases})
     job = job._replace(folders=are_alike and job.to.form in ("json", "jsonl"))
     with ExitStack() as stack:
         parts, done = None, set[str]()
-        if whole and job.to.form in STREAMS and len(cases) > 1:
+        if is_file and job.to.form in STREAMS and len(cases) > 1:
             parts = stack.enter_context(
                 FinishedParts(str(output), {**_depends(job), "--format": job.to.form})
             )
-            kept += "; the same command with --resume goes on"
-            with _until_written(output, lambda: kept if parts.count else ""):
+            remains += "; the same command with --resume goes on"
+            with _until_written(output, lambda: remains if parts.count else ""):
                 done = _done_before(parts, cases, resume=resume, quiet=telling.quiet)
             job = job._replace(marked=True)
         count = _Count(len(cases), sum(file in done for file in cases))
         todo = [CaseTask(file) for file in cases if file not in done]
-        stop = stack.enter_context(_until_stopped(count, kept, resumable=parts is not None))
+        stop = stack.enter_context(_until_stopped(count, remains, resumable=parts is not None))
         folder = None if parts is None else parts.folder
         write = stack.enter_context(files.stream(output, folder=folder))
         results = stack.enter_context(_results(job, todo, jobs))
         to_stdout = output in (None, STDOUT)
-        made = _follow(count, results, stop, telling, beside_stdout=to_stdout, parts=parts)
+        coming = _follow(count, results, stop, telling, beside_stdout=to_stdout, parts=parts)
         if parts is not None:
-            made = _in_order(cases, done, parts, made)
-        for text in texts.joined(made, job.to, job.own_frame):
+            coming = _in_order(cases, done, parts, coming)
+        for text in texts.joined(coming, job.to, job.own_frame):
             write(text)
         if parts is not None:
             parts.stays = bool(count.failures)
-    if whole and count.total > 1:
+    if is_file and count.total > 1:
         count.summary(quiet=telling.quiet, strict=telling.strict)
     if parts is not None and parts.exists():
         there = f"{output}{SUFFIX} keeps the others"
@@ -226,30 +228,24 @@ def to_stream(
 def _done_before(
     parts: FinishedParts, cases: Sequence[str], *, resume: bool, quiet: bool
 ) -> set[str]:
-    """The cases of a run that is taken up of which there are parts."""
-    try:
-        without = parts.open(resume=resume)
-    except ReadError as error:
-        if error.problems[0].id != "E031":
-            raise
-        raise click.UsageError(error.problems[0].message) from None  # it had other options
-    if without and not quiet:
-        files.say(f"{parts.directory}: {without}; every case is calculated")
+    with _other_options_as_wrong_use():
+        why_not = parts.open(resume=resume)
+    if why_not and not quiet:
+        files.say(f"{parts.directory}: {why_not}; every case is calculated")
     return {file for file in cases if parts.is_done(file)}
 
 
 def _in_order(
     cases: Sequence[str], done: Collection[str], parts: FinishedParts, coming: Iterator[texts.Part]
 ) -> Iterator[texts.Part]:
-    """The parts of all cases, those that are there already between those that come."""
     for file in cases:
         yield parts.part(file) if file in done else next(coming)
-    yield from coming  # nothing, but it ends
+    yield from coming  # yields nothing, but runs the generator to its end
 
 
 @contextmanager
 def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
-    """What becomes of each case, in their order, by so many processes."""
+    """Yield an iterator of the outcomes of cases, in order, from `jobs` processes."""
     with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES_OF_CASES) as called:
         yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
@@ -263,34 +259,29 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Tell and count what becomes of each case, and give its part of a stream, which is kept."""
+    """Report and count the outcome of each case, and yield and store the part."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
-        advance(count.kept)
+        advance(count.finished_before)
         for done in results:
             files.show(telling.printed(done.problems))
             if done.stop:
                 raise _HaltedError
             if parts is not None and done.mark is not None and isinstance(done.part, bytes):
-                _put(parts, done.file, done.mark, done.part)
+                try:
+                    parts.put(done.file, done.mark, done.part)
+                except OSError as error:
+                    files.show([unwritable(parts.path, error)])
+                    raise _HaltedError from None
             yield done.part
             count.add(done)
             advance(1)
             stop.check()
 
 
-def _put(parts: FinishedParts, file: str, mark: CaseMark, part: bytes) -> None:
-    """Keep a part; where the disk is full the run is over."""
-    try:
-        parts.put(file, mark, part)
-    except OSError as error:
-        files.show([unwritable(parts.path, error)])
-        raise _HaltedError from None
-
-
 @contextmanager
 def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
-    """Let a full disk end a command with a word on its output and on the work that remains.
+    """Let a full disk end a command with a message on the output and the stored work.
 
     Raises
     ------
@@ -306,13 +297,13 @@ def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[N
 
 
 @contextmanager
-def _until_stopped(count: _Count, kept: str, *, resumable: bool = False) -> Iterator[Stop]:
-    """Let Ctrl-C, SIGTERM and a full disk end a run with a word on how far it came.
+def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> Iterator[Stop]:
+    """Report progress and exit after Ctrl-C, SIGTERM or a full disk.
 
     Parameters
     ----------
     resumable : bool
-        Whether that is said, too, where the output cannot be written.
+        True if the run can be resumed if the output cannot be written.
     """
     try:
         with stoppable() as stop:
@@ -328,12 +319,12 @@ def _until_stopped(count: _Count, kept: str, *, resumable: bool = False) -> Iter
         status = FAILED
     else:
         return
-    files.say(f"stopped after {count.done} of {count.total} cases; {kept}")
+    files.say(f"stopped after {count.done} of {count.total} cases; {remains}")
     raise click.exceptions.Exit(status)
 
 
 def _depends(job: Job) -> dict[str, object]:
-    """What the results depend on, besides the cases."""
+    """Return the options on which results depend, and which a resumed run must repeat."""
     style = job.to.style
     return {
         "command": job.command,

@@ -1,4 +1,4 @@
-"""What commands of one case share: its problems at their places, one text of it out."""
+"""Commands that take one case: reading it, placing its problems, writing one output."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases, files, formats, texts
 from vstatics.core.cli.shared.cases import check_streams, read_data, show_problems
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.options import gathered, needs
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
-from vstatics.core.jobs.files import STDIN_NAME
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Answer
@@ -26,7 +26,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Tell problems of a case at their places in its file.
+    """Add the places in the file to problems of a case.
 
     Raises
     ------
@@ -41,45 +41,40 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """A problem at its place; one of what was asked for is of the file as a whole."""
+    """Return a problem with a place, which is the whole file for a problem of an option."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
     return problem.in_file(located.place.file)
 
 
-def file_name(file: str) -> str:
-    """How a file is spoken of that the command was given."""
-    return STDIN_NAME if file == files.STDIN else file
-
-
 class CaseAnswer(NamedTuple):
-    """What a command tells of one case; nothing is laid out before it is asked for."""
+    """Answer of a command about a case; tables are laid out on request."""
 
     grids: Callable[[], Iterable[Grid]]
     answer: Answer
-    """What JSON is made of."""
+    """Record written as JSON."""
     problems: Sequence[Problem] = ()
     failed: bool = False
-    """Whether the command fails, though nothing else does."""
+    """True if the command fails for a further reason."""
     write: Callable[[], bool] | None = None
-    """Writes another file, when the problems are told; whether it keeps all that there is."""
+    """Function that writes a further file and returns whether the file is complete."""
 
 
 class OneCase(NamedTuple):
-    """The case of a command that takes one, and where the answer goes."""
+    """Case and output options of a command with a single case."""
 
     case: str
     wanted: OutputOptions
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """As an option says; as the case says itself where that says nothing."""
+    """True if power enters at the output; by default as the case says."""
     static_torque: float | None = None
-    """At the input, likewise. [N*m]"""
+    """Torque at the input; by default as the case says. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Where the answer goes; nothing may be written over the case and other files.
+        """Return the output, which may overwrite neither the case nor other inputs.
 
         Raises
         ------
@@ -90,7 +85,7 @@ class OneCase(NamedTuple):
         return one_text(self.wanted, inputs)
 
     def read(self, *given: tuple[bytes, str]) -> Reading:
-        """Read the case, which may be read as text already, and print its warnings.
+        """Read the case, or parse the text if given, and print the warnings.
 
         Raises
         ------
@@ -106,18 +101,18 @@ class OneCase(NamedTuple):
         extra: str = "",
         *given: tuple[bytes, str],
     ) -> int:
-        """Read the case, tell what is calculated of it, and write that; the exit status.
+        """Read the case, calculate and write the answer, and return the exit status.
 
         Parameters
         ----------
         calculate : callable
-            Problems of the case that it raises are told at their places.
+            Function that returns the answer; problems that it raises get their places.
         to : Destination, optional
-            Where the command has not asked for it itself.
+            Output, if the command has determined it already.
         extra : str
-            Without which the command, called so too, can do nothing.
+            Package that the command needs, and name of the command.
         *given : tuple of (bytes, str)
-            The text of the case and the name of its file, where it is read already.
+            Text of the case and name of its file, if it has been read already.
 
         Raises
         ------
@@ -131,15 +126,15 @@ class OneCase(NamedTuple):
         with problems_of(reading):
             case = case.with_coast(self.coast).with_torque(self.static_torque)
             reading = reading._replace(case=case)
-            found = calculate(reading)
-        found = found._replace(problems=not_allowed(found.problems, reading.case.untold))
+            answer = calculate(reading)
+        answer = answer._replace(problems=not_allowed(answer.problems, reading.case.untold))
         if case.masses:
-            found = found._replace(grids=partial(_in_both_units, case, found.grids))
-        tell(found.problems, self.telling._replace(notes=True), self.case)
-        kept = found.write is None or found.write()
-        show(self.case, to, case.name, found)
-        fails = self.telling.fails([*reading.warnings, *found.problems])
-        return FAILED if found.failed or fails or not kept else DONE
+            answer = answer._replace(grids=partial(_in_both_units, case, answer.grids))
+        tell(answer.problems, self.telling._replace(notes=True), self.case)
+        is_complete = answer.write is None or answer.write()
+        show(self.case, to, case.name, answer)
+        fails = self.telling.fails([*reading.warnings, *answer.problems])
+        return FAILED if answer.failed or fails or not is_complete else DONE
 
 
 def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> Iterator[Grid]:
@@ -149,15 +144,15 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
-"""Its options, besides that of the direction of power."""
+"""Options of a command with a single case, except the direction of power."""
 one_case = gathered("one", OneCase, click.argument("case", type=click.Path()), *of_case)
-"""The case and the options of a command that takes one; the command gets `one`."""
+"""Case and options of a command with a single case; the command gets `one`."""
 
 
-def show(file: str, to: Destination, title: str, found: CaseAnswer) -> None:
-    """Write what a command has of one case, in the format that is asked for."""
+def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
+    """Write the answer about a case in the chosen format."""
     name = file_name(file)
-    shown = texts.CaseOutput([title or name], {}, found.grids, lambda: found.answer)
+    shown = texts.CaseOutput([title or name], {}, answer.grids, lambda: answer.answer)
     files.write_pages(texts.alone(name, shown, to), to.output)
 
 
@@ -167,12 +162,12 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
 
 
 def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Problem]:
-    """Warnings about a file as a whole."""
-    return [of_file(identity, file, one) for one in messages]
+    """Return warnings about a file as a whole."""
+    return [of_file(identity, file, message) for message in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
-    """Where the result goes; a directory is for several, of which there are none."""
+    """Return the output; refuse a directory, which is for several cases."""
     to = wanted.destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")

@@ -1,4 +1,4 @@
-"""What a command does with its cases: one by itself; for several `many` is imported."""
+"""Carry out a command for one case, or for several by the module `many`."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ def carry_out(
     jobs: int = 1,
     resume: bool = False,
 ) -> int:
-    """Calculate cases and write what the command shows of each; the exit status.
+    """Calculate cases, write the output for each, and return the exit status.
 
     Parameters
     ----------
     others : sequence of str
-        Further files that nothing may be written over.
+        Further input files, which no output may overwrite.
     a_list : bool
-        Whether the cases are several, also where there is one.
+        True if the cases are a list, even if it contains only one.
 
     Raises
     ------
     UsageError
-        If something would be overwritten.
+        If an input would be overwritten.
     ReadError
-        If it cannot be written.
+        If the output cannot be written.
     """
     check_streams([*cases, *others])
     to = job.to
@@ -43,13 +43,15 @@ def carry_out(
 
         if not to.is_folder:
             return many.to_stream(cases, to.output, job, jobs=jobs, resume=resume)
-        kept = [one for one in others if one != files.STDIN]
-        return many.to_directory(cases, str(to.output), job, jobs=jobs, resume=resume, others=kept)
+        named_files = [file for file in others if file != files.STDIN]
+        return many.to_directory(
+            cases, str(to.output), job, jobs=jobs, resume=resume, others=named_files
+        )
     [outcome] = calculate(cases, job.options)
     if outcome.results is not None:
         shown = job.show(outcome, outcome.results)
-        telling = job.options.telling._replace(notes=True)
-        show_problems(shown.problems, telling, outcome.file)
+        policy = job.options.telling._replace(notes=True)
+        show_problems(shown.problems, policy, outcome.file)
         outcome = outcome.with_told(shown.problems)
         files.write_pages(texts.alone(outcome.file, shown, to), to.output)
     return FAILED if outcome.failed else DONE

@@ -1,4 +1,4 @@
-"""Options that belong together: a command gets them as one value, such as a record of them."""
+"""Options that belong together, which a command receives as one record."""
 
 from __future__ import annotations
 
@@ -18,38 +18,33 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 Option = Callable[[Any], Any]
-"""As click declares it: it is put on a command."""
+"""Decorator that adds an option to a command, as returned by click."""
 
 
 def needs(extra: str, purpose: str) -> None:
-    """Refuse what needs a package that is not there."""
+    """Refuse a purpose whose package is not installed."""
     if message := missing(extra, purpose):
         raise ReadError([Problem("E014", message)])
 
 
 def provided(name: str) -> Callable[[Command], Command]:
-    """Return the decorator of options of an annex; without the annex it adds nothing."""
-    decorator: Callable[[Command], Command] = _unchanged
-    return higher(name) if module_of_method(name) else decorator
-
-
-def _unchanged(command: Command) -> Command:
-    return command
+    """Return the decorator of options of an annex, or a neutral decorator without the annex."""
+    return higher(name) if module_of_method(name) else lambda command: command
 
 
 def gathered(
-    name: str, made: Callable[..., object], *options: Option
+    name: str, build: Callable[..., object], *options: Option
 ) -> Callable[[Command], Command]:
-    r"""Options that become one value.
+    r"""Return a decorator that combines options into a single argument.
 
     Parameters
     ----------
     name : str
-        Under which the command gets it.
-    made : callable
-        Gives it; takes options by their names, as a record does by those of its fields.
+        Name of the argument of the command.
+    build : callable
+        Function that returns the argument; its parameters have the names of the options.
     *options : callable
-        In the order of the help. What `made` does not take goes on to the command.
+        Options in the order of the help. The command gets those that `build` does not take.
 
     Examples
     --------
@@ -66,13 +61,13 @@ def gathered(
     >>> CliRunner().invoke(show, ["--wide", "3"]).output
     'Size(wide=3, high=7)\n'
     """
-    names = inspect.signature(made).parameters
+    names = inspect.signature(build).parameters
 
     def put(command: Command) -> Command:
         @wraps(command)
         def with_value(**given: Any) -> Any:
-            own = {key: given.pop(key) for key in names if key in given}
-            return command(**{name: made(**own)}, **given)
+            taken = {key: given.pop(key) for key in names if key in given}
+            return command(**{name: build(**taken)}, **given)
 
         decorated: Any = with_value
         for option in reversed(options):
@@ -85,12 +80,12 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Completion of an option by names, which are asked for when a shell wants them.
+    """Return the completion of an option by names, which are listed only for a shell.
 
-    Of several with commas the last is completed.
+    Of comma-separated names the last is completed.
 
     >>> complete = completing(lambda: ["zf-8hp70", "simpson"])
-    >>> [one.value for begun in ("zf", "a,s") for one in complete(None, None, begun)]
+    >>> [item.value for begun in ("zf", "a,s") for item in complete(None, None, begun)]
     ['zf-8hp70', 'a,simpson']
     """
 
@@ -99,10 +94,10 @@ def completing(
 
         known = names()
         before, comma, begun = begun.rpartition(",")
-        told = known if isinstance(known, Mapping) else dict.fromkeys(known)
+        helps = known if isinstance(known, Mapping) else dict.fromkeys(known)
         return [
             CompletionItem(before + comma + name, help=says)
-            for name, says in told.items()
+            for name, says in helps.items()
             if name.casefold().startswith(begun.casefold())
         ]
 
@@ -110,12 +105,12 @@ def completing(
 
 
 def refuse(*rules: tuple[object, str]) -> None:
-    """Say the first thing that is wrong with options.
+    """Raise the first error in combinations of options.
 
     Parameters
     ----------
     *rules : tuple
-        What is wrong if it is true, and the message.
+        Condition of the error, and its message.
 
     Raises
     ------

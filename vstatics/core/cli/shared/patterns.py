@@ -1,4 +1,4 @@
-"""Names of files by patterns, where no shell has expanded them."""
+"""File names by patterns such as `*.yaml`, for shells that do not expand them."""
 
 from __future__ import annotations
 
@@ -10,43 +10,46 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""A name with brackets alone that is there no more is told as one that is not there."""
+"""Signs of a pattern; brackets alone can belong to the name of a missing file."""
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """The files of names and patterns; `**` stands for any folders, not through links.
+    """Expand names and patterns to files; `**` matches any folders, but follows no links.
 
-    A file is there once, however many patterns find it, and whoever names it besides.
+    A file is listed once, however many patterns and names match it.
 
     Raises
     ------
     UsageError
-        If a pattern has no file.
+        If a pattern matches no file.
 
     Examples
     --------
     >>> expanded(["box.yaml", "-"])
     ['box.yaml', '-']
     """
-    found = list[str]()
+    expansion = list[str]()
     by_pattern = set[str]()
     for name in names:
         if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
-            found += [name] * (os.path.abspath(name) not in by_pattern)  # noqa: PTH100
+            expansion += [name] * (os.path.abspath(name) not in by_pattern)  # noqa: PTH100
             continue
-        files = sorted({one for one in _matching(name) if not os.path.isdir(one)})  # noqa: PTH112
+        files = sorted({path for path in _matching(name) if not os.path.isdir(path)})  # noqa: PTH112
         if not files and not any(sign in name for sign in WILDCARDS):
             files = [name]
         if not files:
             raise click.UsageError(f"no file matches {quoted(name)}")
-        there = {*map(os.path.abspath, found)}
-        found += [one for one in files if os.path.abspath(one) not in there]  # noqa: PTH100
+        listed = {*map(os.path.abspath, expansion)}
+        expansion += [path for path in files if os.path.abspath(path) not in listed]  # noqa: PTH100
         by_pattern.update(map(os.path.abspath, files))
-    return found
+    return expansion
 
 
 def _matching(pattern: str) -> Iterator[str]:
-    """What a pattern finds; `glob` itself follows links, round a loop without end."""
+    """Yield the paths that match a pattern with any number of `**`.
+
+    `glob` alone would follow links, and never end in a loop of links.
+    """
     from glob import escape  # costs start-up time
 
     parts = pattern.replace(os.sep, "/").split("/")
@@ -57,23 +60,23 @@ def _matching(pattern: str) -> Iterator[str]:
     above, below = "/".join([*parts[:place], ""]), "/".join(parts[place + 1 :]) or "*"
     for top in _matching(above) if above else [""]:
         for folder, folders, _ in os.walk(top or os.curdir):
-            folders[:] = [one for one in folders if not one.startswith(".")]
+            folders[:] = [name for name in folders if not name.startswith(".")]
             path = os.path.join(folder if top else folder[2:], "")  # noqa: PTH118
             yield from _matching(escape(path) + below)
 
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
-    """Return what a pattern finds below some folders, but not by links to folders above these."""
+    """Yield the paths that match below some folders, except by links to parent folders."""
     from glob import escape, glob, has_magic  # costs start-up time
 
     for top in tops:
-        part, *others = parts
+        part, *inner_parts = parts
         paths = glob(escape(top) + part) if has_magic(part) else [top + part]  # noqa: PTH207
         for path in paths:
-            if not others:
+            if not inner_parts:
                 yield from [path] * os.path.lexists(path)
             elif os.path.isdir(path or "/") and not (has_magic(part) and _is_above(path)):  # noqa: PTH112
-                yield from _below([f"{path}/"], others)
+                yield from _below([f"{path}/"], inner_parts)
 
 
 def _is_above(path: str) -> bool:

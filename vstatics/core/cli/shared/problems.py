@@ -1,4 +1,4 @@
-"""Which problems a command tells, and which make it fail: -q and --strict."""
+"""Selection of the problems that a command prints and that make it fail: -q and --strict."""
 
 from __future__ import annotations
 
@@ -9,47 +9,47 @@ from vstatics.core.errors import Problem, listed, of_file, plural
 
 
 class Telling(NamedTuple):
-    """What becomes of warnings and notes; an error is printed and makes the command fail."""
+    """Treatment of warnings and notes; errors are always printed and make the command fail."""
 
     allow: Sequence[str] = ()
-    """Ids of messages that are not told, besides those that the case allows."""
+    """Ids of suppressed messages, in addition to the list of the case."""
     quiet: bool = False
-    """Whether errors alone are printed, and no progress."""
+    """True if only errors are printed, without progress."""
     strict: bool = False
-    """Whether warnings make the command fail."""
+    """True if warnings make the command fail."""
     notes: bool = False
-    """Whether notes are told, as `vstatics check` does."""
+    """True if notes are reported, as `vstatics check` does."""
     on_page: bool = False
-    """Whether a page tells them alone, and nothing is printed."""
+    """True if notes appear on a page only and are not printed."""
     each_gear: bool = False
-    """Whether one text about several gears is told of each, at its place."""
+    """True if a message about several gears is repeated at each gear."""
 
     def told(self, problems: Iterable[Problem]) -> list[Problem]:
-        """The problems that the command speaks of, notes behind the others."""
+        """Return the problems to report, notes last."""
         notes: list[Problem] = []
-        others: list[Problem] = []
-        for one in dict.fromkeys(problems):
-            (notes if one.severity == "note" else others).append(one)
-        return others + notes * self.notes
+        warnings_and_errors: list[Problem] = []
+        for problem in dict.fromkeys(problems):
+            (notes if problem.severity == "note" else warnings_and_errors).append(problem)
+        return warnings_and_errors + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Those of them that -q and a page of their own do not hold back."""
-        found = self.told(problems)
+        """Return the problems to print, without messages held back by -q or for a page."""
+        reported = self.told(problems)
         if self.quiet:
-            return [one for one in found if one.severity == "error"]
-        return [one for one in found if not self.on_page or one.severity != "note"]
+            return [problem for problem in reported if problem.severity == "error"]
+        return [problem for problem in reported if not self.on_page or problem.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
-        """That a case fails by warnings, where these are not printed."""
-        found = list(problems)
-        if self.quiet and self.fails(found) and not self.printed(found):
-            ids = [one.id for one in found if one.severity == "warning"]
+        """Yield a problem if a case fails by warnings that are not printed."""
+        all_problems = list(problems)
+        if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
+            ids = [problem.id for problem in all_problems if problem.severity == "warning"]
             count, names = len(ids), listed(sorted(set(ids)))
-            told = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
+            message = f"{count} {plural('warning', count)} ({names}), which --strict makes fail"
             yield of_file(
-                "E013", file, f"{told}; without -q {'it is' if count == 1 else 'they are'} told"
+                "E013", file, f"{message}; without -q {'it is' if count == 1 else 'they are'} told"
             )
 
     def fails(self, problems: Iterable[Problem]) -> bool:
-        """Whether the command fails, though there is no error."""
-        return self.strict and any(one.severity == "warning" for one in problems)
+        """Return whether warnings make the command fail."""
+        return self.strict and any(problem.severity == "warning" for problem in problems)

@@ -1,4 +1,4 @@
-"""How far something is, on stderr: a bar for a person, else a line from time to time."""
+"""Progress on stderr: a bar for a person at a terminal, otherwise a line from time to time."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 Advance = Callable[[int], None]
-"""Tells the bar that so many more are done."""
+"""Function that advances the bar by a number of units."""
 
 PERIOD = 0.1
-"""So often the bar is drawn anew [s]."""
+"""Shortest time between two drawings of the bar [s]."""
 BAR_COLUMNS = 24
-"""Columns of the bar itself: with eight digits of each number the line fits 80."""
+"""Width of the bar, in columns; with numbers of eight digits the line fits 80 columns."""
 FIRST_WORD, LONGEST_SILENCE = 5.0, 600.0
-"""After so long the first line comes, then each after twice as long as before, to this. [s]"""
+"""Time until the first line, and longest time between lines, which doubles each time [s]."""
 
 
 @contextmanager
 def telling(said: Callable[[], str]) -> Iterator[None]:
-    """Say how far something is where it takes long, and nothing where it is done soon.
+    """Print the progress of long work from time to time, and nothing for short work.
 
     Parameters
     ----------
     said : callable
-        Gives a line, or nothing.
+        Function that returns a line, or an empty string.
     """
     ended = threading.Event()
 
@@ -54,7 +54,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
 
 
 def done_text(part: float, seconds: float) -> str:
-    """How far something is that takes time evenly.
+    """Describe the progress of work whose time is proportional to the finished part.
 
     >>> done_text(0.25, 30)
     '25 % after 30 s, about 1.5 minutes left'
@@ -69,21 +69,21 @@ def done_text(part: float, seconds: float) -> str:
 def progress(
     total: int | None, unit: str, *, beside_stdout: bool = False, quiet: bool = False
 ) -> Iterator[Advance]:
-    """Show how many of `total` are done, if stderr is a terminal; else say it where it takes long.
+    """Show the number of finished units by a bar, or by lines if stderr is not a terminal.
 
-    Messages (`files.say`) appear above the bar. It is drawn when it advances, by no
-    thread of its own: processes may be started while it stands.
+    Messages (`files.say`) appear above the bar. It is drawn only when it advances, without a
+    thread, so that processes can be started while it is shown.
 
     Parameters
     ----------
     total : int, optional
-        Number of units in all, where it is known.
+        Number of all units, if known.
     unit : str
-        What is counted, in the plural: "variants".
+        Name of the units, in the plural: "variants".
     beside_stdout : bool
-        Whether results go to stdout meanwhile: no bar between them on a terminal.
+        True if results go to stdout meanwhile, which allows no bar on the same terminal.
     quiet : bool
-        Whether there is none anyway.
+        True if to show nothing.
 
     Examples
     --------
@@ -93,7 +93,7 @@ def progress(
     if quiet or (beside_stdout and _is_terminal(sys.stdout)):
         yield lambda count: None  # noqa: ARG005
         return
-    if not _is_watched():
+    if not _is_terminal(sys.stderr) or os.environ.get("TERM") == "dumb":
         with _lines(total, unit) as advance:
             yield advance
         return
@@ -119,7 +119,7 @@ def progress(
 
 @contextmanager
 def _lines(total: int | None, unit: str) -> Iterator[Advance]:
-    """Lines where nobody looks at a bar; none where it is not known how much there is."""
+    """Print lines instead of a bar, if the total is known."""
     began, done = time.monotonic(), 0
 
     def advance(count: int) -> None:
@@ -133,24 +133,19 @@ def _lines(total: int | None, unit: str) -> Iterator[Advance]:
         yield advance
 
 
-def _is_watched() -> bool:
-    """Whether stderr is a terminal that a bar can be drawn on."""
-    return _is_terminal(sys.stderr) and os.environ.get("TERM") != "dumb"
-
-
 def _is_terminal(stream: TextIO | None) -> bool:
     return stream is not None and stream.isatty()
 
 
 def _bar(unit: str) -> Progress:
-    """The bar; it vanishes when it is closed, and what is said then stands in its place."""
+    """Build a bar that vanishes when closed."""
     from rich import progress as parts
     from rich.text import Text
 
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """How many a second; of what, stands before it."""
+        """Units per second; the name of the unit is in the column before."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

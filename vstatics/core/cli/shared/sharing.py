@@ -1,4 +1,4 @@
-"""Who shares the work of a command, and whether work that was stopped is taken up."""
+"""Distribution of the work of a command over processes, and resumption after a stop."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ JOBS = click.option("-j", "--jobs", type=click.IntRange(1), help="Processes.  [d
 
 
 class Sharing(NamedTuple):
-    """What -j, --scheduler and --resume say."""
+    """Values of -j, --scheduler and --resume."""
 
     jobs: int | None = None
-    """None: as many as there are cores."""
+    """Number of processes; by default the number of cores."""
     scheduler: str | None = None
     resume: bool = False
 
     @property
     def processes(self) -> int:
-        """So many processes share the work here."""
+        """Number of processes on the local computer."""
         from vstatics.core.jobs.workers import cores
 
         return 1 if self.scheduler else self.jobs or cores()
 
     def check(self, output: str | None, expected: str = "a file to go on with: -o FILE") -> None:
-        """Refuse what does not go together, and nothing to go on with.
+        """Refuse contradictory options, and --resume without a file.
 
         Raises
         ------
@@ -60,17 +60,17 @@ class Sharing(NamedTuple):
         *,
         quiet: bool,
     ) -> None:
-        """Begin with no pieces, or with those that are there; it is said if they are of no use.
+        """Begin without pieces, or resume with the stored pieces if possible.
 
         Parameters
         ----------
         done : str
-            With every part of the work: "piece is searched".
+            Sentence about a part of the work, after "every": "piece is searched".
 
         Raises
         ------
         ReadError
-            If they are of other work.
+            If the pieces belong to other work.
         OSError
         """
         if self.resume and not (quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
@@ -81,8 +81,10 @@ class Sharing(NamedTuple):
 
 
 @contextmanager
-def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) -> Iterator[None]:
-    """Let a command end with a word on what is kept, where it is stopped or can't write.
+def going_on_later(
+    output: str, store: FinishedPieces, remains: Callable[[], str]
+) -> Iterator[None]:
+    """Print the stored amount of work if the command is stopped or cannot write.
 
     Raises
     ------
@@ -91,16 +93,16 @@ def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) 
     try:
         yield
     except StoppedError as stopped:
-        files.say(f"stopped; {kept()}")
+        files.say(f"stopped; {remains()}")
         status = stopped_by(stopped.signal)
     except OSError as error:
         files.show([unwritable(output, error)])
-        files.say(kept())
+        files.say(remains())
         status = FAILED
     except CaseError as error:
         files.show(error.problems)
-        if store.is_open and store.finished():  # not those of other work, which are refused
-            files.say(kept())
+        if store.is_open and store.finished():  # pieces of other work are refused
+            files.say(remains())
         status = FAILED
     else:
         return
@@ -108,13 +110,13 @@ def going_on_later(output: str, store: FinishedPieces, kept: Callable[[], str]) 
 
 
 def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
-    """What there is to go on with after an end before the end.
+    """Describe the finished pieces that an interrupted command can resume with.
 
     Parameters
     ----------
     finished : int
     whole : str
-        Of so many: "64 variants".
+        Total amount of work: "64 variants".
     """
     if not finished:
         return "nothing was finished"
@@ -127,14 +129,14 @@ def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -
 
 
 def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:
-    """The options of who shares the work; the command gets `sharing`.
+    """Return the decorator of the options of `Sharing`; the command gets `sharing`.
 
     Parameters
     ----------
     resumed : str
-        What --resume goes on with.
+        Subject that --resume continues, for the help.
     *between : callable
-        Options before that.
+        Options listed before --resume.
     jobs : callable
     """
     return gathered(

@@ -1,6 +1,6 @@
-"""What a command shows of each of its cases, as text in each format: alone, or among several.
+"""Output of a command for each case, as text in each format: alone or among several cases.
 
-A command says by `CaseOutput` what it has; every format is made of that here. Writers are
+A command supplies a `CaseOutput`, from which this module writes every format. Writers are
 imported when they are needed.
 """
 
@@ -24,24 +24,27 @@ if TYPE_CHECKING:
 
 
 class CaseOutput(NamedTuple):
-    """What there is to show of a case; nothing is made before it is asked for."""
+    """Output of a command for a case; each part is calculated on request."""
 
     titles: Sequence[str]
-    """Over tables."""
+    """Titles above the tables."""
     by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
-    """What is no table of `grids`, by format: a text, say. It is given the file of the case
-    where this is one of several in a stream. A picture has pages, each for a file."""
+    """Format -> function that returns output other than `grids`, such as a text.
+
+    The function receives the name of the file if the case is one of several in a stream. A picture
+    has pages, each of which is written to its own file.
+    """
     grids: Callable[[], Iterable[Grid]] | None = None
     answer: Callable[[], Answer] | None = None
-    """What JSON is made of."""
+    """Function that returns the record written as JSON."""
     lay_out: Callable[[Any], str] | None = None
-    """The lines of that in JSON, where they are not those of any data."""
+    """Function that writes the record as JSON with special line breaks."""
     problems: Sequence[Problem] = ()
-    """What is to be told of it, besides what is of the case."""
+    """Problems of the output, in addition to the problems of the case."""
 
 
 class CaseTables(NamedTuple):
-    """The tables of a case."""
+    """Tables of a case."""
 
     file: str
     titles: Sequence[str]
@@ -49,17 +52,17 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Of a stream: a case as text, or as tables that become text with those of the others."""
+"""Part of a stream: a case as text, or tables that are written with the tables of all cases."""
 
 
 class Frame(NamedTuple):
-    """What stands around the parts of a stream."""
+    """Texts around and between the parts of a stream."""
 
     first: str
     between: str
     last: str
     empty: str = ""
-    """What there is in place of all that where there are no parts."""
+    """Text of a stream without parts."""
 
 
 FRAMES = {
@@ -71,7 +74,7 @@ FRAMES = {
 
 
 def alone(file: str, shown: CaseOutput, to: Destination) -> Sequence[bytes]:
-    """The text of a case by itself, or the pages of its picture."""
+    """Return the text of a single case, or the pages of a picture."""
     with speaking(to.language):
         if to.form in shown.by_format:
             return _pages(shown, to)
@@ -81,55 +84,52 @@ def alone(file: str, shown: CaseOutput, to: Destination) -> Sequence[bytes]:
 
 
 def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Sequence[bytes]:
-    """What a case has besides tables, in its format."""
-    made = shown.by_format[to.form](file)
-    return [_bytes(made, to)] if isinstance(made, str | bytes) else made
+    output = shown.by_format[to.form](file)
+    return [_bytes(output, to)] if isinstance(output, str | bytes) else output
 
 
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """What a stream has of a case among several; one that failed is in JSON only.
+    """Return the part of a case in a stream; a failed case is reported only in JSON.
 
     Parameters
     ----------
     folders : bool
-        Whether JSON tells the file with its folders.
+        True if JSON gives the name of the file with its folders.
     """
     file = outcome.file
     if to.form in ("json", "jsonl"):
-        text = _json(file, shown or _failed(outcome), to, folders=folders)
+        if shown is None:
+            from vstatics.core.tables.answer import failure
+
+            shown = CaseOutput([], {}, answer=partial(failure, file, outcome.problems))
+        text = _json(file, shown, to, folders=folders)
         return _bytes(text.rstrip("\n") if to.form == "json" else text, to)
     if shown is None:
         return b""
     with speaking(to.language):
         if to.form in shown.by_format:
-            made = b"".join(_pages(shown, to, file))
+            output = b"".join(_pages(shown, to, file))
         elif to.is_text:
-            [made] = alone(file, shown, to)
+            [output] = alone(file, shown, to)
         else:
             return _tables(file, shown, to)
-    return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + made
-
-
-def _failed(outcome: CalculatedCase) -> CaseOutput:
-    from vstatics.core.tables.answer import failure
-
-    return CaseOutput([], {}, answer=partial(failure, outcome.file, outcome.problems))
+    return (_bytes(f"==> {file} <==\n", to) if to.is_text else b"") + output
 
 
 def joined(
-    parts: Iterable[Part], to: Destination, own_frame: Frame | None = None
+    parts: Iterable[Part], to: Destination, frame_of_command: Frame | None = None
 ) -> Iterator[bytes]:
-    """The parts of all cases as one text, piece by piece; empty ones are left out."""
+    """Yield the text of a stream from the parts of all cases, without empty parts."""
     if to.form == "parquet":
         from vstatics.core.writers import result_parquet
 
-        yield from result_parquet.joined(one for one in parts if isinstance(one, bytes))
+        yield from result_parquet.joined(part for part in parts if isinstance(part, bytes))
         return
-    frame = own_frame or FRAMES.get(to.form)
+    frame = frame_of_command or FRAMES.get(to.form)
     if frame is None:
-        tables = (one for one in parts if isinstance(one, CaseTables))
+        tables = (part for part in parts if isinstance(part, CaseTables))
         yield from _of_grids(tables, to, several=True)
         return
     before, is_empty = frame.first, True
@@ -148,16 +148,16 @@ def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
 
 
 def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) -> Iterator[bytes]:
-    """Tables in a format that has nothing else."""
+    """Yield the tables of cases in a format that contains nothing else."""
     if to.form == "xlsx":
         from vstatics.core.tables import xlsx
 
-        by_file = ((one.file, one.grids) for one in cases)
+        by_file = ((case.file, case.grids) for case in cases)
         yield xlsx.write(by_file, several=several, digits=to.style.digits)
     elif to.form == "csv":
         from vstatics.core.tables import csv
 
-        by_file = ((one.file, one.grids) for one in cases)
+        by_file = ((case.file, case.grids) for case in cases)
         for text in csv.write(by_file, several=several, raw=to.style.raw):
             yield _bytes(text, to)
     else:
@@ -165,14 +165,14 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
         from vstatics.core.tables import text as plain
 
         writer = {"latex": latex, "markdown": markdown}.get(to.form, plain)
-        for number, one in enumerate(cases):
+        for number, case in enumerate(cases):
             with speaking(to.language):
-                made = writer.write(one.titles, one.grids)
-            yield _bytes("\n" * bool(number) + made, to)
+                page = writer.write(case.titles, case.grids)
+            yield _bytes("\n" * bool(number) + page, to)
 
 
 def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
-    """A case in JSON, on several lines or on one, with its end."""
+    """Return a case in JSON, on several lines or on one, with a final line break."""
     from vstatics.core.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
@@ -183,24 +183,24 @@ def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = Fals
 
 
 def _bytes(text: str | bytes, to: Destination) -> bytes:
-    """Safe to print, but CSV, which has no escapes, is as it is."""
+    """Encode a text safely for printing; CSV, which has no escapes, stays unchanged."""
     return text if isinstance(text, bytes) else files.encoded(text, as_is=to.form == "csv")
 
 
 class Job(NamedTuple):
-    """How each case is done."""
+    """Command with options, as applied to each case."""
 
     command: str
-    """Whose it is."""
+    """Name of the command."""
     options: CaseOptions
     to: Destination
     show: Callable[[CalculatedCase, Results], CaseOutput]
-    """What the command shows of a case that has results."""
+    """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Around several, in a format of the command's own other than text."""
+    """Frame of several cases in a format with a special frame."""
     finished: FinishedCases | None = None
-    """Of the directory that results go to, if they do."""
+    """Register of the output directory, if results go to a directory."""
     marked: bool = False
-    """Whether parts of a stream tell of which case they are."""
+    """True if a part of a stream carries a mark of the case."""
     folders: bool = False
-    """Whether JSON tells files with their folders, as without them some are alike."""
+    """True if JSON gives files with folders, because some names are equal."""

@@ -1,6 +1,7 @@
-"""Values of options: numbers, pairs, several with commas, by names; what is none is wrong use.
+"""Values of options: numbers, pairs, comma-separated lists, values by name.
 
-Each is read by a function that raises ValueError; `value` makes of it what an option is read by.
+Each is parsed by a function that raises ValueError; `value` turns the function into a callback of
+click, which reports a wrong value as wrong use of the option.
 """
 
 from __future__ import annotations
@@ -22,25 +23,25 @@ Given = TypeVar("Given")
 
 @contextmanager
 def wrong_value(option: str | None = None) -> Iterator[None]:
-    """Tell a ValueError, or a problem of no part of the case, as wrong use of an option.
+    """Report a ValueError, or a problem without a path, as wrong use of an option.
 
     Parameters
     ----------
     option : str, optional
-        As it is told; needless where click reads it.
+        Name of the option in the message; not needed in a callback of click.
 
     Raises
     ------
     BadParameter
     CaseError
-        With a problem of a part of the case.
+        If a problem has a path, since it then concerns a part of the case.
     """
     try:
         yield
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint=option) from None
     except CaseError as error:
-        if any(one.path for one in error.problems):
+        if any(problem.path for problem in error.problems):
             raise
         raise click.BadParameter(error.problems[0].message, param_hint=option) from None
 
@@ -48,7 +49,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """The callback of an option that is read by a function; None is left as it is."""
+    """Return the callback of an option that a function parses; `None` passes unchanged."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -58,26 +59,26 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Ids of warnings and notes, each by itself or several with commas, in any case.
+    """Parse ids of warnings and notes, separate or comma-separated, in any case.
 
     Raises
     ------
     ValueError
-        If one is of an error, or of nothing.
+        If an id belongs to an error, or does not exist.
 
     Examples
     --------
     >>> allowable(["w201, N318", "W421"])
     ('W201', 'N318', 'W421')
     """
-    given = tuple(one.upper() for one in separated(ids))
-    for why in filter(None, map(why_not_allowed, given)):
+    ids_given = tuple(text.upper() for text in separated(ids))
+    for why in filter(None, map(why_not_allowed, ids_given)):
         raise ValueError(why)
-    return given
+    return ids_given
 
 
 def above_0(given: float) -> float:
-    """A number that is given, if it is above 0.
+    """Return a number above 0.
 
     Raises
     ------
@@ -89,7 +90,7 @@ def above_0(given: float) -> float:
 
 
 def from_0(given: float) -> float:
-    """A number that is given, if it is 0 or more.
+    """Return a number of 0 or more.
 
     Raises
     ------
@@ -101,28 +102,28 @@ def from_0(given: float) -> float:
 
 
 def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
-    """Reads numbers with commas between them, none below the least.
+    """Return a parser of comma-separated numbers that are at least `least`.
 
     >>> numbers("a speed of 0 or more")("600,900")
     [600.0, 900.0]
     """
 
     def read(text: str) -> list[float]:
-        found = []
+        parsed = []
         for part in text.split(","):
             try:
-                found.append(float(part))
+                parsed.append(float(part))
             except ValueError:
-                found.append(math.nan)
-            if not least <= found[-1] < math.inf:
+                parsed.append(math.nan)
+            if not least <= parsed[-1] < math.inf:
                 raise ValueError(f"read {part[:20]!r}, expected {expected}")
-        return found
+        return parsed
 
     return read
 
 
 def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
-    """Reads as a function does, and tells a text that it refuses.
+    """Return a parser whose errors quote the refused text.
 
     >>> told(float)("x")
     Traceback (most recent call last):
@@ -139,7 +140,7 @@ def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
 
 
 def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value, ...]]:
-    """Reads the values of an option that is given several times, or holds commas.
+    """Return a parser of an option that is repeated or contains commas.
 
     >>> each(int)(["5, 7", "6"])
     (5, 7, 6)
@@ -148,7 +149,7 @@ def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value,
 
 
 def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
-    """Both bounds, or the one number that both are.
+    """Parse LOW:HIGH, or a single number as both bounds.
 
     Raises
     ------
@@ -171,7 +172,7 @@ def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
 
 
 def shown_speeds(text: str) -> tuple[float, float]:
-    """Return a range of speeds in rpm, which are bare or have a unit each.
+    """Parse a range of speeds, in rpm or with units, and return rpm.
 
     Raises
     ------
@@ -198,100 +199,104 @@ def shown_speeds(text: str) -> tuple[float, float]:
 def named(
     shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
 ) -> Callable[[Sequence[str]], dict[str, Value]]:
-    """Reads the values of an option by their names; it may be given several times.
+    """Return a parser of NAME=VALUE pairs of an option that can be repeated.
 
     >>> named("GEAR=RATIO", float)(['1=2.5, "a, b"=-3', "3=1"])
     {'1': 2.5, 'a, b': -3.0, '3': 1.0}
     """
 
     def read_all(texts: Sequence[str]) -> dict[str, Value]:
-        found: dict[str, Value] = {}
+        values: dict[str, Value] = {}
         for text in texts:
             for name, value in named_values(text, shape):
-                if name in found:
+                if name in values:
                     raise ValueError(f"{name} is given twice")
                 try:
-                    found[name] = read(value)
+                    values[name] = read(value)
                 except ValueError as error:
                     raise ValueError(f"{name}: read {shown(value)}, {error}") from None
-        return found
+        return values
 
     return read_all
 
 
 @contextmanager
 def wrong_use(options: Sequence[str]) -> Iterator[None]:
-    """Tell problems whose path begins with the name of an option as wrong use of that.
+    """Report problems whose path begins with the name of an option as wrong use.
 
     Raises
     ------
     UsageError
     CaseError
-        Where there are only others.
+        If no problem belongs to an option.
     """
     try:
         yield
     except CaseError as error:
-        of_options = [one for one in error.problems if one.path[:1] and one.path[0] in options]
+        of_options = [
+            problem for problem in error.problems if problem.path[:1] and problem.path[0] in options
+        ]
         if not of_options:
             raise
-        lines = [f"Invalid value for --{one.path[0]}: {one.message}" for one in of_options]
+        lines = [
+            f"Invalid value for --{problem.path[0]}: {problem.message}" for problem in of_options
+        ]
         raise click.UsageError("\n".join(lines)) from None
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""A name with its value; a name in double quotes may have commas in it."""
+"""Name with a value; a name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
-"""A value without a name; one in double quotes may have commas in it."""
+"""Value without a name; a value in double quotes can contain commas."""
 
 
 def separated(texts: Iterable[str]) -> list[str]:
-    """The values of an option that is given several times, or holds commas.
+    """Split the values of an option that is repeated or contains commas.
 
     >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
     (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])
     """
-    found = []
+    parts = []
     for text in texts:
         at = 0
         while at <= len(text):
             item = re.compile(_ALONE).match(text, at)
             assert item is not None  # noqa: S101 - for mypy: a name may be empty here
-            found.append(_unquoted(item["quoted"]) or item["name"].strip())
+            parts.append(_unquoted(item["quoted"]) or item["name"].strip())
             at = item.end() + 1
-    return found
+    return parts
 
 
 def _unquoted(quoted: str | None) -> str:
-    """A name without its double quotes; two of them in it are one."""
+    """Return a name without double quotes, and with doubled quotes as single ones."""
     return (quoted or "").replace('""', '"')
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
-    """Names with their values, between which commas stand.
+    """Split comma-separated pairs of a name and a value.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If the text does not have this form.
 
     Examples
     --------
     >>> named_values('shaft=.03, "a, b"=.2')
     [('shaft', '.03'), ('a, b', '.2')]
     """
-    found: list[tuple[str, str]] = []
+    pairs: list[tuple[str, str]] = []
     at = 0
     while at <= len(text):
         item = re.compile(_ITEM).match(text, at)
         if item is None or text[item.end() : item.end() + 1] not in ("", ","):
             message = f"read {text[at : at + 40]!r}, expected {expected} with commas between"
-            if found and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
+            if pairs and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
                 raise ValueError(f"{message} (and with decimal points)")
             raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=.2'")
         name = _unquoted(item["quoted"]) or item["name"].strip()
-        found.append((name, item["value"].strip()))
+        pairs.append((name, item["value"].strip()))
         at = item.end() + 1
-    return found
+    return pairs
