@@ -183,7 +183,7 @@ def _masses(
     totals = dict.fromkeys(asked.masses, 0.0)
     left_out: dict[str, None] = {}
     for index, body in enumerate(system.bodies):
-        links = [index + 1] if index < system.own else _links_of_set(case, body.name)
+        links = [index + 1] if index < system.case_links else _links_of_set(case, body.name)
         owner = next((owners[link] for link in links if link in owners), None)
         parts = [(part, speeds[link]) for link, part in body.form.items()]
         speed = sum(part * one for part, one in parts if one is not None)

@@ -192,7 +192,7 @@ def _gear_response(
         return GearResponse(gear.name, speeds, error=error)
     natural = natural_modes(system, split)
     undamped = _are_undamped(system, natural)
-    largest = np.abs(natural.shapes[: system.own]).max(axis=0)
+    largest = np.abs(natural.shapes[: system.case_links]).max(axis=0)
     parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
     resonances = [
         one._replace(damped=not undamped[one.mode - 1])
@@ -208,7 +208,7 @@ def _gear_response(
             by_device = _torques(system, at, excited, amplitudes, one)
             named = own_torques(case, system, by_device, amplitudes * excited**2)
         amplitudes[split.undetermined] = np.nan
-        links = dict(zip(system.names[: system.own], amplitudes, strict=False))
+        links = dict(zip(system.names[: system.case_links], amplitudes, strict=False))
         found.append(OrderResponse(one.order, links, named))
     by_name = {one.name: one for one in converters}
     return GearResponse(gear.name, speeds, found, resonances, converters=by_name)

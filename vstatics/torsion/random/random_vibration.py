@@ -153,7 +153,7 @@ def _gear_random(
     if error := not_excitable(system, coordinates(system), at):
         return GearRandom(gear.name, error=error)
     excited = ExcitedGear(system, at, by == "motion")
-    own = np.eye(len(system.names))[: system.own]
+    own = np.eye(len(system.names))[: system.case_links]
     with np.errstate(all="ignore"):  # what is no number is told as none
         found = form_variances(excited, spectrum, np.vstack([system.twists, own]))
         devices = _devices(system.elastic, found, case.fatigue)
@@ -191,7 +191,7 @@ def _life(strength: Carried, deviation: float, crossings: float) -> float:
 def _links(
     names: Sequence[str], excited: ExcitedGear, found: FormVariances, first: int
 ) -> dict[str, RandomLink]:
-    own = excited.free.own
+    own = excited.free.case_links
     loose = coordinates(excited.free).undetermined[:own]
     parts = np.array(found[:3])[:, first:]
     parts[:, loose] = np.nan
