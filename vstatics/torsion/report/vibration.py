@@ -32,7 +32,7 @@ class Vibration(NamedTuple):
     without: str = ""
     """Reason why the section is left out, or an empty text."""
     drawn: tuple[str, ...] = ()
-    """Kinds of pictures in the section."""
+    """Kinds of pictures that need not appear elsewhere on the page."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
         """Yield the markup of the section, or the reason why the section is left out."""
