@@ -1,13 +1,13 @@
-"""The same case as a torsional system: natural modes, reduction, simplification, response.
+"""Torsional vibration of a case: natural modes, reduction, simplification, response.
 
-A gear is a `TorsionalSystem` of bodies, of elastic and of rigid devices, each with the row that
-it has in the structural-distribution matrix: that is `system`. `vibration` has its natural modes,
-without damping and with it, of many variants, and what follows from measured ones. `reduction`
-has all on one link, then as masses and springs there, then as fewer of them. In `forced` the gear
-vibrates under torques, in `random` under random ones, in `clutch` the clutch is dumped.
-`answers` has what is reported of all of them. `pictures` draws modes, Campbell diagrams and
-responses, `report` has the section of a page, and `cli` the commands `vstatics torsion ...`.
-The annex needs scipy, an extra.
+`system` builds the `TorsionalSystem` of a gear from bodies, elastic devices and rigid devices, each
+with its row of the structural-distribution matrix. `vibration` calculates natural modes with and
+without damping, modes of many variants, and parameters from measured modes. `reduction` reduces a
+gear to a link, to a scheme of masses and springs, and to simpler schemes. `forced` has the response
+to periodic torques, `random` to random torques, and `clutch` the torques after a clutch dump.
+`answers` has the answers of commands, `pictures` draws modes, Campbell diagrams and responses,
+`report` has the section of a page, and `cli` the commands `vstatics torsion ...`. The annex needs
+the extra package scipy.
 
 >>> from vstatics import Spring, Transmission, torsion
 >>> shaft = Spring({1: 1, 2: -1}, stiffness=100.0, name="shaft")

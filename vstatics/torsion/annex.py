@@ -1,4 +1,4 @@
-"""What torsional vibration provides to the program."""
+"""Declaration of the annex on torsional vibration."""
 
 from vstatics.core.annexes import Annex, Command, PictureKind, ReportPart, Schema
 

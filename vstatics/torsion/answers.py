@@ -1,4 +1,4 @@
-"""What the commands of `vstatics torsion` answer about the gears of a case."""
+"""Answers of the commands of `vstatics torsion` about the gears of a case."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.torsion.vibration.measured import Damped, Identified
 
 @document("vstatics-modes")
 class ModesAnswer(NamedTuple):
-    """The modes of gears."""
+    """Natural modes of gears."""
 
     case: str
     gears: Sequence[GearModes]
@@ -24,7 +24,7 @@ class ModesAnswer(NamedTuple):
 
 @document("vstatics-reduction")
 class ReductionAnswer(NamedTuple):
-    """Inertias and compliances of gears on one link."""
+    """Inertias and compliances of gears, reduced to a link."""
 
     case: str
     to: str
@@ -33,7 +33,7 @@ class ReductionAnswer(NamedTuple):
 
 @document("vstatics-response")
 class ResponseAnswer(NamedTuple):
-    """Forced vibration of gears, by a torque on a link."""
+    """Forced vibration of gears under a torque on a link."""
 
     case: str
     at: str
@@ -42,7 +42,7 @@ class ResponseAnswer(NamedTuple):
 
 @document("vstatics-random-vibration")
 class RandomAnswer(NamedTuple):
-    """Random vibration of gears, by a torque on a link or by its motion."""
+    """Random vibration of gears under a torque or motion of a link."""
 
     case: str
     at: str
@@ -52,7 +52,7 @@ class RandomAnswer(NamedTuple):
 
 @document("vstatics-simplification")
 class SimplificationAnswer(NamedTuple):
-    """The steps to a simpler scheme of a gear."""
+    """Steps of the simplification of the scheme of a gear."""
 
     case: str
     gear: str
@@ -63,25 +63,25 @@ class SimplificationAnswer(NamedTuple):
 
 @document("vstatics-identification")
 class IdentificationAnswer(NamedTuple):
-    """What follows from the frequency of a mode that was measured."""
+    """Compliances that follow from the measured frequency of a mode."""
 
     case: str
     gear: str
     mode: int
     measured: float
-    """[rad/s]"""
+    """Measured natural frequency. [rad/s]"""
     made: Flat[Identified]
     decrement: Sometimes[float] = None
-    """Measured, too."""
+    """Measured logarithmic decrement. [-]"""
     mean_line: Sometimes[Sequence[float]] = None
-    """At the inner extremes of a record, in its unit."""
+    """Mean line at the inner extremes of a record, in the unit of the record."""
     amplitudes: Sometimes[Sequence[float]] = None
-    """Likewise."""
+    """Amplitudes at the inner extremes of a record, in the unit of the record."""
 
 
 @document("vstatics-damping")
 class DampingAnswer(NamedTuple):
-    """Dampings from decrements, by a mode of a gear."""
+    """Dampings that follow from decrements, for a mode of a gear."""
 
     case: str
     gear: str

@@ -1,75 +1,75 @@
-"""Tolerances of torsional systems, by what they compare; beside those of `numerics`."""
+"""Tolerances of torsional systems, in addition to the tolerances of `numerics`."""
 
 from __future__ import annotations
 
 # modes
 REAL_EIGENVALUE = 1e-12
-"""An imaginary part below this part of the modulus is rounding of a real eigenvalue."""
+"""Imaginary part, relative to the modulus, below which an eigenvalue is real."""
 SAME_MODULUS = 1e-9
-"""Moduli of eigenvalues, or parts in a mode, that differ by less than this part are the same."""
+"""Relative difference below which moduli of eigenvalues, or parts in a mode, are equal."""
 LAST_EIGENVALUE_STEP = 1e-8
-"""A step below this part of the eigenvalue is the last: the next would be its square or less."""
+"""Relative step of an eigenvalue after which the iteration ends, as convergence is quadratic."""
 LOST_SQUARE = 1e-4
-"""A square below this part of the largest one has lost digits that its root has not."""
+"""Relative size below which a squared frequency loses digits that its root would keep."""
 BELOW_SQUARES = 1e-3
-"""How far below 0 the iteration for the lowest modes stands, by about the lowest square."""
+"""Shift below 0 of the iteration for the lowest modes, relative to the lowest square."""
 LEAST_SHOWN_PART = 0.0005
-"""Parts of 1 that are below are not told apart from 0, but with all digits in JSON and CSV."""
+"""Smallest share that tables show apart from 0; JSON and CSV have all digits."""
 
 LEAST_PARTICIPATION = 1e-9
-"""A link whose amplitude in a mode is below this part of the largest can't excite it."""
+"""Smallest relative amplitude of a link that can excite a mode."""
 
 # variants
 APART = 1e-9
-"""A device or body whose energy in a mode is below the square of this part has none in it."""
+"""Root of the smallest share in the energy of a mode that counts for a device or body."""
 LOST_PIVOT = 1e-6
-"""A pivot below this part of that of the first variant may be one that is zero."""
+"""Pivot, relative to the first variant, below which a pivot can be zero."""
 RESIDUE = 1e-11
-"""A sum below this part of the largest coefficient times the largest unknown is zero."""
+"""Residue of an equation, relative to coefficients times unknowns, below which it is zero."""
 NO_ROW = 1e-300
-"""In place of the largest coefficient of an equation that has none."""
+"""Assumed largest coefficient of an empty equation, to avoid division by zero."""
 
 # the secular equation
 LAST_STEP = 1e-13
-"""A step below this part of the root is the last: the next would be its square."""
+"""Relative step of a root after which the iteration ends, as convergence is quadratic."""
 SAME_SQUARE = 1e-14
-"""Squares that differ by less than this part of them are one."""
+"""Relative difference below which squared frequencies are equal."""
 LOST_WEIGHT = 1e-32
-"""Part of the sum of weights: less is rounding of the twists."""
+"""Share in the sum of weights below which a weight is a rounding error of the twists."""
 AT_POLE = 1e-200
-"""A root is no nearer than this part of the gap to the pole below it, ..."""
+"""Smallest distance of a root from the pole below, relative to the gap between poles."""
 AT_NEXT_POLE = 1e-16
-"""... and than this to the pole above."""
+"""Smallest distance of a root from the pole above, relative to the gap between poles."""
 
 # forced vibration, engagement
 SAME_ORDER = 1e-12
-"""An order is a fraction that differs from it by less than this part."""
+"""Relative difference below which an order is equal to a fraction."""
 SAME_ANGLE = 1e-15
-"""Angles as near as that are the same. [rad]"""
+"""Difference up to which angles are equal. [rad]"""
 LEAST_RATE = 1e-99
-"""Of a clutch, by that of the shaft: slower, or faster than its inverse, nothing changes."""
+"""Rate of a clutch, relative to the frequency of the shaft, below which the factor is constant."""
 
 # random vibration
 NEVER_DAMPED = 1e-12
-"""A real part below this part of the largest eigenvalue is none."""
+"""Real part, relative to the largest eigenvalue, below which a mode is undamped."""
 UNMOVED = 1e-9
-"""A sum below this part of its terms is rounding."""
+"""Sum, relative to the sum of absolute terms, below which a sum is a rounding error."""
 WHOLE = 1e-9
-"""Shares add up to 1 within it."""
+"""Difference from 1 allowed for a sum of shares."""
 ACCURACY = 1e-10
-"""Of integrals."""
+"""Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""A variance that is less is none. [square of a unit]"""
+"""Absolute accuracy of integrals, which only the variance 0 meets. [square of a unit]"""
 
 # records
 UNDAMPED = 1e-6
-"""A decrement below 0 by no more is that of rounding. [-]"""
+"""Negative decrement, in magnitude, up to which it is a rounding error of 0. [-]"""
 
 # operating points and integrals
 SAME_INPUT_TORQUE = 1e-9
 """Relative difference up to which the torque of the load is the torque of the pump. [-]"""
 ROUGH_ACCURACY = 1e-3
-"""Relative accuracy of the first integral, which tells the parts that matter."""
+"""Relative accuracy of the first integral, which determines the size of each component."""
 SPEED_RATIO_STEP = 1e-15
 """Accuracy of the speed ratio of a converter at its working point. [-]"""
 SECANT_STEP = 1e-6

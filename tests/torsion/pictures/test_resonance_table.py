@@ -102,7 +102,7 @@ def test_rows_of_random_drivelines() -> None:
                 expected[row].append(str(gear + 1))
         found = {}
         for line in table.rows:
-            mode, gears, *others = [cell.text for cell in line.told]
+            mode, gears, *others = [cell.text for cell in line.all_cells]
             found[mode, *others] = gears
         assert set(found) == set(expected)
         for key, names in expected.items():
@@ -118,7 +118,7 @@ def test_a_mode_that_is_excited_beside_one_that_is_not() -> None:
     case, matrices = driveline(seeded(3), [10.0, 4.0])
     sheet = campbell_sheet(solve(case), Style(excited=Excitation(orders=ORDERS)), ())
     [table] = resonance_tables(sheet.modes, sheet.orders, ([], sheet.fastest), 1e6, Style())
-    told = [[cell.text for cell in row.told] for row in table.rows]
+    told = [[cell.text for cell in row.all_cells] for row in table.rows]
     for gear, one in enumerate(matrices, 1):
         for mode, *others in own_rows(one, sheet.fastest):
             assert [mode, str(gear), *others] in told

@@ -17,7 +17,7 @@ from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import provided, refuse
 from vstatics.core.cli.shared.texts import Job
-from vstatics.core.cli.shared.values import above_0, value
+from vstatics.core.cli.shared.values import above_0, torque, value
 from vstatics.core.errors import ReadError
 from vstatics.core.extras import higher
 from vstatics.core.statics.results import Results
@@ -31,16 +31,6 @@ if TYPE_CHECKING:
 
 MOST_COMBINATIONS = 10_000
 """Number of combinations of shift elements tried by default."""
-
-
-def _torque(text: str) -> float:
-    """Parse a torque in N*m, with or without unit."""
-    from vstatics.core.readers.named.si_units import measured
-
-    try:
-        return measured(text, "si_torque")
-    except ValueError as error:
-        raise ValueError(f"read {text!r}, {error}") from None
 
 
 @click.command()
@@ -58,7 +48,7 @@ def _torque(text: str) -> float:
 @provided("duty_options")
 @click.option(
     "--output-torque",
-    callback=value(_torque),
+    callback=value(torque),
     metavar="TORQUE",
     help="Outside torque on the output, for accelerations: -1200 or '-1200 N*m'.  [default: 0]",
 )

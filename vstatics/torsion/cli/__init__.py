@@ -1,6 +1,6 @@
-"""`vstatics torsion`: the transmission as a torsional system.
+"""Commands of `vstatics torsion`.
 
-`group` lists the commands. Each is a module with a function of its name: `modes`, `reduce`,
-`simplify`, `response`, `random`, `dump`; both commands of what was measured, ``identify`` and
-``damping``, are in `measured`. `case` has what they share: gears, links and messages of their case.
+`group` lists the commands. The modules `modes`, `reduce`, `simplify`, `response`, `random` and
+`dump` have a command each; `measured` has ``identify`` and ``damping``, with options from
+`observed`. `case` has common options, and messages about gears.
 """

@@ -1,4 +1,4 @@
-"""What the commands of `vstatics torsion` share: gears, links and messages of a case."""
+"""Common parts of the commands of `vstatics torsion`: options, gears, links and messages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats
 from vstatics.core.cli.shared.one_case import OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
-from vstatics.core.cli.shared.values import value, wrong_value
+from vstatics.core.cli.shared.values import torque, value, wrong_value
 from vstatics.core.errors import Problem, listed
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
@@ -21,19 +21,10 @@ if TYPE_CHECKING:
     from vstatics.torsion.system.working_points import WorkingGear
 
 
-def _torque(text: str) -> float:
-    from vstatics.core.readers.named.si_units import measured
-
-    try:
-        return measured(text, "si_torque")
-    except ValueError as error:
-        raise ValueError(f"read {text!r}, {error}") from None
-
-
 static_torque = click.option(
     "--torque",
     "static_torque",
-    callback=value(_torque),
+    callback=value(torque),
     metavar="T",
     help="Torque at the input, in N*m, under which springs with `points` have their slopes; "
     "that of the load of CASE when not given, else 0. A given speed ratio of a converter decides.",
@@ -41,17 +32,17 @@ static_torque = click.option(
 
 
 def _ratios(texts: Sequence[str]) -> dict[str, float]:
-    """Speed ratios by names of converters."""
-    found = {}
+    """Read speed ratios by the names of converters."""
+    ratios = {}
     for text in texts:
         name, _, ratio = text.rpartition("=")
         try:
-            found[name] = float(ratio)
+            ratios[name] = float(ratio)
         except ValueError:
-            found[name] = math.nan
-        if not name or not math.isfinite(found[name]):
+            ratios[name] = math.nan
+        if not name or not math.isfinite(ratios[name]):
             raise ValueError(f"read {text!r}, expected the name of a converter and a number: TC=.6")
-    return found
+    return ratios
 
 
 _speed_ratios = click.option(
@@ -72,29 +63,29 @@ CASE_OPTIONS = (
     arguments.coast,
     arguments.telling,
 )
-elastic_case = gathered("one", OneCase, *CASE_OPTIONS, static_torque)
-"""The case and the options of a command of this group; the command gets `one`."""
+elastic_case = gathered("request", OneCase, *CASE_OPTIONS, static_torque)
+"""Case and options of a command of this group, passed to the command as `request`."""
 
 
-def gear_names(case: Transmission, asked: Sequence[str]) -> list[str]:
-    """The gears that are asked for, each once; all where none is.
+def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
+    """Return the names of chosen gears without repetitions, by default of all gears.
 
     Raises
     ------
     BadParameter
-        If there is no such gear.
+        If a gear does not exist.
     """
-    return [case.gears[index].name for index in arguments.gear_indices(case, asked)]
+    return [case.gears[index].name for index in arguments.gear_indices(case, chosen)]
 
 
-class WorkingAsked(NamedTuple):
-    """Gears that are asked for, and speed ratios of their converters."""
+class WorkingGears(NamedTuple):
+    """Chosen gears, and given speed ratios of converters."""
 
     gears: tuple[str, ...]
     ratios: Mapping[str, float]
 
     def of(self, case: Transmission) -> list[WorkingGear]:
-        """These gears of a case, with its converters at these ratios."""
+        """Return the gears of a case with converters at working points."""
         from vstatics.torsion.system.working_points import working_gear
 
         gears = [case.gears[index] for index in arguments.gear_indices(case, self.gears)]
@@ -103,8 +94,8 @@ class WorkingAsked(NamedTuple):
 
 
 def working_options(*between: Option) -> Callable[[Command], Command]:
-    """Options of such gears, with others between them; the command gets `asked`."""
-    return gathered("asked", WorkingAsked, arguments.some_gears, *between, _speed_ratios)
+    """Add the options of gears, other options, and speed ratios, as the parameter `chosen`."""
+    return gathered("chosen", WorkingGears, arguments.some_gears, *between, _speed_ratios)
 
 
 chosen_gear = click.option(
@@ -114,57 +105,58 @@ chosen_gear = click.option(
 )
 
 
-def gear_of(case: Transmission, asked: str | None) -> Gear:
-    """The gear that is asked for, or the only one.
+def gear_of(case: Transmission, chosen: str | None) -> Gear:
+    """Return the chosen gear, or the only gear of a case.
 
     Raises
     ------
     UsageError
-        If there is none of this name or number, or none of several is asked for.
+        If the gear does not exist, or no gear is chosen and the case has several.
     """
-    if asked is not None:
-        return case.gears[arguments.gear_number(case, asked) - 1]
+    if chosen is not None:
+        return case.gears[arguments.gear_number(case, chosen) - 1]
     if len(case.gears) > 1:
         names = listed([gear.name for gear in case.gears])
         raise click.UsageError(f"Missing option '--gear': gears are {names}")
     return case.gears[0]
 
 
-def link_name(case: Transmission, asked: str, option: str) -> str:
-    """The name of the link that an option asks for.
+def link_name(case: Transmission, link: str, option: str) -> str:
+    """Return the name of a link that an option gives by number or name.
 
     Raises
     ------
     BadParameter
-        If there is none; it tells the nearest name.
+        If the link does not exist, with the nearest name.
     """
     with wrong_value(option):
-        return case.link_name(case.link_number(asked))
+        return case.link_name(case.link_number(link))
 
 
 def located(
     reading: Reading, texts_by_gear: Iterable[tuple[str, str]], identity: str
 ) -> list[Problem]:
-    """Messages as problems at the places of their gears.
+    """Return messages as problems at the places of gears.
 
     Parameters
     ----------
+    reading : Reading
     texts_by_gear : iterable of tuple
-        The name of a gear, and a text; an empty one says nothing.
+        Name of a gear, and a message; empty messages are skipped.
     identity : str
-        Of all of them.
+        Identity of the problems, such as E519.
     """
     numbers = {gear.name: number for number, gear in enumerate(reading.case.gears, 1)}
-    found = []
+    problems = []
     for name, message in texts_by_gear:
         if message:
             place = reading.locate(Problem(identity, "", ("gears", numbers[name]))).place
-            found.append(Problem(identity, f"gear {name}: {message}", (), place))
-    return found
+            problems.append(Problem(identity, f"gear {name}: {message}", (), place))
+    return problems
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
-    """Slopes of springs with points in gears, by their names, with doubts about their load."""
+    """Return notes about slopes of springs with points, and warnings about given torques."""
     from vstatics.torsion.system.working_points import mean_gear
 
     by_name = {gear.name: gear for gear in reading.case.gears}
@@ -172,7 +164,7 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
 
 
 def working_notes(reading: Reading, gears: Iterable[WorkingGear]) -> list[Problem]:
-    """Slopes of springs in gears at their working points, and friction that is left out there."""
+    """Return notes about slopes of springs and about neglected friction."""
     return [*_slope_notes(reading, list(gears)), *_friction_notes(reading)]
 
 
@@ -192,9 +184,9 @@ def _slope_notes(reading: Reading, gears: Sequence[WorkingGear]) -> list[Problem
     doubts = ((working.gear.name, text) for working in gears for text in working.doubts)
     notes = [
         reading.locate(
-            Problem("N506", f"gear {gear.name}: {one}", ("springs", one.number, "points"))
+            Problem("N506", f"gear {gear.name}: {slope}", ("springs", slope.number, "points"))
         )
         for case, gear, *_ in gears
-        for one in spring_slopes(case, gear)
+        for slope in spring_slopes(case, gear)
     ]
     return [*located(reading, doubts, "W431"), *notes]

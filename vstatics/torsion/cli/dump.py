@@ -36,13 +36,13 @@ def _rate(given: float) -> float:
 )
 @arguments.some_gears
 @gathered(
-    "one",
+    "request",
     OneCase,
     click.argument("case", type=click.Path(), metavar="FILE"),
     *of_case,
     static_torque,
 )
-def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
+def dump(request: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
     """Tell the largest torque when the clutch is dumped; - is standard input.
 
     FILE is YAML with inertias on one shaft, J1 (engine), J2 (disc), J3 (transmission),
@@ -72,50 +72,52 @@ def dump(one: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
     Exit status: 0 done; 1 the file is in error, or a gear has no such torque;
     2 wrong use.
     """
-    to = one.destination()
+    to = request.destination()
     from vstatics.torsion.clutch.file import is_of_case, read_dump
 
-    read = data, name = files.read_input(one.case)
-    if one.input_format == "deck" or is_of_case(data, name):
-        return one.answer(partial(_of_case, gears, rate), to, "torsion", read)
+    read = data, name = files.read_input(request.case)
+    if request.input_format == "deck" or is_of_case(data, name):
+        return request.answer(partial(_of_case, gears, rate), to, "torsion", read)
     if gears:
         raise click.UsageError(f"--gear is for a case, but {name} has numbers alone")
-    if one.static_torque is not None:
+    if request.static_torque is not None:
         raise click.UsageError(f"--torque is for a case, but {name} has numbers alone")
     from vstatics.torsion.clutch.tables import grids
 
     numbers = read_dump(data, name)
-    made = numbers.torque(rate)
-    show(one.case, to, name, CaseAnswer(lambda: grids(made), DumpAnswer(made)))
+    torque = numbers.torque(rate)
+    show(request.case, to, name, CaseAnswer(lambda: grids(torque), DumpAnswer(torque)))
     return DONE
 
 
 def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
-    """The gears of a case; one that is asked for alone is shown as a file of numbers is."""
+    """Answer about the gears of a case; a single chosen gear is shown like a file of numbers."""
     from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
     from vstatics.torsion.clutch.tables import gear_grids, gears_grids
 
-    found = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
-    faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
-    notes = slope_notes(reading, [gear.name for gear in found])
-    alone = bool(gears) and len(found) == 1
+    dumps = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
+    faults = located(reading, ((gear.name, gear.error) for gear in dumps), "E519")
+    notes = slope_notes(reading, [gear.name for gear in dumps])
+    is_single = bool(gears) and len(dumps) == 1
     return CaseAnswer(
-        lambda: gear_grids(found[0]) if alone else gears_grids(found),
-        GearDumpAnswer(found[0]) if alone else GearsDumpAnswer(found),
+        lambda: gear_grids(dumps[0]) if is_single else gears_grids(dumps),
+        GearDumpAnswer(dumps[0]) if is_single else GearsDumpAnswer(dumps),
         [*faults, *notes],
         failed=bool(faults),
     )
 
 
 def json_schema() -> Schema:
-    """The schema of ``vstatics torsion dump -f json``: of numbers, of a gear, of several."""
+    """Return the schema of ``vstatics torsion dump -f json`` for numbers, a gear or gears."""
     from vstatics.torsion.clutch.gear_dump import GearDump
 
     of_gear, torques, start = schema(GearDump), schema(DumpTorque)["required"], head(DUMP_FORM)
-    failed, made = of_gear["then"], of_gear["else"]
-    properties = start | made["properties"] | failed["properties"] | {"gears": list_of(of_gear)}
+    failed, successful = of_gear["then"], of_gear["else"]
+    properties = (
+        start | successful["properties"] | failed["properties"] | {"gears": list_of(of_gear)}
+    )
     free = [*start, "file", "engagement"]
-    forms = (["gears"], failed["required"], torques, made["required"])
+    forms = (["gears"], failed["required"], torques, successful["required"])
     document = {
         "type": "object",
         "properties": properties,
@@ -127,6 +129,6 @@ def json_schema() -> Schema:
 
 
 def _exactly(form: Sequence[str], properties: Schema, free: Sequence[str]) -> Schema:
-    """These keys, and none of the others but those that are free."""
+    """Return a schema that requires the keys of a form, and forbids the keys of other forms."""
     others = [name for name in properties if name not in {*form, *free}]
     return {"required": [*form], "properties": dict.fromkeys(others, False)}

@@ -1,4 +1,4 @@
-"""`vstatics torsion`: the transmission as a torsional system; each of its commands is a module."""
+"""Command group `vstatics torsion`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.torsion.annex import ANNEX
 
 
 class TorsionCommands(LazyGroup):
-    """The commands of `vstatics torsion`."""
+    """Commands of `vstatics torsion`, loaded when called."""
 
     modules = ANNEX.groups["torsion"]
 

@@ -1,4 +1,4 @@
-"""`vstatics torsion identify` and `damping`: what follows from a mode that was measured."""
+"""Commands `vstatics torsion identify` and `damping`: parameters from a measured mode."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vstatics.torsion.cli.observed import Observed, observed
 
 
 def _of_one_mode(command: Command) -> Command:
-    """The case, the gear and the mode, and all that other commands have."""
+    """Add the options of a case, a gear and a mode to a command."""
     for option in (
         elastic_case,
         click.option(
@@ -43,14 +43,13 @@ def _decrement(text: str) -> float:
 
 
 def _decrements(text: str) -> Mapping[str, float]:
-    """Decrements by devices, from `shaft=.03,damper=.2`."""
     return named("NAME=NUMBER", _decrement, repr)([text])
 
 
 @click.command()
 @_of_one_mode
 @observed
-def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
+def identify(request: OneCase, gear: str | None, mode: int, observation: Observed) -> int:
     """Correct the compliances of CASE by a measured frequency; - is standard input.
 
     All elastic devices of the gear get their compliance times (calculated/W)^2, in their
@@ -69,22 +68,22 @@ def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
     Exit status: 0 done; 1 the case or the record is in error, or the gear has no
     mode; 2 wrong use.
     """
-    to = one.destination(*filter(None, [seen.record]))
+    to = request.destination(*filter(None, [observation.record]))
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import IdentificationAnswer
-        from vstatics.torsion.vibration.measured import identify as identified
+        from vstatics.torsion.vibration.measured import identify as identify_mode
         from vstatics.torsion.vibration.tables import decay_grid, identified_grids
 
-        omega, decrement, found = seen.measured()
-        made = identified(case, chosen, omega, decrement, mode)
-        answer = IdentificationAnswer(case.name, chosen, mode, omega, made, decrement)
-        if found is None:
-            return CaseAnswer(lambda: identified_grids(omega, made), answer)
-        answer = answer._replace(mean_line=found.mean_line, amplitudes=found.amplitudes)
-        return CaseAnswer(lambda: [decay_grid(found), *identified_grids(omega, made)], answer)
+        omega, decrement, decay = observation.measured()
+        identified = identify_mode(case, chosen, omega, decrement, mode)
+        answer = IdentificationAnswer(case.name, chosen, mode, omega, identified, decrement)
+        if decay is None:
+            return CaseAnswer(lambda: identified_grids(omega, identified), answer)
+        answer = answer._replace(mean_line=decay.mean_line, amplitudes=decay.amplitudes)
+        return CaseAnswer(lambda: [decay_grid(decay), *identified_grids(omega, identified)], answer)
 
-    return _answer(one, gear, calculate, to)
+    return _answer(request, gear, calculate, to)
 
 
 @click.command()
@@ -104,7 +103,7 @@ def identify(one: OneCase, gear: str | None, mode: int, seen: Observed) -> int:
     help="Frequency at which the dampings hold, in rad/s; that of the mode when not given.",
 )
 def damping(
-    one: OneCase,
+    request: OneCase,
     gear: str | None,
     mode: int,
     decrements: Mapping[str, float],
@@ -127,32 +126,32 @@ def damping(
 
     def calculate(case: Transmission, chosen: str) -> CaseAnswer:
         from vstatics.torsion.answers import DampingAnswer
-        from vstatics.torsion.vibration.measured import damping as damped
+        from vstatics.torsion.vibration.measured import damping as damping_of
         from vstatics.torsion.vibration.tables import damped_grids
 
-        made = damped(case, chosen, decrements, omega, mode)
+        damped = damping_of(case, chosen, decrements, omega, mode)
         return CaseAnswer(
-            lambda: damped_grids(decrements, made),
-            DampingAnswer(case.name, chosen, mode, made),
+            lambda: damped_grids(decrements, damped),
+            DampingAnswer(case.name, chosen, mode, damped),
         )
 
-    return _answer(one, gear, calculate)
+    return _answer(request, gear, calculate)
 
 
 def _answer(
-    one: OneCase,
+    request: OneCase,
     gear: str | None,
     of_gear: Callable[[Transmission, str], CaseAnswer],
     to: Destination | None = None,
 ) -> int:
-    """What is wrong with the gear at its place; a mode or device that is not there: wrong use."""
+    """Answer about a gear; unknown modes or devices are reported as wrong use."""
 
     def calculate(reading: Reading) -> CaseAnswer:
         case = reading.case
         chosen = gear_of(case, gear).name
         try:
-            found = of_gear(case, chosen)
-            return found._replace(problems=slope_notes(reading, [chosen]))
+            answer = of_gear(case, chosen)
+            return answer._replace(problems=slope_notes(reading, [chosen]))
         except CaseError as error:
             if error.problems[0].path[:1] != ("gears",):
                 raise
@@ -161,4 +160,4 @@ def _answer(
         except ValueError as error:
             raise click.UsageError(str(error)) from None
 
-    return one.answer(calculate, to, "torsion")
+    return request.answer(calculate, to, "torsion")

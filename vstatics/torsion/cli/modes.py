@@ -1,4 +1,4 @@
-"""`vstatics torsion modes`: natural frequencies and shapes in every gear."""
+"""Command `vstatics torsion modes`: natural frequencies and shapes in every gear."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import click
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
-    WorkingAsked,
+    WorkingGears,
     elastic_case,
     located,
     working_notes,
@@ -27,7 +27,7 @@ from vstatics.torsion.cli.case import (
     )
 )
 @elastic_case
-def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
+def modes(request: OneCase, chosen: WorkingGears, count: int | None) -> int:
     """Calculate natural frequencies and shapes of CASE in every gear; - is standard input.
 
     CASE has `inertias` of links [kg*m^2], or `masses` [kg] of those that move straight,
@@ -56,20 +56,20 @@ def modes(one: OneCase, asked: WorkingAsked, count: int | None) -> int:
         from vstatics.torsion.vibration.tables import modes_grids
 
         case = reading.case
-        working = asked.of(case)
-        names = [one.gear.name for one in working]
-        found = modes_of(case, names, count=count, speed_ratios=asked.ratios)
+        working = chosen.of(case)
+        names = [at_point.gear.name for at_point in working]
+        gears = modes_of(case, names, count=count, speed_ratios=chosen.ratios)
         notes = working_notes(reading, working)
-        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
-        noted = {text for gear in working for text in gear.doubts}
+        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
+        known = {text for gear in working for text in gear.doubts}
         doubts = (
-            (gear.name, text) for gear in found for text in gear.warnings if text not in noted
+            (gear.name, text) for gear in gears for text in gear.warnings if text not in known
         )
         return CaseAnswer(
-            lambda: modes_grids(found),
-            ModesAnswer(case.name, found),
+            lambda: modes_grids(gears),
+            ModesAnswer(case.name, gears),
             [*faults, *located(reading, doubts, "W503"), *notes],
             failed=bool(faults),
         )
 
-    return one.answer(calculate, extra="torsion")
+    return request.answer(calculate, extra="torsion")

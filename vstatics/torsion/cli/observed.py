@@ -1,4 +1,4 @@
-"""What was observed of a mode: its frequency and decrement, its extremes, or a record."""
+"""Options of an observed mode: frequency and decrement, extremes, or a record."""
 
 from __future__ import annotations
 
@@ -17,74 +17,77 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.decays import Decay
 
 TIME = "time"
-"""The column of a record that has its times."""
+"""Name of the column of times in a record."""
 
 
 class Observed(NamedTuple):
-    """One of a frequency, extremes with their period, and a record with its column."""
+    """Observation of a mode: a frequency, extremes with a period, or a column of a record."""
 
     omega: float | None = None
-    """[rad/s]"""
+    """Natural frequency. [rad/s]"""
     decrement: float | None = None
+    """Logarithmic decrement. [-]"""
     peaks: list[float] | None = None
+    """Successive extremes."""
     period: float | None = None
-    """[s]"""
+    """Period of the extremes. [s]"""
     record: str | None = None
+    """Name of the file of a record."""
     column: str | None = None
 
     def measured(self) -> tuple[float, float | None, Decay | None]:
-        """Frequency [rad/s], decrement if it is known, and what they follow from.
+        """Return the frequency [rad/s], the decrement and the decay, as far as known.
 
         Raises
         ------
         UsageError
+            If options are missing or contradictory.
         ReadError
-            If a record has no vibration.
+            If the record has no decaying vibration.
         ValueError
-            If extremes are none.
+            If the extremes are not those of a decaying vibration.
         """
-        given = tuple(one is not None for one in self)
+        given = tuple(option is not None for option in self)
         match given:
             case (True, _, False, False, False, False):
                 return self.omega or 0.0, self.decrement, None
             case (False, False, True, True, False, False):
-                from vstatics.torsion.vibration.decays import decay
+                from vstatics.torsion.vibration.decays import decay as decay_of
 
-                found = decay(self.peaks or [], self.period or 0.0)
+                decay = decay_of(self.peaks or [], self.period or 0.0)
             case (False, False, False, False, True, True):
-                found = _recorded(self.record or "", self.column or "")
+                decay = _recorded(self.record or "", self.column or "")
             case _:
                 ways = "--omega (and --decrement), --peaks with --period, or --record with --column"
                 raise click.UsageError(f"expected {ways}")
-        return found.omega, found.decrement, found
+        return decay.omega, decay.decrement, decay
 
 
 def _recorded(file: str, column: str) -> Decay:
-    """The vibration of a column of a record."""
     from vstatics.core.readers.records import read_record
     from vstatics.torsion.vibration.decays import recorded_decay
 
-    found = read_record(*files.read_input(file, TABLE_BYTES), {TIME: "time", column: None})
-    problems = [found.lacks("E883", one) for one in (TIME, column) if one not in found.columns]
+    record = read_record(*files.read_input(file, TABLE_BYTES), {TIME: "time", column: None})
+    problems = [record.lacks("E883", name) for name in (TIME, column) if name not in record.columns]
     if problems:
         raise ReadError(problems)
-    times, values = found.columns[TIME], found.columns[column]
-    same = (np.diff(times) == 0) & (np.diff(values) == 0)
-    kept = np.flatnonzero(np.append(True, ~same)) if len(times) else np.arange(0)
-    times, values = times[kept], values[kept]
+    times, values = record.columns[TIME], record.columns[column]
+    repeated = (np.diff(times) == 0) & (np.diff(values) == 0)
+    rows = np.flatnonzero(np.append(True, ~repeated)) if len(times) else np.arange(0)
+    times, values = times[rows], values[rows]
     falls = np.flatnonzero(np.diff(times) <= 0)
     if len(falls):
-        row = int(kept[falls[0] + 1])
+        row = int(rows[falls[0] + 1])
         message = f"read the time {times[falls[0] + 1]:g} s, expected times that rise"
-        raise ReadError([Problem("E886", message, (), found.place(row))])
+        raise ReadError([Problem("E886", message, (), record.place(row))])
     try:
         return recorded_decay(times, values)
     except ValueError as error:
-        raise ReadError([found.problem("E887", f"{column}: {error}")]) from None
+        raise ReadError([record.problem("E887", f"{column}: {error}")]) from None
 
 
 observed = gathered(
-    "seen",
+    "observation",
     Observed,
     click.option(
         "--omega",
@@ -117,4 +120,4 @@ observed = gathered(
     ),
     click.option("--column", metavar="C", help="Its column in which the mode is seen."),
 )
-"""All of them; the command gets `seen`."""
+"""Options of an observation, passed to the command as `observation`."""

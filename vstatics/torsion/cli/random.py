@@ -1,4 +1,4 @@
-"""`vstatics torsion random`: deviations, crossings and life under a random torque or motion."""
+"""Command `vstatics torsion random`: standard deviations and life under random excitation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.core.errors import Problem, quoted
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     CASE_OPTIONS,
-    WorkingAsked,
+    WorkingGears,
     link_name,
     located,
     working_notes,
@@ -52,14 +52,14 @@ if TYPE_CHECKING:
     help="Where spectra are asked for, in rad/s: N from A to B, or a list with commas.",
 )
 @working_options()
-@gathered("one", OneCase, *CASE_OPTIONS)
+@gathered("request", OneCase, *CASE_OPTIONS)
 def random(
-    one: OneCase,
+    request: OneCase,
     at: str,
     by: Excitation,
     source: str,
     omega: Floats | None,
-    asked: WorkingAsked,
+    chosen: WorkingGears,
 ) -> int:
     """Calculate the random vibration of CASE in every gear; - is standard input.
 
@@ -76,7 +76,7 @@ def random(
     Exit status: 0 done; 1 the case or FILE is in error or a gear can't be
     excited; 2 wrong use.
     """
-    to = one.destination(source)
+    to = request.destination(source)
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import RandomAnswer
@@ -87,27 +87,27 @@ def random(
         case = reading.case
         link = link_name(case, at, "--at")
         spectrum = read_spectrum(*files.read_input(source))
-        working = asked.of(case)
-        names = [one.gear.name for one in working]
-        found = random_vibration(
-            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=asked.ratios
+        working = chosen.of(case)
+        names = [at_point.gear.name for at_point in working]
+        gears = random_vibration(
+            case, link, spectrum, names, by=by, omegas=omega, speed_ratios=chosen.ratios
         )
-        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
         return CaseAnswer(
-            lambda: random_grids(found),
-            RandomAnswer(case.name, link, by, found),
-            [*faults, *_lifeless(reading, found), *working_notes(reading, working)],
+            lambda: random_grids(gears),
+            RandomAnswer(case.name, link, by, gears),
+            [*faults, *_lifeless(reading, gears), *working_notes(reading, working)],
             failed=bool(faults),
         )
 
-    return one.answer(calculate, to, extra="torsion")
+    return request.answer(calculate, to, extra="torsion")
 
 
-def _lifeless(reading: Reading, found: Sequence[GearRandom]) -> Iterator[Problem]:
-    """Devices with a fatigue strength whose torque is told in no gear."""
-    excited = [gear for gear in found if not gear.error]
-    told = {name for gear in excited for name in gear.devices}
+def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem]:
+    """Warn of devices with a fatigue strength that are not elastic in any gear."""
+    excited = [gear for gear in gears if not gear.error]
+    elastic = {name for gear in excited for name in gear.devices}
     for number, name in enumerate(reading.case.fatigue, 1):
-        if excited and name not in told:
+        if excited and name not in elastic:
             text = f"{quoted(name)} is rigid or open: its life is not told; give it a `stiffness`"
             yield reading.locate(Problem("W880", text, ("fatigue", number)))

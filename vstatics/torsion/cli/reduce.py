@@ -1,4 +1,4 @@
-"""`vstatics torsion reduce`: inertias and compliances on one link."""
+"""Command `vstatics torsion reduce`: inertias and compliances reduced to a link."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.torsion.cli.case import elastic_case, gear_names, link_name, locat
 @click.option("--to", required=True, metavar="LINK", help="The link, by its name or number.")
 @arguments.some_gears
 @elastic_case
-def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
+def reduce(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
     """Reduce inertias and compliances of CASE to one link, in every gear; - is standard input.
 
     By the speeds of the rigid motion: J (w_link/w_to)^2 and E (w_to/w_link)^2. A link that
@@ -39,14 +39,14 @@ def reduce(one: OneCase, to: str, gears: tuple[str, ...]) -> int:
 
         case = reading.case
         link = link_name(case, to, "--to")
-        found = reduced(case, link, gear_names(case, gears))
-        notes = slope_notes(reading, [gear.name for gear in found])
-        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
+        reductions = reduced(case, link, gear_names(case, gears))
+        notes = slope_notes(reading, [gear.name for gear in reductions])
+        faults = located(reading, ((gear.name, gear.error) for gear in reductions), "E519")
         return CaseAnswer(
-            lambda: reduction_grids(link, found),
-            ReductionAnswer(case.name, link, found),
+            lambda: reduction_grids(link, reductions),
+            ReductionAnswer(case.name, link, reductions),
             [*faults, *notes],
             failed=bool(faults),
         )
 
-    return one.answer(calculate, extra="torsion")
+    return request.answer(calculate, extra="torsion")

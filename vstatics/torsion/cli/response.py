@@ -1,4 +1,4 @@
-"""`vstatics torsion response`: amplitudes and torques under harmonic torques."""
+"""Command `vstatics torsion response`: amplitudes and torques under harmonic torques."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.core.errors import listed, plural
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     CASE_OPTIONS,
-    WorkingAsked,
+    WorkingGears,
     link_name,
     located,
     working_notes,
@@ -29,10 +29,11 @@ if TYPE_CHECKING:
     from vstatics.torsion.system.working_points import WorkingGear
 
 MOST_SPEEDS = 100_000
+"""Largest number of speeds in a range A:B:N."""
 
 
 def speeds_of(text: str) -> Floats:
-    """Speeds [rpm] from A:B:N, or a list."""
+    """Read a range A:B:N or a list of numbers."""
     import numpy as np
 
     from vstatics.core.numerics.steps import Steps
@@ -48,42 +49,51 @@ def speeds_of(text: str) -> Floats:
 
 
 def _rpm(text: str) -> Floats:
-    """The same, perhaps with a unit behind each speed."""
+    """Read speeds [rpm] as a range or list, with or without units."""
     from vstatics.core.readers.named.units import common_unit, quantity
 
     bare, unit = common_unit(text)
     if unit and text.count(unit) != len(bare.split(":")[:2] if ":" in bare else bare.split(",")):
         raise ValueError(f"read bare speeds beside those in {unit}, expected a unit behind each")
-    return speeds_of(bare) * (told(lambda one: quantity(f"1 {one}", "speed"))(unit) if unit else 1)
+    return speeds_of(bare) * (
+        told(lambda text: quantity(f"1 {text}", "speed"))(unit) if unit else 1
+    )
 
 
 class Exciting(NamedTuple):
-    """Orders, and the table of their torques."""
+    """Given orders and torques."""
 
     orders: Sequence[float] | None = None
     torque: str | None = None
+    """File with a table of torques."""
 
     def harmonics(self) -> list[Harmonic]:
-        """What excites: by the table, or of 1 N*m."""
+        """Return the harmonics of the table, or given orders of 1 N*m.
+
+        Raises
+        ------
+        BadParameter
+            If the table does not have a given order.
+        """
         from vstatics.torsion.forced.harmonic_torques import Harmonic
         from vstatics.torsion.forced.torque_table import read_torque_table
 
         if self.torque is None:
             return [Harmonic(order) for order in dict.fromkeys(self.orders or ())]
-        found = read_torque_table(*files.read_input(self.torque))
+        table = read_torque_table(*files.read_input(self.torque))
         if self.orders is None:
-            return found
-        by_order = {one.order: one for one in found}
+            return table
+        by_order = {harmonic.order: harmonic for harmonic in table}
         for order in self.orders:
             if order not in by_order:
-                known = ", ".join(f"{one:g}" for one in by_order)
+                known = ", ".join(f"{in_table:g}" for in_table in by_order)
                 message = f"{self.torque} has no order {order:g}; it has {known}"
                 raise click.BadParameter(message, param_hint="--orders")
         return [by_order[order] for order in dict.fromkeys(self.orders)]
 
 
 def _input_of(gears: Sequence[WorkingGear]) -> str:
-    """The name of the input of all gears.
+    """Return the name of the common input of gears.
 
     Raises
     ------
@@ -97,8 +107,8 @@ def _input_of(gears: Sequence[WorkingGear]) -> str:
 
 
 def _unbounded(gear: GearResponse) -> str:
-    """That resonances without damping have no largest value, if there are any."""
-    speeds = [f"{one.speed:.6g}" for one in gear.resonances if not one.damped]
+    """Return a note about resonances without damping, or an empty text."""
+    speeds = [f"{r.speed:.6g}" for r in gear.resonances if not r.damped]
     if not speeds:
         return ""
     names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
@@ -144,14 +154,14 @@ def _unbounded(gear: GearResponse) -> str:
     help="All orders together: the largest value over a cycle, and the RMS.",
 )
 @working_options()
-@gathered("one", OneCase, *CASE_OPTIONS)
+@gathered("request", OneCase, *CASE_OPTIONS)
 def response(
-    one: OneCase,
+    request: OneCase,
     at: str | None,
     exciting: Exciting,
     speed: Floats,
     with_sum: bool,
-    asked: WorkingAsked,
+    chosen: WorkingGears,
 ) -> int:
     """Calculate the forced vibration of CASE in every gear; - is standard input.
 
@@ -171,32 +181,32 @@ def response(
     Exit status: 0 done; 1 the case is in error or a gear has no response;
     2 wrong use.
     """
-    to = one.destination(*([exciting.torque] if exciting.torque else []))
+    to = request.destination(*([exciting.torque] if exciting.torque else []))
     if exciting == Exciting():
         raise click.UsageError("expected --orders, --torque or both")
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import ResponseAnswer
-        from vstatics.torsion.forced.harmonic_torques import response as responses
+        from vstatics.torsion.forced.harmonic_torques import response as calculate_response
         from vstatics.torsion.forced.tables import largest_grids, row_grids, speed_grids, sum_grids
 
         case = reading.case
         harmonics = exciting.harmonics()
-        working = asked.of(case)
+        working = chosen.of(case)
         link = _input_of(working) if at is None else link_name(case, at, "--at")
-        names = [one.gear.name for one in working]
-        found = responses(case, link, harmonics, speed, names, speed_ratios=asked.ratios)
+        names = [at_point.gear.name for at_point in working]
+        gears = calculate_response(case, link, harmonics, speed, names, speed_ratios=chosen.ratios)
         if with_sum:
-            found = [gear.with_sum() for gear in found]
+            gears = [gear.with_sum() for gear in gears]
         notes = working_notes(reading, working)
-        faults = located(reading, ((gear.name, gear.error) for gear in found), "E519")
-        unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in found), "N630")
+        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
+        unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in gears), "N630")
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return CaseAnswer(
-            lambda: row_grids(found) if to.form == "csv" else [*grids(found), *sum_grids(found)],
-            ResponseAnswer(case.name, link, found),
+            lambda: row_grids(gears) if to.form == "csv" else [*grids(gears), *sum_grids(gears)],
+            ResponseAnswer(case.name, link, gears),
             [*faults, *notes, *unbounded],
             failed=bool(faults),
         )
 
-    return one.answer(calculate, to, extra="torsion")
+    return request.answer(calculate, to, extra="torsion")

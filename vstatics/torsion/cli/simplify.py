@@ -1,4 +1,4 @@
-"""`vstatics torsion simplify`: a scheme with fewer masses and the same low frequencies."""
+"""Command `vstatics torsion simplify`: a scheme with fewer masses and equal low frequencies."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 RULES = ("partial", "r", "b", "u")
 FORMS = [form for form in TABLES if form != "xlsx"]
-"""Of the steps, which are printed."""
+"""Formats of the printed steps."""
 
 
 def _of_steps(
@@ -41,7 +41,7 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """A case whose steps are printed."""
+    """Return the request of a case, whose answer, the steps, is printed."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),
@@ -57,20 +57,20 @@ def _names(text: str) -> list[str]:
 
 
 class Reducing(NamedTuple):
-    """By which rule masses are taken out, and which before all others."""
+    """Rule of a simplification, and masses to remove or merge first."""
 
     rule: SimplificationRule | None
     remove: Sequence[str] | None
     merge: Sequence[str] | None
 
     def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
-        """A scheme with so many natural frequencies."""
+        """Simplify a scheme down to a number of natural frequencies."""
         from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.simplification import simplify
 
         if self.merge:
-            removed = self.remove or ()
-            return simplify_merging(scheme, frequencies, self.rule, removed, self.merge)
+            remove = self.remove or ()
+            return simplify_merging(scheme, frequencies, self.rule, remove, self.merge)
         return simplify(scheme, frequencies, self.rule, self.remove or ())
 
 
@@ -86,7 +86,7 @@ class Reducing(NamedTuple):
     "masses.",
 )
 @gathered(
-    "way",
+    "reducing",
     Reducing,
     click.option(
         "--rule",
@@ -109,7 +109,7 @@ class Reducing(NamedTuple):
     ),
 )
 @gathered(
-    "one",
+    "request",
     _of_steps,
     click.argument("case", type=click.Path()),
     click.option(
@@ -134,10 +134,10 @@ class Reducing(NamedTuple):
     static_torque,
 )
 def simplify(
-    one: OneCase,
+    request: OneCase,
     gear: str | None,
     frequencies: int,
-    way: Reducing,
+    reducing: Reducing,
     output: str | None,
 ) -> int:
     """Simplify the scheme of a gear of CASE, reduced to the input; - is standard input.
@@ -156,7 +156,7 @@ def simplify(
     Exit status: 0 done; 1 the case is in error or has no such scheme;
     2 wrong use.
     """
-    written = _format_of(output, one.case)
+    written = _format_of(output, request.case)
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.torsion.answers import SimplificationAnswer
@@ -164,36 +164,42 @@ def simplify(
         from vstatics.torsion.reduction.scheme import scheme_case
         from vstatics.torsion.reduction.tables import simplification_grids
 
-        own = reading.case
-        chosen = gear_of(own, gear)
-        scheme = gear_scheme(own, chosen)
+        case = reading.case
+        chosen = gear_of(case, gear)
+        scheme = gear_scheme(case, chosen)
         if isinstance(scheme, str):
             raise ReadError(located(reading, [(chosen.name, scheme)], "E517"))
-        found = way.simplified(scheme, frequencies)
+        simplification = reducing.simplified(scheme, frequencies)
 
         def write() -> bool:
             if output is not None:
                 ends = [
-                    own.link_name(end) for end in (own.gear_input(chosen), own.gear_output(chosen))
+                    case.link_name(end)
+                    for end in (case.gear_input(chosen), case.gear_output(chosen))
                 ]
-                made = scheme_case(found.scheme, own.name, ends, chosen.name)
-                files.write_data(case_data(made, written)[0], output)
+                simplified = scheme_case(simplification.scheme, case.name, ends, chosen.name)
+                files.write_data(case_data(simplified, written)[0], output)
             return True
 
         notes = slope_notes(reading, [chosen.name])
-        told = [doubt.message for doubt in found.warnings]
+        warnings = [doubt.message for doubt in simplification.warnings]
         return CaseAnswer(
-            lambda: simplification_grids(found),
-            SimplificationAnswer(own.name, chosen.name, found.rule, found.steps, told),
-            [*warnings_of("W502", [*told, *_lost(own)], file_name(one.case)), *notes],
+            lambda: simplification_grids(simplification),
+            SimplificationAnswer(
+                case.name, chosen.name, simplification.rule, simplification.steps, warnings
+            ),
+            [
+                *warnings_of("W502", [*warnings, *_lost_dampings(case)], file_name(request.case)),
+                *notes,
+            ],
             write=write,
         )
 
-    return one.answer(calculate, extra="torsion")
+    return request.answer(calculate, extra="torsion")
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """What the scheme is written in."""
+    """Return the format of the file of the scheme, from the suffix of the file."""
     if output is None:
         return ""
     files.spare([case], output)
@@ -203,11 +209,11 @@ def _format_of(output: str | None, case: str) -> str:
     return form
 
 
-def _lost(case: Transmission) -> list[str]:
-    """What a scheme does not have: its dampings are viscous."""
+def _lost_dampings(case: Transmission) -> list[str]:
+    """Warn of loss factors, which are not part of a scheme."""
     devices: list[Spring | Mechanism | ShiftElement]
     devices = [*case.springs, *case.mechanisms, *case.shift_elements]
-    names = [one.name for one in devices if damping(one.damping).loss_factor]
+    names = [device.name for device in devices if damping(device.damping).loss_factor]
     if not names:
         return []
     return [f"the loss factor of {spoken(names)} is left out: a scheme has viscous damping only"]

@@ -1,4 +1,4 @@
-"""A clutch that is dumped, as a case tells it: which links are what, and what is given besides."""
+"""Clutch dump of a case: the links of each mass, and the given numbers."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 MASSES = ("J1", "J2", "J3", "J4", "J5")
 NEEDED = ("J1", "J2", "J5")
-"""Those that have a link at least."""
+"""Masses that need at least one link."""
 NUMBERS = ("M_C0", "omega1", "M_phi", "E")
-"""What else is above 0."""
+"""Names of numbers above 0."""
 
 
 class ClutchDump(NamedTuple):
-    """The links that make up the masses of a clutch dump; numbers are those of the links.
+    """Clutch dump: the links that form the masses, and numbers that refer to links of the case.
 
     Parameters
     ----------
@@ -28,16 +28,16 @@ class ClutchDump(NamedTuple):
     M_C0 : float
         Torque at which the clutch breaks away, on the first link of J2. [N*m]
     omega1 : float
-        Speed of the first link of J1 before. [rad/s]
+        Speed of the first link of J1 before the dump. [rad/s]
     M_phi : float
-        Torque at which the tyres lose their grip, on the first link of J4, or of J5 where J4
-        has none; infinite where they don't. [N*m]
+        Torque at which the tyres lose their grip, on the first link of J4, or of J5 if J4 is
+        empty; infinite for tyres that always grip. [N*m]
     E : float, optional
-        Compliance from J2 to J5, on the link `to`; from the elastic devices when not given.
+        Compliance from J2 to J5, on the link `to`. By default calculated from the elastic devices.
         [rad/(N*m)]
     to : int, optional
-        Link to which all is reduced, on which the torques are told; the first of J2 when not
-        given.
+        Link to which all values are reduced, and on which torques are reported. By default the
+        first link of J2.
 
     Examples
     --------
@@ -58,30 +58,30 @@ class ClutchDump(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> ClutchDump | None:
-        """Return the clutch dump of a case, if there is one."""
+        """Return the clutch dump of a case, or None if the case has no clutch dump."""
         return as_type(case.dump, cls)
 
     @property
     def masses(self) -> Mapping[str, Sequence[int]]:
-        """The links of each mass."""
+        """Links of each mass."""
         return {name: getattr(self, name) for name in MASSES}
 
     @property
     def link(self) -> int:
-        """To which all is reduced."""
+        """Link to which all values are reduced."""
         return self.J2[0] if self.to is None else self.to
 
     def completed(self) -> ClutchDump:
-        """A checked one with its numbers as floats."""
+        """Return the clutch dump with links as tuples and numbers as floats."""
         changed: dict[str, Any] = {name: tuple(links) for name, links in self.masses.items()}
         numbers = {name: getattr(self, name) for name in NUMBERS}
-        changed |= {name: None if one is None else float(one) for name, one in numbers.items()}
+        changed |= {name: None if x is None else float(x) for name, x in numbers.items()}
         return self._replace(**changed)
 
 
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """A clutch dump by the keys of a case; that something is infinite is not written."""
+    """Return the clutch dump of a case by keys, without infinite values."""
     dump = ClutchDump.of(case)
     if dump is None:
         return None
-    return {name: one for name, one in dump._asdict().items() if one != math.inf}
+    return {name: value for name, value in dump._asdict().items() if value != math.inf}

@@ -1,4 +1,4 @@
-"""The key `dump` of a case: its declaration and its checks."""
+"""Key `dump` of a case, with its checks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vstatics.torsion.clutch.clutch_dump import (
     dump_record,
 )
 
-_OF = {
+_PARTS = {
     "J1": "the engine and the driving parts of the clutch",
     "J2": "the driven disc",
     "J3": "the transmission",
@@ -36,7 +36,7 @@ DUMP = ByKey(
             KeyShape(
                 name,
                 ListOf(LINK, "links"),
-                f"Links of {_OF[name]}; their inertias are reduced and added.",
+                f"Links of {_PARTS[name]}; their inertias are reduced and added.",
                 required=name in NEEDED,
                 limits={"minItems": 1} if name in NEEDED else {},
             )
@@ -82,7 +82,7 @@ DUMP = ByKey(
 
 
 def of_dump(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield problems: of links, of which each is named once, and of numbers."""
+    """Yield problems of the links, each of which belongs to a single mass, and of the numbers."""
     dump = ClutchDump.of(case)
     if dump is None:
         return
@@ -102,8 +102,8 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
     for name in NUMBERS:
         value = getattr(dump, name)
         if value is not None:
-            right = value > 0 and (value < math.inf or name == "M_phi")
-            yield from expect(value, "a number above 0", ("dump", name), right=right)
+            is_valid = value > 0 and (value < math.inf or name == "M_phi")
+            yield from expect(value, "a number above 0", ("dump", name), right=is_valid)
 
 
 KEY = CaseKey(

@@ -1,8 +1,8 @@
-"""The dynamic factor of a clutch whose torque grows with time, in closed form.
+"""Dynamic factor of a clutch whose torque grows with time, in closed form.
 
     J23 phi'' + phi/E = M_C (1 - exp(-K t))                                          (3.69)
 
-with phi and its speed 0 at first: a clutch that slips throughout, before wheels that stand.
+The twist phi and its rate are 0 at t = 0. The clutch always slips, and the wheels are at rest.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.2.
 """
@@ -17,38 +17,38 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0
-"""Rate by time from which on the clutch is taken to have its torque. [-]"""
+"""Value of K t from which the clutch is assumed to have reached its torque. [-]"""
 
 
 class Engagement(NamedTuple):
-    """How fast a clutch is engaged, and what that does."""
+    """Rate at which a clutch engages, and the resulting dynamic factor."""
 
     rate: float
-    """K of ``1 - exp(-K t)``. [1/s]"""
+    """Rate K in ``1 - exp(-K t)``. [1/s]"""
     factor: float
-    """Torque of the spring by that of the clutch, at its first maximum after t = 3/K. [-]"""
+    """Torque of the spring at the first maximum after t = 3/K, relative to the clutch. [-]"""
 
 
 def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
-    """The dynamic factor of (3.70).
+    """Calculate the dynamic factor by (3.70).
 
     Parameters
     ----------
     rate : float
-        K. [1/s]
+        Rate K. [1/s]
     inertia : float
-        J23, between clutch and spring. [kg*m^2]
+        Inertia J23 between clutch and spring. [kg*m^2]
     compliance : float
-        E, of the spring. [rad/(N*m)]
+        Compliance E of the spring. [rad/(N*m)]
 
     Raises
     ------
     CaseError
-        Of a rate that is not above 0, or infinite.
+        If the rate is not a finite number above 0.
 
     Examples
     --------
-    Only K by the natural frequency counts; a clutch that is engaged at once gives 2.
+    The factor depends on K divided by the natural frequency; it is 2 for a sudden engagement.
 
     >>> [round(engagement(rate, 0.01, 0.01).factor, 3) for rate in (50, 100, 200, 1e9)]
     [1.443, 1.697, 1.894, 2.0]
@@ -60,23 +60,23 @@ def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
 
 
 def rate_problems(rate: float | None) -> Iterator[Problem]:
-    """Of a rate that cannot be."""
+    """Yield a problem if a rate is not a finite number above 0."""
     if rate is not None and not 0 < rate < math.inf:
         yield Problem("E502", f"read {rate:g}, expected a rate above 0", ("rate",))
 
 
 def _factor(k: float) -> float:
-    """The first maximum of (3.70) from t = 3/K on, for k = K/K_c.
+    """Return the first maximum of (3.70) after t = 3/K, for k = K/K_c.
 
-    In the angle x = K_c t its slope is 0 where ``sin(x - a) = -exp(-k x)/sqrt(1 + k^2)`` with
-    a = atan(1/k), and there (3.70) is ``1 - cos x``. From x = 3/k on the right side is less
-    than .05, so there is one maximum in each turn, a little behind ``x - a = pi``.
+    In terms of the angle x = K_c t, the slope is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 + k^2)``
+    with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is
+    smaller than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
     """
-    k = min(max(k, LEAST_RATE), 1e99)  # beyond, nothing changes
-    ahead, size = math.atan2(1, k), math.hypot(1, k)
+    k = min(max(k, LEAST_RATE), 1e99)  # the factor is constant outside these limits
+    a, size = math.atan2(1, k), math.hypot(1, k)
     first = GROWN / k - math.asin(math.exp(-GROWN) / size)
-    turns = math.ceil((first - ahead - math.pi) / math.tau)
-    middle, behind, before = ahead + math.pi + turns * math.tau, 0.0, -1.0
-    while abs(behind - before) > SAME_ANGLE:  # each step is at least ten times nearer
-        before, behind = behind, math.asin(math.exp(-k * (middle + behind)) / size)
-    return 1 + math.cos(ahead + behind)
+    turns = math.ceil((first - a - math.pi) / math.tau)
+    middle, offset, previous = a + math.pi + turns * math.tau, 0.0, -1.0
+    while abs(offset - previous) > SAME_ANGLE:  # each step divides the error by 10 or more
+        previous, offset = offset, math.asin(math.exp(-k * (middle + offset)) / size)
+    return 1 + math.cos(a + offset)

@@ -1,4 +1,4 @@
-"""A clutch that is dumped as a YAML file: `J1` to `J5`, `E`, `M_C0`, `M_phi` and `omega1`."""
+"""YAML file of a clutch dump: `J1` to `J5`, `E`, `M_C0`, `M_phi` and `omega1`."""
 
 from __future__ import annotations
 
@@ -42,18 +42,19 @@ EXPECTED = (
 
 
 class DumpFile(NamedTuple):
-    """A clutch that is dumped, and where its numbers stand."""
+    """Clutch dump of a file."""
 
     given: Dump
     spots: Spots
+    """Places of the numbers in the file."""
 
     def torque(self, rate: float | None = None) -> DumpTorque:
-        """The largest torques.
+        """Calculate the largest torques.
 
         Raises
         ------
         ReadError
-            As `dump` does, with places.
+            If `dump` raises an error, with the places of the numbers.
         """
         try:
             return dump(self.given, rate)
@@ -62,7 +63,7 @@ class DumpFile(NamedTuple):
 
 
 def is_of_case(data: bytes, file: str) -> bool:
-    """Whether a document is a case, and no file of numbers alone.
+    """Return whether a document is a case, rather than a file of numbers.
 
     Examples
     --------
@@ -70,39 +71,39 @@ def is_of_case(data: bytes, file: str) -> bool:
     (True, False)
     """
     from vstatics.core.readers import format_of
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # importing yaml takes time
 
-    form = format_of(file, data)
-    if form in ("deck", "xlsx"):
+    file_format = format_of(file, data)
+    if file_format in ("deck", "xlsx"):
         return True
     try:
         root = yaml_tree(decode(data, file, EXPECTED))
     except ReadError:
-        return form == "json"
+        return file_format == "json"
     keys = {key.text for key, _ in root.entries} if isinstance(root, Mapping) else set()
     numbers = {key.name for key in DUMP.keys}
     return keys.isdisjoint(numbers) and ("format" in keys or kind_of(root) == "case")
 
 
 def read_dump(data: bytes, file: str) -> DumpFile:
-    """Read a clutch that is dumped.
+    """Read the numbers of a clutch dump.
 
     Parameters
     ----------
     data : bytes
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is not valid, with all problems and their places.
 
     Examples
     --------
-    >>> made = read_dump(b"{J1: 1.913, J2: 0.0619, J3: 0.0239, J4: 0.091, J5: 5.68, "
+    >>> read = read_dump(b"{J1: 1.913, J2: 0.0619, J3: 0.0239, J4: 0.091, J5: 5.68, "
     ...                  b"E: 429e-5, M_C0: 532, M_phi: 335, omega1: 156}", "dump.yaml")
-    >>> made.given.E, made.torque().case
+    >>> read.given.E, read.torque().case
     (0.00429, 'A3')
     """
     given, spots = read_document(data, file, DUMP, EXPECTED)

@@ -1,12 +1,11 @@
-"""A clutch that is dumped in the gears of a case: reduced to one link, and the largest torques.
+"""Largest torques after a clutch dump in the gears of a case, by reduction to a single link.
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3: all is reduced to one shaft,
-best to that whose torque is asked for, the propshaft or the half-shafts.
+The best reference link is the shaft whose torque is of interest, such as the propshaft or the
+half-shafts (I. S. Tsitovich, V. B. Algin, Vehicle dynamics, 1981, 3.3).
 
-How far links turn under a torque while others are held: the compliance of what is between.
-
-On the way of the power every elastic device has its part, wherever it stands in it: shafts,
-the mounting of a casing that takes a reaction, shafts side by side.
+The compliance E is the angle by which the disc turns under a torque of 1 N*m while the vehicle is
+held. All elastic devices in the path of the power contribute: shafts, parallel shafts, and the
+mounting of a casing that takes a reaction.
 """
 
 from __future__ import annotations
@@ -32,30 +31,30 @@ from vstatics.torsion.system.state import asked_gears, vibrating
 
 @json_keys("name", "to", "error", reduced="given", made="made")
 class GearDump(NamedTuple):
-    """A clutch that is dumped in a gear."""
+    """Clutch dump in a gear."""
 
     name: str
-    """Of the gear."""
+    """Name of the gear."""
     to: str
-    """Name of the link to which all is reduced."""
+    """Name of the reference link."""
     given: Unfailed[Dump] = None
-    """On that link."""
+    """Numbers reduced to the reference link."""
     made: Flat[DumpTorque | None] = None
-    """Likewise."""
+    """Largest torques on the reference link."""
     error: Failure = ""
-    """Why there is neither."""
+    """Reason why the torques cannot be calculated."""
 
 
 @document(DUMP_FORM)
 class GearDumpAnswer(NamedTuple):
-    """The largest torques in a gear of a case."""
+    """Answer about the largest torques in a gear."""
 
     gear: Flat[GearDump]
 
 
 @document(DUMP_FORM)
 class GearsDumpAnswer(NamedTuple):
-    """The largest torques in gears of a case."""
+    """Answer about the largest torques in several gears."""
 
     gears: Sequence[GearDump]
 
@@ -64,32 +63,32 @@ class GearsDumpAnswer(NamedTuple):
 def gear_dumps(
     case: Transmission, gears: Sequence[int | str] | None = None, rate: float | None = None
 ) -> list[GearDump]:
-    """The largest torques when the clutch of a case is dumped, gear by gear.
+    """Calculate the largest torques after the clutch of a case is dumped, gear by gear.
 
     Parameters
     ----------
     case : Transmission
-        With a `dump`.
+        Case with a `dump`.
     gears : sequence of int or str, optional
-        Numbers from 1 or names; all gears when not given.
+        Numbers (from 1) or names of gears. By default all gears.
     rate : float, optional
-        As of `dump`. [1/s]
+        Rate K of a gradual engagement, as in `dump`. [1/s]
 
     Returns
     -------
     list of GearDump
-        What was given to `dump`, reduced to a link, and what it made; torques in N*m.
+        Numbers reduced to the reference link, and largest torques [N*m].
 
     Raises
     ------
     ValueError
-        If there is no such gear.
+        If a gear does not exist.
     CaseError
         If the case has no `dump`.
 
     Examples
     --------
-    A ВАЗ-2101 in gear I, on the propshaft; the book has 683 N*m in case A3.
+    ВАЗ-2101 in gear I, on the propshaft; the book has 683 N*m in case A3.
 
     >>> from vstatics import ClutchDump, Mechanism, Spring, Transmission
     >>> case = Transmission(
@@ -107,86 +106,86 @@ def gear_dumps(
     >>> gear.made.case, round(gear.made.max_torque)
     ('A3', 682)
     """
-    given = ClutchDump.of(case)
-    if given is None:
+    clutch = ClutchDump.of(case)
+    if clutch is None:
         message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
         raise CaseError("E503", message, ("dump",))
-    return [_gear_dump(case, gear, given, rate) for gear in asked_gears(case, gears)]
+    return [_gear_dump(case, gear, clutch, rate) for gear in asked_gears(case, gears)]
 
 
-def _gear_dump(case: Transmission, gear: Gear, asked: ClutchDump, rate: float | None) -> GearDump:
-    to = case.link_name(asked.link)
+def _gear_dump(case: Transmission, gear: Gear, clutch: ClutchDump, rate: float | None) -> GearDump:
+    to = case.link_name(clutch.link)
     system = vibrating(case, gear)
     if isinstance(system, str):
         return GearDump(gear.name, to, error=system)
-    found = scales(system, asked.link - 1)
-    if isinstance(found, str):
-        return GearDump(gear.name, to, error=found)
-    inertias, left_out = _masses(case, system, asked, found.speeds)
-    given = _reduced(case, system, asked, inertias, found.speeds)
+    of_links = scales(system, clutch.link - 1)
+    if isinstance(of_links, str):
+        return GearDump(gear.name, to, error=of_links)
+    inertias, left_out = _masses(case, system, clutch, of_links.speeds)
+    given = _reduced(case, system, clutch, inertias, of_links.speeds)
     if isinstance(given, str):
         return GearDump(gear.name, to, error=given)
     try:
-        made = dump(given, rate)
+        torques = dump(given, rate)
     except CaseError as error:
         return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
     if left_out:
         message = f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
-        made = made._replace(messages=(*made.messages, Message("N505", message)))
-    return GearDump(gear.name, to, given, made)
+        torques = torques._replace(messages=(*torques.messages, Message("N505", message)))
+    return GearDump(gear.name, to, given, torques)
 
 
 def _reduced(
     case: Transmission,
     system: TorsionalSystem,
-    asked: ClutchDump,
+    clutch: ClutchDump,
     inertias: Mapping[str, float],
     speeds: Sequence[float | None],
 ) -> Dump | str:
-    """What is given, on one link, or why it can't be."""
+    """Reduce the numbers of a dump to the reference link, or return a reason for failure."""
     by_link: dict[int, float] = {}
-    for name, links in asked.masses.items():
+    for name, links in clutch.masses.items():
         for link in links:
             speed = speeds[link - 1]
             if not speed:
                 hint = "; is the clutch engaged in this gear?" if name == "J1" else ""
                 still = f"{case.link_name(link)} of {name} does not turn with"
-                return f"{still} {case.link_name(asked.link)}{hint}"
+                return f"{still} {case.link_name(clutch.link)}{hint}"
             by_link[link] = speed
     without = [name for name in NEEDED if not inertias[name]]
     if without:
         return f"the links of {spoken(without)} have no inertia"
-    near, far = ([link - 1 for link in links] for links in (asked.J2, asked.J5))
-    turning = [by_link[link] for link in asked.J2]
-    compliance = asked.E or path_compliance(system, near, turning, far)
+    near, far = ([link - 1 for link in links] for links in (clutch.J2, clutch.J5))
+    turning = [by_link[link] for link in clutch.J2]
+    compliance = clutch.E or path_compliance(system, near, turning, far)
     if not compliance:
         why = "nothing elastic is" if compliance == 0 else "no device is"
         return f"{why} between J2 and J5; give a device a compliance, or `dump` its `E`"
-    tyres = asked.J4[0] if asked.J4 else asked.J5[0]
+    tyres = clutch.J4[0] if clutch.J4 else clutch.J5[0]
     return Dump(
         **inertias,
         E=compliance,
-        M_C0=asked.M_C0 * abs(by_link[asked.J2[0]]),
-        M_phi=asked.M_phi * abs(by_link[tyres]),
-        omega1=asked.omega1 / abs(by_link[asked.J1[0]]),
+        M_C0=clutch.M_C0 * abs(by_link[clutch.J2[0]]),
+        M_phi=clutch.M_phi * abs(by_link[tyres]),
+        omega1=clutch.omega1 / abs(by_link[clutch.J1[0]]),
     )
 
 
 def _masses(
-    case: Transmission, system: TorsionalSystem, asked: ClutchDump, speeds: Sequence[float | None]
+    case: Transmission, system: TorsionalSystem, clutch: ClutchDump, speeds: Sequence[float | None]
 ) -> tuple[dict[str, float], list[str]]:
-    """The inertias of J1 to J5 on the reference shaft, and what turns but is in none of them.
+    """Return the reduced inertias of J1 to J5, and the names of rotating bodies not in them.
 
-    Planets go with a link of their set, the carrier before others.
+    Planets belong to the mass of a link of their gear set, preferably the carrier.
     """
-    owners = {link: name for name, links in asked.masses.items() for link in links}
-    totals = dict.fromkeys(asked.masses, 0.0)
+    owners = {link: name for name, links in clutch.masses.items() for link in links}
+    totals = dict.fromkeys(clutch.masses, 0.0)
     left_out: dict[str, None] = {}
     for index, body in enumerate(system.bodies):
-        links = [index + 1] if index < system.own else _links_of_set(case, body.name)
+        links = [index + 1] if index < system.case_links else _links_of_set(case, body.name)
         owner = next((owners[link] for link in links if link in owners), None)
         parts = [(part, speeds[link]) for link, part in body.form.items()]
-        speed = sum(part * one for part, one in parts if one is not None)
+        speed = sum(part * of_link for part, of_link in parts if of_link is not None)
         if owner is not None:
             totals[owner] += body.inertia * speed**2
         elif body.inertia * speed:
@@ -195,37 +194,39 @@ def _masses(
 
 
 def _links_of_set(case: Transmission, planet: str) -> list[int]:
-    """The links of the set that a planet belongs to, its carrier first."""
+    """Return the links of the gear set of a planet, beginning with the carrier."""
     name = planet.rpartition(".")[0]
-    members = next(one.members for one in case.own_devices if one.name == name)
+    members = next(device.members for device in case.own_devices if device.name == name)
     return [member.link for member in sorted(members, key=lambda member: member.name != "carrier")]
 
 
 def path_compliance(
     system: TorsionalSystem, near: Sequence[int], speeds: Sequence[float], far: Sequence[int]
 ) -> float | None:
-    """The compliance from some links to others that are held, on the reference shaft.
+    """Calculate the compliance between near links and held links, on the reference link.
 
-    Elastic torques M that balance a torque of 1 there have the least ``sum E M^2``, which is
-    the compliance (Castigliano). In a chain it is the sum of the reduced compliances.
+    Of all elastic torques M that balance a torque of 1 N*m on the reference link, the actual
+    torques have the smallest ``sum E M^2``, which is the compliance (Castigliano). For a chain the
+    result is the sum of the reduced compliances.
 
     Parameters
     ----------
+    system : TorsionalSystem
     near : sequence of int
-        Indices of links that turn as one, the first with the torque.
+        Indices of links that rotate together; the torque acts on the first link.
     speeds : sequence of float
-        Theirs by that of the reference shaft. [-]
+        Speeds of the near links, relative to the reference link. [-]
     far : sequence of int
         Indices of links that are held.
 
     Returns
     -------
     float or None
-        [rad/(N*m)]; none where nothing resists.
+        Compliance [rad/(N*m)], or None if no device resists the torque.
 
     Examples
     --------
-    Two shafts with a gear pair of ratio -2 between them, on the first: ``E_1 + 4 E_2``.
+    Two shafts with a gear pair of ratio -2 between them have ``E_1 + 4 E_2`` on the first shaft:
 
     >>> from vstatics import Mechanism, Spring, Transmission
     >>> from vstatics.torsion.system.gear_system import torsional_system

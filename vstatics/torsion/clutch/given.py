@@ -1,4 +1,4 @@
-"""What is given of a clutch that is dumped, and the limits that follow at once."""
+"""Given numbers of a clutch dump, and the torque and speed limits that follow from them."""
 
 from __future__ import annotations
 
@@ -9,58 +9,58 @@ from typing import NamedTuple
 from vstatics.core.errors import Problem
 
 UNBOUNDED = ("J4", "J5", "M_phi")
-"""What may be infinite."""
+"""Names of numbers that may be infinite."""
 FROM_0 = ("J3", "J4")
-"""What may be 0."""
+"""Names of numbers that may be 0."""
 SLIPPING = 0.8
-"""Torque of a clutch that slips by that at which it breaks away, (3.9). [-]"""
+"""Torque of a slipping clutch divided by the breakaway torque, (3.9). [-]"""
 
 
 class Dump(NamedTuple):
-    """A clutch that is dumped, on one shaft; in SI or in any one system of relative units.
+    """Numbers of a clutch dump on a single shaft, in SI units or in consistent relative units.
 
     Examples
     --------
-    >>> held = Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 6101, 3760, 45)
-    >>> round(held.slipping_torque, 1)
+    >>> given = Dump(54.3, 1.77, 1.79, 1.36, 58.3, 713e-6, 6101, 3760, 45)
+    >>> round(given.slipping_torque, 1)
     4880.8
     """
 
     J1: float
-    """Engine and driving parts of the clutch. [kg*m^2]"""
+    """Inertia of the engine and of the driving parts of the clutch. [kg*m^2]"""
     J2: float
-    """Driven disc. [kg*m^2]"""
+    """Inertia of the driven disc. [kg*m^2]"""
     J3: float
-    """Transmission. [kg*m^2]"""
+    """Inertia of the transmission. [kg*m^2]"""
     J4: float
-    """Wheels; infinite where they are clamped. [kg*m^2]"""
+    """Inertia of the wheels; infinite for clamped wheels. [kg*m^2]"""
     J5: float
-    """Vehicle; infinite where it is held. [kg*m^2]"""
+    """Inertia of the vehicle; infinite for a vehicle at rest. [kg*m^2]"""
     E: float
     """Compliance between J3 and J4. [rad/(N*m)]"""
     M_C0: float
     """Torque at which the clutch breaks away. [N*m]"""
     M_phi: float
-    """Torque at which the tyres lose their grip; infinite where they don't. [N*m]"""
+    """Torque at which the tyres lose grip; infinite for tyres that always grip. [N*m]"""
     omega1: float
-    """Speed of the engine before. [rad/s]"""
+    """Speed of the engine before the dump. [rad/s]"""
 
     @property
     def slipping_torque(self) -> float:
-        """Of the clutch, M_C in (3.9) [N*m]."""
+        """Torque of the slipping clutch, M_C in (3.9) [N*m]."""
         return SLIPPING * self.M_C0
 
     @property
     def boundary_speed(self) -> float:
-        """Speed of the engine from which on the clutch does not grab, (3.14) [rad/s].
+        """Engine speed below which the clutch grabs, (3.14) [rad/s].
 
-        Because of free play the disc alone is accelerated.
+        Because of free play, the clutch accelerates only the disc.
         """
         return self.slipping_torque * math.sqrt(self.E / self.J2)
 
     @property
     def clutch_limit(self) -> float:
-        """Torque of the spring at which a stuck clutch breaks away, M_cp1 [N*m]."""
+        """Torque of the spring at which a sticking clutch breaks away, M_cp1 [N*m]."""
         return self.M_C0 * ((self.J1 + self.J2 + self.J3) / self.J1)
 
     @property
@@ -70,18 +70,20 @@ class Dump(NamedTuple):
 
     @property
     def clamped(self) -> bool:
-        """Whether the wheels stand still as long as the tyres grip."""
+        """True if the wheels are at rest as long as the tyres grip."""
         return math.isinf(self.J4 + self.J5)
 
 
 def dump_problems(given: Dump) -> Iterator[Problem]:
-    """Numbers that cannot be."""
+    """Yield problems of numbers that are out of range."""
     for name, value in given._asdict().items():
-        bounded, from_0 = name not in UNBOUNDED, name in FROM_0
-        if not (value > 0 or (from_0 and value == 0)) or (bounded and value == math.inf):
-            finite = "finite " * (bounded and value == math.inf)
-            least = "of 0 or more" if from_0 else "above 0"
-            infinite = "" if bounded else ", or infinite"
+        must_be_finite, can_be_zero = name not in UNBOUNDED, name in FROM_0
+        if not (value > 0 or (can_be_zero and value == 0)) or (
+            must_be_finite and value == math.inf
+        ):
+            finite = "finite " * (must_be_finite and value == math.inf)
+            least = "of 0 or more" if can_be_zero else "above 0"
+            infinite = "" if must_be_finite else ", or infinite"
             yield Problem(
                 "E504", f"read {value:g}, expected a {finite}number {least}{infinite}", (name,)
             )

@@ -1,4 +1,4 @@
-"""The tables of a clutch that is dumped."""
+"""Tables of clutch dumps."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 
-if TYPE_CHECKING:  # it needs scipy, which a file of numbers does not
+if TYPE_CHECKING:  # gear_dump needs scipy, which a file of numbers does not need
     from vstatics.torsion.clutch.gear_dump import GearDump
 
 HAPPENS: Mapping[DumpCase, str] = {
@@ -22,38 +22,40 @@ HAPPENS: Mapping[DumpCase, str] = {
     "V2": "the clutch grabs and breaks away, then the wheels",
     "V3": "the clutch grabs, the wheels break away, then the clutch",
 }
+"""Courses of the cases of a dump, as in titles."""
 
 
-def grids(made: DumpTorque) -> Iterator[Grid]:
-    """The largest torques, and what is to be known of them.
+def grids(result: DumpTorque) -> Iterator[Grid]:
+    """Yield a table of the largest torques, and a table of messages.
 
-    Units are those of what is given: it may be in relative ones.
+    Torques and speeds are in the units of `M_C0` and `omega1`, which can be relative units.
     """
     torques = {
-        "largest torque": made.max_torque,
-        "largest torque, simplified": made.max_torque_simplified,
-        "at the input shaft": made.input_shaft_torque,
-        "at the input shaft, simplified": made.input_shaft_torque_simplified,
-        "the clutch breaks away at": made.clutch_breaks_at,
-        "the wheels break away at": made.tyres_break_at,
+        "largest torque": result.max_torque,
+        "largest torque, simplified": result.max_torque_simplified,
+        "at the input shaft": result.input_shaft_torque,
+        "at the input shaft, simplified": result.input_shaft_torque_simplified,
+        "the clutch breaks away at": result.clutch_breaks_at,
+        "the wheels break away at": result.tyres_break_at,
     }
     rows = [
-        ("case", made.case, ""),
+        ("case", result.case, ""),
         *((name, torque, "as M_C0") for name, torque in torques.items()),
-        ("the clutch grabs below a speed of", made.grabs_below, "as omega1"),
-        ("dynamic factor", made.dynamic_factor, "-"),
-        ("dynamic factor of the least", made.dynamic_factor_of_least, "-"),
-        ("grip ratio", made.grip_ratio, "-"),
+        ("the clutch grabs below a speed of", result.grabs_below, "as omega1"),
+        ("dynamic factor", result.dynamic_factor, "-"),
+        ("dynamic factor of the least", result.dynamic_factor_of_least, "-"),
+        ("grip ratio", result.grip_ratio, "-"),
     ]
-    if made.engagement is not None:
-        name = f"dynamic factor, engaged at a rate of {made.engagement.rate:g}"
-        rows.append((name, made.engagement.factor, "-"))
-    yield grid_of(f"Clutch dump: {HAPPENS[made.case]}", ["", "value", "unit"], rows, key="dump")
-    if made.messages:
-        yield grid_of("Messages", [""], ([str(one)] for one in made.messages), key="messages")
+    if result.engagement is not None:
+        name = f"dynamic factor, engaged at a rate of {result.engagement.rate:g}"
+        rows.append((name, result.engagement.factor, "-"))
+    yield grid_of(f"Clutch dump: {HAPPENS[result.case]}", ["", "value", "unit"], rows, key="dump")
+    if result.messages:
+        messages = ([str(message)] for message in result.messages)
+        yield grid_of("Messages", [""], messages, key="messages")
 
 
-_UNITS = {
+_UNITS_OF_GIVEN = {
     **dict.fromkeys(("J1", "J2", "J3", "J4", "J5"), "kg*m^2"),
     "E": "rad/(N*m)",
     "M_C0": "N*m",
@@ -61,8 +63,7 @@ _UNITS = {
     "omega1": "rad/s",
 }
 
-
-_TORQUES = {
+_LABELS = {
     "max_torque": "largest torque [N*m]",
     "max_torque_simplified": "largest torque, simplified [N*m]",
     "input_shaft_torque": "at the input shaft [N*m]",
@@ -77,7 +78,7 @@ _TORQUES = {
 
 
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
-    """As `grids`, then what was reduced; of a gear that failed, why."""
+    """Yield the tables of `grids` and of reduced values, or the reason why a gear failed."""
     if gear.made is not None:
         yield from grids(gear.made)
     yield from _reduced([gear])
@@ -85,7 +86,7 @@ def gear_grids(gear: GearDump) -> Iterator[Grid]:
 
 
 def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
-    """The largest torques by gears, what was reduced, what is to be known.
+    """Yield tables of the largest torques, the reduced values and the messages of all gears.
 
     Examples
     --------
@@ -98,28 +99,31 @@ def gears_grids(gears: Sequence[GearDump]) -> Iterator[Grid]:
     Clutch dump, on propshaft ['case', 'A3']
     Reduced to propshaft ['J1 [kg*m^2]', '1.913']
     """
-    made = [(gear.name, gear.made) for gear in gears if gear.made is not None]
-    rows: list[Values] = [("case", *(one.case for _, one in made))]
-    rows += [(told, *(getattr(one, name) for _, one in made)) for name, told in _TORQUES.items()]
-    if any(one.engagement for _, one in made):
-        factors = [one.engagement.factor if one.engagement else None for _, one in made]
+    results = [(gear.name, gear.made) for gear in gears if gear.made is not None]
+    rows: list[Values] = [("case", *(torque.case for _, torque in results))]
+    rows += [
+        (label, *(getattr(torque, name) for _, torque in results))
+        for name, label in _LABELS.items()
+    ]
+    if any(torque.engagement for _, torque in results):
+        engagements = [torque.engagement for _, torque in results]
+        factors = [engagement.factor if engagement else None for engagement in engagements]
         rows.append(("dynamic factor, engaged at the rate", *factors))
-    names = (name for name, _ in made)
+    names = (name for name, _ in results)
     yield grid_of(f"Clutch dump, on {gears[0].to}", ["gear", *names], rows, key="dump")
     yield from _reduced(gears)
-    messages = [(name, str(message)) for name, one in made for message in one.messages]
+    messages = [(name, str(message)) for name, torque in results for message in torque.messages]
     if messages:
         yield grid_of("Messages", ["gear", ""], messages, key="messages")
     yield from _failed(gears)
 
 
 def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
-    """What was reduced, a column for each gear."""
     given = [(gear.name, gear.given) for gear in gears if gear.given is not None]
     if given:
         rows = (
-            (f"{name} [{unit}]", *(getattr(one, name) for _, one in given))
-            for name, unit in _UNITS.items()
+            (f"{name} [{unit}]", *(getattr(dump, name) for _, dump in given))
+            for name, unit in _UNITS_OF_GIVEN.items()
         )
         headings = ["gear", *(name for name, _ in given)]
         yield grid_of(f"Reduced to {gears[0].to}", headings, rows, key="reduced")

@@ -1,5 +1,5 @@
-"""Forced vibration of a gear: what torques over the speed of an engine do to it.
+"""Forced vibration of a gear under periodic torques, over the speed of a link such as the engine.
 
-`torque_table` reads a torque as orders with amplitudes and phases, `harmonic_torques` has the
-response to each, `cycle` all orders together; `tables` has the tables.
+`torque_table` reads a torque as orders with amplitudes and phases. `harmonic_torques` calculates
+the response to each order, and `cycle` combines all orders. `tables` has the tables.
 """

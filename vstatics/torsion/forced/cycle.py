@@ -1,4 +1,4 @@
-"""Several orders together: the largest value over a cycle, and the root of the mean square."""
+"""Sum of several orders: the largest value over a cycle, and the root mean square."""
 
 from __future__ import annotations
 
@@ -13,37 +13,37 @@ from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720
-"""Revolutions of a cycle; orders that have no such cycle in common meet in every phase."""
+"""Longest cycle, in revolutions; without a common cycle, orders meet in every phase."""
 POINTS_PER_PERIOD = 32
-"""By period of the highest order, from where the largest value is found by Newton's rule."""
+"""Starting points of Newton's method for the largest value, per period of the highest order."""
 MOST_POINTS = 1_000_000
-"""Orders that need more, far apart from each other, meet in every phase, too."""
+"""Largest number of starting points; orders that need more are assumed to meet in every phase."""
 
 
 class Sum(NamedTuple):
-    """All orders together, of one link or device at each speed, or of several."""
+    """Sum of all orders at each speed."""
 
     largest: Floats
-    """Over a cycle."""
+    """Largest value over a cycle, with speeds along the last axis."""
     rms: Floats
-    """Root of the mean square over a cycle."""
+    """Root mean square over a cycle, with speeds along the last axis."""
 
 
 def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
-    """The sum of harmonics ``Re(a exp(i order angle))``.
+    """Sum harmonics ``Re(a exp(i order angle))``.
 
     Parameters
     ----------
     orders : sequence of float
     amplitudes : sequence of ndarray, shape (..., speeds)
-        Complex, one of each order.
+        Complex amplitudes a of each order.
 
     Examples
     --------
-    ``cos x + cos 2x`` is at most 2, its mean square is 1.
+    The sum ``cos x + cos 2x`` is at most 2, and its mean square is 1.
 
-    >>> one = np.ones(1, complex)
-    >>> largest, rms = summed([1.0, 2.0], [one, one])
+    >>> amplitude = np.ones(1, complex)
+    >>> largest, rms = summed([1.0, 2.0], [amplitude, amplitude])
     >>> round(float(largest[0]), 9), float(rms[0])
     (2.0, 1.0)
     """
@@ -63,7 +63,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 
 def _cycle(orders: Sequence[float]) -> float | None:
-    """Revolutions until all orders are as before; None if it takes too long."""
+    """Return the revolutions of the common cycle of all orders, unless the cycle is too long."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > SAME_ORDER * order
@@ -77,7 +77,7 @@ def _cycle(orders: Sequence[float]) -> float | None:
 
 
 def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
-    """The largest absolute value over a cycle, of each column of amplitudes."""
+    """Return the largest absolute value over a cycle, for each column of amplitudes."""
     waves = np.exp(turning[:, None] * angles)
     highest = np.empty(amplitudes.shape[1])
     angle = np.empty((amplitudes.shape[1], 4))
@@ -85,7 +85,7 @@ def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
         values = np.abs((column[:, None] * waves).sum(axis=0).real)
         highest[number], angle[number] = values.max(), angles[np.argsort(values)[-4:]]
     amplitudes, turning = amplitudes[:, :, None], turning[:, None, None]
-    for _ in range(8):  # to the top of each of the highest points
+    for _ in range(8):  # Newton's method, from the four highest points of each column
         terms = amplitudes * np.exp(turning * angle)
         slope = (turning * terms).sum(axis=0).real
         bend = (turning**2 * terms).sum(axis=0).real

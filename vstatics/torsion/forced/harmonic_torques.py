@@ -26,25 +26,25 @@ from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes
 from vstatics.torsion.vibration.torques import balance, own_torques, with_rigid
 
-ENTRIES = 1_000_000
-"""Of the matrices that are solved at once."""
+MOST_ENTRIES = 1_000_000
+"""Largest number of matrix entries in a batch of linear systems."""
 
 
 class Harmonic(NamedTuple):
-    """A part of the torque that excites.
+    """Harmonic of the exciting torque.
 
     Attributes
     ----------
     order : float
-        Its frequency by that of a revolution of the link that it acts on. [-]
+        Number of periods per revolution of the excited link. [-]
     amplitude : float
-        [N*m]
+        Amplitude of the torque. [N*m]
     phase : float
-        [rad]
+        Phase of the torque. [rad]
 
     Examples
     --------
-    The firing order of four cylinders:
+    Firing order of a four-cylinder engine:
 
     >>> Harmonic(order=2.0, amplitude=150.0)
     Harmonic(order=2.0, amplitude=150.0, phase=0.0)
@@ -56,15 +56,15 @@ class Harmonic(NamedTuple):
 
 
 class OrderResponse(NamedTuple):
-    """The response to one order; arrays of shape (speeds,), complex, NaN where there is none.
+    """Response to an order, as complex arrays of shape (speeds,), with NaN for undefined values.
 
     Attributes
     ----------
     order : float
     amplitudes : mapping
-        Of the case's own links. [rad]
+        Amplitudes of the links of the case. [rad]
     torques : mapping
-        On the first links of devices, by the rows of `torques` in results. [N*m]
+        Torques on the first links of devices, with the keys of `torques` in results. [N*m]
     """
 
     order: float
@@ -73,21 +73,21 @@ class OrderResponse(NamedTuple):
 
 
 class Resonance(NamedTuple):
-    """A speed at which an order meets a natural frequency that it can excite."""
+    """Speed at which an order excites a mode at the natural frequency."""
 
     order: float
     mode: int
-    """Its number from 1, as in `modes`."""
+    """Number of the mode, from 1, as in `modes`."""
     speed: float
-    """[rpm]"""
+    """Speed of the excited link. [rpm]"""
     participation: float
-    """Amplitude of the link that is excited, by the largest of the mode. [-]"""
+    """Amplitude of the excited link, relative to the largest amplitude of the mode. [-]"""
     damped: bool = True
-    """Whether anything takes energy from the mode; if not, there is no bound at this speed."""
+    """True if the mode is damped; the response of an undamped mode is unbounded."""
 
 
 class SummedResponse(NamedTuple):
-    """All orders together, by the names of `OrderResponse`."""
+    """Sums of all orders, with the keys of `OrderResponse`."""
 
     amplitudes: Mapping[str, Sum]
     torques: Mapping[str, Sum]
@@ -95,28 +95,28 @@ class SummedResponse(NamedTuple):
 
 @json_keys("name", "speeds", "orders", "sum", "resonances", "converters", "error")
 class GearResponse(NamedTuple):
-    """The response of a gear."""
+    """Response of a gear."""
 
     name: str
     speeds: Floats
-    """Those that were asked for, and between them resonances of modes that are damped. [rpm]"""
+    """Given speeds, and resonances of damped modes between the given speeds. [rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
     error: Failure = ""
     sum: Sometimes[SummedResponse] = None
-    """If it was asked for."""
+    """Sum of all orders, if requested."""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
-    """About their working points."""
+    """Converters by name, linearised at working points."""
 
     def with_sum(self) -> GearResponse:
-        """The same with all orders together."""
-        orders = [one.order for one in self.orders]
+        """Return the response with the sum of all orders."""
+        orders = [response.order for response in self.orders]
 
         def total(by_order: Sequence[Mapping[str, Complex]]) -> dict[str, Sum]:
-            sums = summed(orders, [np.array([*one.values()]) for one in by_order])
+            sums = summed(orders, [np.array([*by_name.values()]) for by_name in by_order])
             return dict(zip(by_order[0], map(Sum, *sums), strict=True))
 
-        parts = [one.amplitudes for one in self.orders], [one.torques for one in self.orders]
+        parts = [r.amplitudes for r in self.orders], [r.torques for r in self.orders]
         return self._replace(sum=SummedResponse(*map(total, parts))) if orders else self
 
 
@@ -130,10 +130,10 @@ def response(  # noqa: PLR0913 - all but the first by name
     *,
     speed_ratios: Ratios = MappingProxyType({}),
 ) -> list[GearResponse]:
-    """The forced vibration of the gears of a case.
+    """Calculate the forced vibration of the gears of a case.
 
-    ``(K + i omega D - omega^2 M) q = Q``; a loss factor adds ``i loss_factor K``, at any
-    frequency.
+    The equation is ``(K + i omega D - omega^2 M) q = Q``; a loss factor adds ``i loss_factor K``,
+    at any frequency.
 
     Parameters
     ----------
@@ -142,27 +142,27 @@ def response(  # noqa: PLR0913 - all but the first by name
         Number or name of the link on which the torque acts.
     harmonics : sequence of Harmonic
     speeds : array_like
-        Of the link `at`; resonances between them of modes that are damped are added. [rpm]
+        Speeds of the link `at`. Resonances of damped modes between these speeds are added. [rpm]
     gears : sequence of int or str, optional
-        Numbers from 1 or names; all gears when not given.
+        Numbers (from 1) or names of gears. By default all gears.
     speed_ratios : mapping of str to float, optional
-        Of converters, in place of those of the gears. [-]
+        Speed ratios of converters, instead of those of the gears. [-]
 
     Returns
     -------
     list of GearResponse
-        Of each order complex amplitudes of links [rad] and torques of devices [N*m]; resonances.
+        Complex amplitudes of links [rad] and torques of devices [N*m] for each order, resonances.
 
     Raises
     ------
     ValueError
-        If there is no such link, gear or converter.
+        If a link, gear or converter does not exist.
     CaseError
-        If the link moves straight.
+        If the link `at` does not rotate but moves along a line.
 
     Examples
     --------
-    A mass of 2 kg*m^2 on 200 N*m/rad at omega = 8 rad/s: ``1/|200 - 2*64|`` rad.
+    A mass of 2 kg*m^2 on 200 N*m/rad has the amplitude ``1/|200 - 2*64|`` rad at omega = 8 rad/s:
 
     >>> from vstatics import Spring, Transmission
     >>> spring = Spring({1: 1}, stiffness=200.0, name="mount")
@@ -171,13 +171,13 @@ def response(  # noqa: PLR0913 - all but the first by name
     >>> abs(gear.orders[0].amplitudes["1"]).round(6), gear.resonances
     (array([0.013889]), [])
     """
-    asked = asked_gears(case, gears)
+    chosen = asked_gears(case, gears)
     if (number := case.link_number(at)) in case.masses:
         message = f"link {at} moves straight, so it has no revolutions: expected a link that turns"
         raise CaseError("E547", message, ("masses", number))
     link, given = number - 1, np.asarray(speeds, dtype=np.float64)
-    working = [working_gear(case, gear, speed_ratios) for gear in asked]
-    return [_gear_response(one, link, harmonics, given) for one in working]
+    working = [working_gear(case, gear, speed_ratios) for gear in chosen]
+    return [_gear_response(gear, link, harmonics, given) for gear in working]
 
 
 def _gear_response(
@@ -192,30 +192,30 @@ def _gear_response(
         return GearResponse(gear.name, speeds, error=error)
     natural = natural_modes(system, split)
     undamped = _are_undamped(system, natural)
-    largest = np.abs(natural.shapes[: system.own]).max(axis=0)
+    largest = np.abs(natural.shapes[: system.case_links]).max(axis=0)
     parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
     resonances = [
-        one._replace(damped=not undamped[one.mode - 1])
-        for one in _resonances(natural.omegas, parts, harmonics, speeds)
+        resonance._replace(damped=not undamped[resonance.mode - 1])
+        for resonance in _resonances(natural.omegas, parts, harmonics, speeds)
     ]
-    speeds = _with_peaks(speeds, [one.speed for one in resonances if one.damped])
-    found = []
-    for one in harmonics:
-        with np.errstate(over="ignore", invalid="ignore"):  # of absurd speeds: there is no value
-            excited = one.order * RAD_PER_RPM * speeds
-            amplitudes = _amplitudes(system, split, at, excited, natural.omegas[undamped])
-            amplitudes *= one.amplitude * np.exp(1j * one.phase)
-            by_device = _torques(system, at, excited, amplitudes, one)
-            named = own_torques(case, system, by_device, amplitudes * excited**2)
+    speeds = _with_peaks(speeds, [resonance.speed for resonance in resonances if resonance.damped])
+    orders = []
+    for harmonic in harmonics:
+        with np.errstate(over="ignore", invalid="ignore"):  # absurd speeds give NaN
+            omegas = harmonic.order * RAD_PER_RPM * speeds
+            amplitudes = _amplitudes(system, split, at, omegas, natural.omegas[undamped])
+            amplitudes *= harmonic.amplitude * np.exp(1j * harmonic.phase)
+            by_device = _torques(system, at, omegas, amplitudes, harmonic)
+            named = own_torques(case, system, by_device, amplitudes * omegas**2)
         amplitudes[split.undetermined] = np.nan
-        links = dict(zip(system.names[: system.own], amplitudes, strict=False))
-        found.append(OrderResponse(one.order, links, named))
-    by_name = {one.name: one for one in converters}
-    return GearResponse(gear.name, speeds, found, resonances, converters=by_name)
+        links = dict(zip(system.names[: system.case_links], amplitudes, strict=False))
+        orders.append(OrderResponse(harmonic.order, links, named))
+    by_name = {converter.name: converter for converter in converters}
+    return GearResponse(gear.name, speeds, orders, resonances, converters=by_name)
 
 
 def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
-    """Why nothing can excite a link, by its index, if so."""
+    """Return the reason why the link with an index cannot be excited, or an empty text."""
     excitable = ~split.undetermined & split.free.any(axis=1)
     if excitable[at]:
         return ""
@@ -226,7 +226,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Of each mode, whether nothing takes energy from it."""
+    """Return a mask of the modes that no damping takes energy from."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
@@ -243,53 +243,53 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
 def _resonances(
     omegas: Floats, parts: Floats, harmonics: Sequence[Harmonic], speeds: Floats
 ) -> list[Resonance]:
-    """Where natural frequencies that are excited are met within the range of speeds."""
+    """List resonances of excited modes within the range of speeds."""
     low, high = speeds.min(initial=math.inf), speeds.max(initial=-math.inf)
-    met = [
-        Resonance(one.order, mode, omega / one.order / RAD_PER_RPM, part)
-        for one in harmonics
+    resonances = [
+        Resonance(harmonic.order, mode, omega / harmonic.order / RAD_PER_RPM, part)
+        for harmonic in harmonics
         for mode, (omega, part) in enumerate(zip(omegas.tolist(), parts.tolist(), strict=True), 1)
         if part > LEAST_PARTICIPATION
     ]
-    return [one for one in met if low * (1 - NO_POWER) <= one.speed <= high * (1 + NO_POWER)]
+    return [r for r in resonances if low * (1 - NO_POWER) <= r.speed <= high * (1 + NO_POWER)]
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
-    """Speeds in their order, and each peak between two of them."""
+    """Insert each peak between two given speeds, whose order is preserved."""
     places: list[int] = []
-    met: list[float] = []
+    inserted: list[float] = []
     for speed in set(peaks):
         if not (np.abs(speeds - speed) <= NO_POWER * speed).any():
             between = np.flatnonzero((speeds[:-1] < speed) != (speeds[1:] < speed)).tolist()
             places += between
-            met += [speed] * len(between)
+            inserted += [speed] * len(between)
     rises = np.sign(np.diff(speeds))[places]
-    order = np.lexsort((np.array(met) * rises, np.array(places)))
-    return np.insert(speeds, np.array(places, int)[order] + 1, np.array(met)[order])
+    order = np.lexsort((np.array(inserted) * rises, np.array(places)))
+    return np.insert(speeds, np.array(places, int)[order] + 1, np.array(inserted)[order])
 
 
 def _amplitudes(
-    system: TorsionalSystem, split: Coordinates, at: int, excited: Floats, undamped: Floats
+    system: TorsionalSystem, split: Coordinates, at: int, omegas: Floats, undamped: Floats
 ) -> Complex:
-    """Of all links under 1 N*m, of shape (links, speeds) [rad].
+    """Calculate the amplitudes of all links under 1 N*m, shape (links, speeds) [rad].
 
-    There is none where an undamped mode is hit, or all turn as one at a speed of 0.
+    Amplitudes are NaN at the frequency of an undamped mode, and at 0 if rigid motions exist.
     """
-    hit = np.any(np.abs(excited[:, None] - undamped) <= NO_POWER * undamped, axis=1)
-    hit |= (excited == 0) & (split.rigid.shape[1] > 0)
-    asked = np.flatnonzero(~hit)
+    unbounded = np.any(np.abs(omegas[:, None] - undamped) <= NO_POWER * undamped, axis=1)
+    unbounded |= (omegas == 0) & (split.rigid.shape[1] > 0)
+    bounded = np.flatnonzero(~unbounded)
     matrices = _matrices(system, split.free)
-    found = np.full((len(system.names), len(excited)), np.nan, complex)
-    pieces = math.ceil(len(asked) * split.free.shape[1] ** 2 / ENTRIES)
-    for part in np.array_split(asked, max(1, pieces)):
-        found[:, part] = split.free @ _solved(matrices, split.free[at], excited[part]).T
-    return found
+    amplitudes = np.full((len(system.names), len(omegas)), np.nan, complex)
+    batches = math.ceil(len(bounded) * split.free.shape[1] ** 2 / MOST_ENTRIES)
+    for batch in np.array_split(bounded, max(1, batches)):
+        amplitudes[:, batch] = split.free @ _solved(matrices, split.free[at], omegas[batch]).T
+    return amplitudes
 
 
 def _solved(
     matrices: tuple[Floats, Floats, Floats, Floats], forces: Floats, omegas: Floats
 ) -> Complex:
-    """Amplitudes of free motions, of shape (speeds, motions)."""
+    """Solve for the amplitudes of free motions, shape (speeds, motions)."""
     mass, stiffness, resistance, hysteresis = matrices
     omega = omegas[:, None, None]
     dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
@@ -299,7 +299,7 @@ def _solved(
     forced = (forces * scale)[:, :, None].astype(complex)
     try:
         solved: Complex = np.linalg.solve(scaled, forced)
-    except np.linalg.LinAlgError:  # one of them is singular
+    except np.linalg.LinAlgError:  # at least one of the matrices is singular
         if len(omegas) == 1:
             return np.full(scale.shape, np.nan, complex)
         each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
@@ -308,7 +308,7 @@ def _solved(
 
 
 def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """M, K, D and the part of K that is lost by loss factors, by free motions."""
+    """Return M, K, D and K times the loss factors, in terms of free motions."""
     bodies, twists = system.speeds @ free, system.twists @ free
     rates = system.rates
     viscous = np.array([device.damping.viscous for device in system.elastic])
@@ -322,29 +322,29 @@ def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Fl
 
 
 def _torques(
-    system: TorsionalSystem, at: int, excited: Floats, amplitudes: Complex, given: Harmonic
+    system: TorsionalSystem, at: int, omegas: Floats, amplitudes: Complex, harmonic: Harmonic
 ) -> dict[str, Complex]:
-    """On the first links of devices, of shape (speeds,) each [N*m]."""
-    acting = np.asarray(system.link_inertias)[:, None] * amplitudes * excited**2
-    acting[at] += given.amplitude * np.exp(1j * given.phase)
+    """Calculate the torques on the first links of devices, shape (speeds,) [N*m]."""
+    acting = np.asarray(system.link_inertias)[:, None] * amplitudes * omegas**2
+    acting[at] += harmonic.amplitude * np.exp(1j * harmonic.phase)
     elastic: dict[str, Complex] = {}
     for device in system.elastic:
-        own, rate = device.damping, device.rate
-        resisted = excited * own.viscous + np.sign(excited) * rate * own.loss_factor
+        damping, rate = device.damping, device.rate
+        resisted = omegas * damping.viscous + np.sign(omegas) * rate * damping.loss_factor
         elastic[device.name] = (rate + 1j * resisted) * form_values(device.twist, amplitudes)
-    slipping = 1j * excited * (system.slip_resistance @ amplitudes)
-    found = with_rigid(system, balance(system), acting - slipping, elastic)
-    found |= {
-        damper.name: 1j * excited * damper.damping.viscous * form_values(damper.twist, amplitudes)
+    slipping = 1j * omegas * (system.slip_resistance @ amplitudes)
+    torques = with_rigid(system, balance(system), acting - slipping, elastic)
+    torques |= {
+        damper.name: 1j * omegas * damper.damping.viscous * form_values(damper.twist, amplitudes)
         for damper in system.dampers
     }
-    return found | {
-        one.name: _pump_torque(one, 1j * excited * amplitudes) for one in system.converters
+    return torques | {
+        converter.name: _pump_torque_change(converter, 1j * omegas * amplitudes)
+        for converter in system.converters
     }
 
 
-def _pump_torque(converter: WorkingConverter, speeds: Complex) -> Complex:
-    """What the pump takes beyond its torque at the working point [N*m]."""
+def _pump_torque_change(converter: WorkingConverter, speeds: Complex) -> Complex:
     torque: Complex = (
         converter.A1 * speeds[converter.pump] + converter.A2 * speeds[converter.turbine]
     )

@@ -1,4 +1,4 @@
-"""Forced vibration as tables: what is largest, for people, or every speed, for programs."""
+"""Tables of forced vibration: largest values for readers, or all speeds for programs."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ _TITLES = ("amplitudes of links [rad]", "torques of devices [N*m]")
 
 
 def largest_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """Resonances, and the largest amplitudes and torques over the speeds, with their speed.
+    """Yield tables of resonances, largest amplitudes and largest torques.
 
     Examples
     --------
-    >>> one = GearResponse("1", np.array([600.0]))
-    >>> [grid.title for grid in largest_grids([one])]
+    >>> gear = GearResponse("1", np.array([600.0]))
+    >>> [grid.title for grid in largest_grids([gear])]
     ['Resonances: none at these speeds']
     """
     yield _resonances(gears)
     yield from _faults(gears)
     for gear in gears:
         for title, by_name in _quantities(gear):
-            orders = [f"{one.order:g}" for one in gear.orders]
-            columns = [part for one in orders for part in (f"order {one}", f"{one} at [rpm]")]
+            orders = [f"{response.order:g}" for response in gear.orders]
+            columns = [part for order in orders for part in (f"order {order}", f"{order} at [rpm]")]
             rows: list[Values] = []
             for name in by_name[0] if by_name else ():
-                cells = [_largest(gear.speeds, one[name]) for one in by_name]
+                cells = [_largest(gear.speeds, values[name]) for values in by_name]
                 rows.append((name, *(cell for pair in cells for cell in pair)))
             if rows:
                 yield grid_of(f"Gear {gear.name}: largest {title}", ["name", *columns], rows)
 
 
 def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """A line for each speed, a column for each link or device, order by order."""
+    """Yield tables for each order, with a row for each speed, and a column for each name."""
     yield _resonances(gears)
     yield from _faults(gears)
     for gear in gears:
@@ -46,43 +46,42 @@ def speed_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
             for order, values in zip(gear.orders, by_name, strict=True):
                 sizes = np.abs(np.array([gear.speeds, *values.values()]))
                 name = f"Gear {gear.name}, order {order.order:g}: {title}"
-                made = grid_of(name, ["speed [rpm]", *values], sizes.T.tolist())
-                yield made._replace(group=title.partition(" [")[0])
+                grid = grid_of(name, ["speed [rpm]", *values], sizes.T.tolist())
+                yield grid._replace(group=title.partition(" [")[0])
 
 
 _ROW_HEADINGS = ("gear", "order", "mode", "speed", "row", "value")
 
 
 def row_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """All of it in one table of CSV, a line for each value: `speed` is in rpm.
+    """Yield a single CSV table with a row for each value, where `speed` is in rpm.
 
     Examples
     --------
     >>> from vstatics.torsion.forced.harmonic_torques import Resonance
-    >>> one = GearResponse("1", np.array([600.0]), resonances=[Resonance(2.0, 1, 610.0, 0.5)])
-    >>> [(grid.key, grid.data) for grid in row_grids([one])]
+    >>> gear = GearResponse("1", np.array([600.0]), resonances=[Resonance(2.0, 1, 610.0, 0.5)])
+    >>> [(grid.key, grid.data) for grid in row_grids([gear])]
     [('resonance', [['1', 2.0, 1, None, None, 610.0]])]
     """
-    met = [
-        (gear.name, one.order, one.mode, "", "", one.speed)
+    resonances = [
+        (gear.name, resonance.order, resonance.mode, "", "", resonance.speed)
         for gear in gears
-        for one in gear.resonances
+        for resonance in gear.resonances
     ]
-    yield grid_of("resonance", _ROW_HEADINGS, met, key="resonance")
+    yield grid_of("resonance", _ROW_HEADINGS, resonances, key="resonance")
     for gear in gears:
         for order in gear.orders:
             for key, by_name in (("amplitude", order.amplitudes), ("torque", order.torques)):
                 yield _rows(key, gear, order.order, by_name)
         for key, sums in zip(("amplitude", "torque"), gear.sum or (), strict=False):
             for part in ("largest", "rms"):
-                by_name = {name: getattr(one, part) for name, one in sums.items()}
+                by_name = {name: getattr(total, part) for name, total in sums.items()}
                 yield _rows(f"{key} {part}", gear, "", by_name)
 
 
 def _rows(
     key: str, gear: GearResponse, order: float | str, by_name: Mapping[str, Floats | Complex]
 ) -> Grid:
-    """The values of all links or devices at all speeds."""
     rows: list[Values] = [
         (gear.name, order, "", speed, name, size)
         for name, values in by_name.items()
@@ -94,8 +93,8 @@ def _rows(
 def _quantities(
     gear: GearResponse,
 ) -> Iterator[tuple[str, Sequence[Mapping[str, Complex]]]]:
-    yield _TITLES[0], [one.amplitudes for one in gear.orders]
-    yield _TITLES[1], [one.torques for one in gear.orders]
+    yield _TITLES[0], [order.amplitudes for order in gear.orders]
+    yield _TITLES[1], [order.torques for order in gear.orders]
 
 
 def _largest(speeds: Floats, values: Floats | Complex) -> tuple[Cell, Cell]:
@@ -110,13 +109,13 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
         [
             gear.name,
-            Cell(f"{one.order:g}", one.order, kind=float),  # as people write it: 2, 4.5
-            whole(one.mode),
-            exact(one.speed, 1),
-            exact(one.participation),
+            Cell(f"{resonance.order:g}", resonance.order, kind=float),  # as usual: 2, 4.5
+            whole(resonance.mode),
+            exact(resonance.speed, 1),
+            exact(resonance.participation),
         ]
         for gear in gears
-        for one in gear.resonances
+        for resonance in gear.resonances
     ]
     columns = [text("gear"), *map(Column, ("order", "mode", "speed [rpm]", "participation"))]
     title = "Resonances" if rows else "Resonances: none at these speeds"
@@ -124,21 +123,20 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """All orders together: the largest over the speeds of the largest over a cycle, and of RMS."""
+    """Yield tables of the sums of all orders, with the largest values over the speeds."""
     for gear in gears:
         headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
         for title, by_name in zip(_TITLES, gear.sum or (), strict=False):
             rows = [
-                (name, *_largest(gear.speeds, one.largest), *_largest(gear.speeds, one.rms))
-                for name, one in by_name.items()
+                (name, *_largest(gear.speeds, total.largest), *_largest(gear.speeds, total.rms))
+                for name, total in by_name.items()
             ]
             if rows:
-                made = grid_of(f"Gear {gear.name}, all orders: {title}", headings, rows)
-                yield made._replace(group=f"all orders, {title.partition(' of ')[0]}")
+                grid = grid_of(f"Gear {gear.name}, all orders: {title}", headings, rows)
+                yield grid._replace(group=f"all orders, {title.partition(' of ')[0]}")
 
 
 def _faults(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """Why gears have no response."""
     rows = [(gear.name, gear.error) for gear in gears if gear.error]
     if rows:
         yield grid_of("Notes", ["gear", "note"], rows, key="notes")

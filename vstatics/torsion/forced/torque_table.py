@@ -1,4 +1,4 @@
-"""A table of the torque that excites: orders with amplitudes and phases, as CSV."""
+"""Table of an exciting torque in CSV: orders with amplitudes and phases."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ MOST_ORDERS = 1000
 
 
 def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
-    """The harmonics of a torque.
+    """Read the harmonics of a torque.
 
     Parameters
     ----------
     data : bytes
-        A line of headings, `order`, `amplitude` [N*m] and perhaps `phase` [rad], with other units
-        in brackets behind them, then a line for each order.
+        Line of headings, `order`, `amplitude` [N*m] and optionally `phase` [rad], then a line for
+        each order. Headings can be followed by other units in brackets.
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the table is not valid, with all problems and their places.
 
     Examples
     --------
@@ -39,19 +39,19 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     table = read_unit_table(data, file, "a table of orders", COLUMNS, "E505")
     orders, amplitudes = table.numbers["order"], table.numbers["amplitude"]
     phases = table.numbers.get("phase", [0.0] * len(orders))
-    found: dict[float, Harmonic] = {}
+    harmonics: dict[float, Harmonic] = {}
     problems: list[Problem] = []
     for row, order in enumerate(orders[: MOST_ORDERS + 1]):
-        told = ""
+        fault = ""
         if order <= 0:
-            told = f"order: read {order:g}, expected a number above 0"
-        elif order in found:
-            told = f"order {order:g} is given twice"
+            fault = f"order: read {order:g}, expected a number above 0"
+        elif order in harmonics:
+            fault = f"order {order:g} is given twice"
         elif row == MOST_ORDERS:
-            told = f"more than {MOST_ORDERS} orders, expected at most so many"
-        if told:
-            problems.append(Problem("E505", told, (), table.place(row)))
-        found[order] = Harmonic(order, amplitudes[row], phases[row])
+            fault = f"more than {MOST_ORDERS} orders, expected at most so many"
+        if fault:
+            problems.append(Problem("E505", fault, (), table.place(row)))
+        harmonics[order] = Harmonic(order, amplitudes[row], phases[row])
     if problems:
         raise ReadError(problems)
-    return list(found.values())
+    return list(harmonics.values())

@@ -1,6 +1,5 @@
-"""Natural modes and frequencies, and what excites them.
+"""Pictures of natural modes, resonances and responses.
 
-`shown_modes` takes the modes of a gear or tells why there are none. `shapes` draws them over the
-links, `orders` where orders of a speed meet their frequencies, and the response. `dump` is the
-picture of a clutch that is dumped.
+`shown_modes` calculates the modes to draw. `shapes` draws modes over the links, and `orders` draws
+Campbell diagrams and responses over the speed. `dump` draws the torques of a clutch dump.
 """

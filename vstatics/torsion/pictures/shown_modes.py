@@ -1,4 +1,4 @@
-"""The natural modes that pictures show, and what they say where there are none."""
+"""Natural modes of pictures, and texts about gears without modes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
-    """The natural modes of gears by their numbers from 1, or of all.
+    """Calculate the natural modes of gears, by numbers from 1, or of all gears.
 
     Raises
     ------
@@ -33,18 +33,19 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
     require("torsion", "a picture of natural modes")
     from vstatics.torsion.vibration.gear_modes import modes
 
-    found = modes(results.case, list(gears) or None)
-    if not any(gear.modes for gear in found):
-        names = listed([gear.name for gear in found])
-        whose = f"gear {names} has" if len(found) == 1 else f"gears {names} have"
-        why = next((said for gear in found for said in (gear.error, *gear.warnings) if said), "")
-        because = f": {why}" if why else ""
-        raise CaseError("E412", f"{whose} no natural frequency{because}")
-    return found
+    modes_by_gear = modes(results.case, list(gears) or None)
+    if not any(gear.modes for gear in modes_by_gear):
+        names = listed([gear.name for gear in modes_by_gear])
+        subject = f"gear {names} has" if len(modes_by_gear) == 1 else f"gears {names} have"
+        reasons = (text for gear in modes_by_gear for text in (gear.error, *gear.warnings) if text)
+        reason = next(reasons, "")
+        because = f": {reason}" if reason else ""
+        raise CaseError("E412", f"{subject} no natural frequency{because}")
+    return modes_by_gear
 
 
 def why_none(gear: GearModes, style: Style) -> str:
-    """What stands in the place of the modes of a gear that has none."""
+    """Return the text that replaces the modes of a gear without modes."""
     for status in (TIED_UP, CONFLICT):
         if gear.error.startswith(status.english):
             return style.text(status.english)

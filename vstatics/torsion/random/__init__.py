@@ -1,6 +1,6 @@
-"""Random vibration of a gear: torques on a link, or its motion, by their spectrum.
+"""Random vibration of a gear under a torque or motion of a link that is given by its spectrum.
 
-`spectra` are what excites, `spectrum_file` reads them. `excited` is the gear with one input as a
-first order system, `variances` has what its motion comes to on the average, `random_vibration`
-tells it by the names of the case; `tables` has the tables.
+`spectra` has the spectra, and `spectrum_file` reads them. `excited` writes the gear with its input
+as a first-order system, and `variances` calculates variances of the motion. `random_vibration`
+returns results by the names of the case, and `tables` has the tables.
 """

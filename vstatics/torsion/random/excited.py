@@ -1,9 +1,10 @@
-"""A gear with one input as a first order system: ``x' = A x + b u``, angles ``C x + h u``.
+"""Gear with a single input u as a first-order system ``x' = A x + b u``, with angles ``C x + h u``.
 
-Coordinates are natural modes, rigid motions, and massless ones that creep; of those that follow in
-elastic balance the input moves some at once, ``h u``. A link that is moved takes with it, at once,
-what is rigid and what is massless and undamped, and no mass: by springs and dampers alone it acts
-on these. Rates of the input stand nowhere: ``x`` has moved by their part.
+The coordinates are natural modes, rigid motions and damped massless motions, which creep. Massless
+motions without damping are in elastic equilibrium, so that the input moves them immediately,
+``h u``. A link with a given motion carries rigidly connected links and undamped massless links
+along immediately; it acts on masses through springs and dampers only. The states are shifted so
+that the rate of the input does not appear.
 """
 
 from __future__ import annotations
@@ -24,19 +25,23 @@ from vstatics.torsion.vibration.natural import NaturalModes, natural_modes, weig
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """The system of states.
+    """First-order system of an excited gear.
+
+    The states are modal coordinates times natural frequencies, coordinates of massless motions,
+    then speeds of modes and of rigid motions.
 
     Attributes
     ----------
     matrix : ndarray, shape (states, states)
-        Massive coordinates by their frequencies, massless ones, speeds of massive ones.
+        Matrix A.
     input : ndarray, shape (states,)
+        Vector b.
     angles : ndarray, shape (links, states)
-        Of links without what rigid motions add.
+        Matrix C: angles of links without the contribution of rigid motions.
     drift : ndarray, shape (links, states)
         Speeds of links in rigid motions.
     at_once, drift_at_once : ndarray, shape (links,)
-        Angles of links, and speeds in rigid motions, by the input itself.
+        Direct effect of the input on angles of links, h, and on their speeds in rigid motions.
     """
 
     matrix: Floats
@@ -49,15 +54,16 @@ class FirstOrder:
 
 @dataclass(frozen=True)
 class ExcitedGear:
-    """A gear with a torque on a link, by its index, or with its motion given."""
+    """Gear that is excited by a torque on a link, or by a given motion of the link."""
 
     free: TorsionalSystem
     at: int
+    """Index of the excited link."""
     by_motion: bool = False
 
     @cached_property
     def system(self) -> TorsionalSystem:
-        """The system, the link held if its motion is given."""
+        """System in which a link with a given motion is held."""
         if not self.by_motion:
             return self.free
         held = TorsionalDevice("", {self.at: 1.0})
@@ -65,27 +71,27 @@ class ExcitedGear:
 
     @cached_property
     def natural(self) -> NaturalModes:
-        """Its natural modes."""
+        """Natural modes of the system."""
         return natural_modes(self.system, coordinates(self.system))
 
     @cached_property
     def lossy(self) -> bool:
-        """Whether there are loss factors."""
-        return any(one.damping.loss_factor for one in self.system.elastic)
+        """True if a device has a loss factor."""
+        return any(device.damping.loss_factor for device in self.system.elastic)
 
     @cached_property
     def links(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """M, K, D and what is lost of K, by links."""
+        """Matrices M, K, D and K times loss factors, in terms of the angles of links."""
         return self._matrices(self.free.twists, self.free.speeds, np.eye(len(self.free.names)))
 
     def _matrices(
         self, twists: Floats, speeds: Floats, angles: Floats
     ) -> tuple[Floats, Floats, Floats, Floats]:
-        """M, K, D and what is lost of K, by motions with these twists, speeds and angles."""
+        """Return M, K, D and K times loss factors for motions with given twists and speeds."""
         system = self.free
-        dampings = [one.damping for one in system.elastic]
-        viscous = np.array([one.viscous for one in dampings])
-        lost = system.rates * np.array([one.loss_factor for one in dampings])
+        dampings = [device.damping for device in system.elastic]
+        viscous = np.array([damping.viscous for damping in dampings])
+        lost = system.rates * np.array([damping.loss_factor for damping in dampings])
         stiffness, resistance, hysteresis = (
             twists.T @ (sizes[:, None] * twists) for sizes in (system.rates, viscous, lost)
         )
@@ -94,18 +100,24 @@ class ExcitedGear:
 
     @cached_property
     def unit(self) -> Floats:
-        """A motion of the links by 1 of the input: none by a torque."""
+        """Motion of the links for an input of 1, shape (links,); zero for a torque."""
         free = coordinates(self.free).free
-        moved = free[self.at]
-        return free @ (moved / (moved @ moved)) if self.by_motion else np.zeros(len(free))
+        row = free[self.at]
+        return free @ (row / (row @ row)) if self.by_motion else np.zeros(len(free))
 
     def answers(self, forms: Floats, omega: float) -> Complex:
-        """What forms of the angles of links are by the input at a frequency [rad/s].
+        """Return the frequency response of forms of the angles of links, shape (forms,).
+
+        Parameters
+        ----------
+        forms : ndarray, shape (forms, links)
+        omega : float
+            Frequency of the input. [rad/s]
 
         Raises
         ------
         LinAlgError
-            Where an undamped mode is hit.
+            At the frequency of an undamped mode.
         """
         mass, stiffness, resistance, hysteresis = self._by_basis
         resisted = omega * resistance + np.sign(omega) * hysteresis
@@ -113,30 +125,30 @@ class ExcitedGear:
         right = -dynamic[:-1, -1]
         if not self.by_motion:
             right = right + self._basis[self.at, :-1]
-        moved = np.append(np.linalg.solve(dynamic[:-1, :-1], right), 1.0)
-        return np.asarray(without_rounding(forms, self._basis) @ moved, np.complex128)
+        response = np.append(np.linalg.solve(dynamic[:-1, :-1], right), 1.0)
+        return np.asarray(without_rounding(forms, self._basis) @ response, np.complex128)
 
     @cached_property
     def _basis(self) -> Floats:
-        """Modes, rigid and massless motions, last the motion by 1 of the input."""
+        """Modes, rigid motions, massless motions, and last the motion for an input of 1."""
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
         return np.column_stack([*parts, self.unit])
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """The matrices of `links` by these."""
+        """Matrices of `links` in terms of the basis."""
         twists = without_rounding(self.free.twists, self._basis)
         return self._matrices(twists, self.free.speeds @ self._basis, self._basis)
 
     @cached_property
     def first_order(self) -> FirstOrder:
-        """The first order system; loss factors damp each mode as viscous damping at its omega."""
+        """First-order system, where loss factors act as equivalent viscous damping of each mode."""
         split = coordinates(self.system)
         mass, stiffness, _, _ = self.links
         viscous = [
-            one._replace(damping=one.damping._replace(loss_factor=0.0))
-            for one in self.system.devices
+            device._replace(damping=device.damping._replace(loss_factor=0.0))
+            for device in self.system.devices
         ]
         rows = resisting_rows(self.system._replace(devices=tuple(viscous)))
         slow, quiet = massless_parts(split, rows, weighted_twists(self.system))
@@ -170,7 +182,7 @@ class ExcitedGear:
     def _rates(
         self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """Rates of states by states, by the input, by its rate."""
+        """Return the rates of states per state, per input and per rate of the input."""
         _, stiffness, resistance, hysteresis = self.links
         omegas, light, heavy = self.natural.omegas, slow.shape[1], massive.shape[1]
         modes, size = len(omegas), len(omegas) + light + heavy
@@ -190,12 +202,12 @@ class ExcitedGear:
             by_input[creep] = rates @ (force - stiffness @ at_once)
             by_rate[creep] = -rates @ resistance @ at_once
             coupled = massive.T @ resistance @ slow
-            for made in (matrix, by_input, by_rate):
-                made[speed] -= coupled @ made[creep]
+            for array in (matrix, by_input, by_rate):
+                array[speed] -= coupled @ array[creep]
         return matrix, by_input, by_rate
 
 
 def without_rounding(left: Floats, right: Floats) -> Floats:
-    """A product of matrices, 0 where it is rounding."""
-    made = left @ right
-    return np.where(np.abs(made) > UNMOVED * (np.abs(left) @ np.abs(right)), made, 0.0)
+    """Multiply matrices, and replace sums that are only rounding errors by 0."""
+    product = left @ right
+    return np.where(np.abs(product) > UNMOVED * (np.abs(left) @ np.abs(right)), product, 0.0)

@@ -1,4 +1,4 @@
-"""Random vibration of the gears of a case, by names: deviations, crossings, life."""
+"""Random vibration of the gears of a case: standard deviations, crossings and life, by names."""
 
 from __future__ import annotations
 
@@ -28,57 +28,62 @@ from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_
 from vstatics.torsion.vibration.damped import damped_modes
 
 Excitation = Literal["torque", "motion"]
+"""Quantity that a spectrum describes: a torque on a link, or the motion of the link."""
 
 
 class RandomDevice(NamedTuple):
-    """An elastic device; NaN of what has no variance."""
+    """Random vibration of an elastic device, with NaN for quantities without a variance."""
 
     twist_rms: float
-    """[rad]"""
+    """Standard deviation of the twist. [rad]"""
     twist_rate_rms: float
-    """[rad/s]"""
+    """Standard deviation of the rate of twist. [rad/s]"""
     torque_rms: float
-    """Of spring and damper. [N*m]"""
+    """Standard deviation of the torque of spring and damper. [N*m]"""
     crossings: float
-    """Of the mean, upward. [1/s]"""
+    """Rate of upward crossings of the mean. [1/s]"""
     life: Sometimes[float] = None
-    """With a fatigue strength, under the torque of the spring; infinite: for ever. [s]"""
+    """Life of a device with a fatigue strength, under the torque of the spring. [s]
+
+    An infinite value means an unlimited life.
+    """
 
 
 class RandomLink(NamedTuple):
-    """A link; NaN of what has no variance."""
+    """Random vibration of a link, with NaN for quantities without a variance."""
 
     rms: float
-    """[rad]"""
+    """Standard deviation of the angle. [rad]"""
     velocity_rms: float
-    """[rad/s]"""
+    """Standard deviation of the velocity. [rad/s]"""
     acceleration_rms: float
-    """[rad/s^2]"""
+    """Standard deviation of the acceleration. [rad/s^2]"""
 
 
 class RandomSpectrum(NamedTuple):
-    """Spectra over omega."""
+    """Spectra of the input and of twists over the frequency."""
 
     omega: Floats
-    """[rad/s]"""
+    """Frequencies. [rad/s]"""
     input: Floats
+    """Spectrum of the input. [(N*m)^2*s/rad or rad^2*s/rad]"""
     devices: Mapping[str, Floats]
-    """Of twists. [rad^2*s/rad]"""
+    """Spectra of the twists of devices. [rad^2*s/rad]"""
 
 
 @json_keys("name", "devices", "links", "half_widths", "spectrum", "converters", "error")
 class GearRandom(NamedTuple):
-    """The random vibration of a gear."""
+    """Random vibration of a gear."""
 
     name: str
     devices: Mapping[str, RandomDevice] = MappingProxyType({})
     links: Mapping[str, RandomLink] = MappingProxyType({})
     half_widths: Sequence[float] = ()
-    """Of each mode, half the width of its peak of ``|H|^2`` at half its height, ``-Re s``. [1/s]"""
+    """Half widths at half height of the peaks of ``|H|^2`` of modes, equal to ``-Re s``. [1/s]"""
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
-    """About their working points."""
+    """Converters by name, linearised at working points."""
 
 
 @refusing()
@@ -92,39 +97,40 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     omegas: Sequence[float] | Floats | None = None,
     speed_ratios: Ratios = MappingProxyType({}),
 ) -> list[GearRandom]:
-    """The random vibration of the gears of a case.
+    """Calculate the random vibration of the gears of a case.
 
     Parameters
     ----------
     case : Transmission
     at : int or str
-        Number or name of the link that is excited.
+        Number or name of the excited link.
     spectrum : Spectrum
-        Of its torque [N*m], or of its angle [rad].
+        Two-sided spectrum of the torque [N*m] or of the angle [rad] of the link.
     gears : sequence of int or str, optional
-        Numbers from 1 or names; all gears when not given.
+        Numbers (from 1) or names of gears. By default all gears.
     by : {"torque", "motion"}
-        What the spectrum is of.
+        Quantity that the spectrum describes.
     omegas : array_like, optional
-        Where spectra are asked for. [rad/s]
+        Frequencies at which spectra are returned. [rad/s]
     speed_ratios : mapping of str to float, optional
-        Of converters, in place of those of the gears. [-]
+        Speed ratios of converters, instead of those of the gears. [-]
 
     Returns
     -------
     list of GearRandom
-        Standard deviations of torques [N*m], twists [rad] and others, the life of devices.
+        Standard deviations of torques [N*m], twists [rad] and motions of links, life of devices.
 
     Raises
     ------
     ValueError
-        If there is no such link, gear or converter.
+        If a link, gear or converter does not exist.
     CaseError
-        If a converter has no working point, or the spectrum is none.
+        If a converter has no working point, or the spectrum is not valid.
 
     Examples
     --------
-    White torque S on a mass J on a spring: the variance of the twist is ``pi S/(k c)``.
+    Under a white torque of spectrum S, the twist of a spring k with the damping c, which supports a
+    mass, has the variance ``pi S/(k c)``:
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.random.spectra import White
@@ -137,9 +143,9 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     if problems := list(spectrum.problems()):
         raise CaseError(problems)
     link = case.link_number(at) - 1
-    asked = [working_gear(case, gear, speed_ratios) for gear in asked_gears(case, gears)]
+    working = [working_gear(case, gear, speed_ratios) for gear in asked_gears(case, gears)]
     grid = None if omegas is None else np.asarray(omegas, float)
-    return [_gear_random(one, link, by, spectrum, grid) for one in asked]
+    return [_gear_random(gear, link, by, spectrum, grid) for gear in working]
 
 
 def _gear_random(
@@ -153,48 +159,47 @@ def _gear_random(
     if error := not_excitable(system, coordinates(system), at):
         return GearRandom(gear.name, error=error)
     excited = ExcitedGear(system, at, by == "motion")
-    own = np.eye(len(system.names))[: system.own]
-    with np.errstate(all="ignore"):  # what is no number is told as none
-        found = form_variances(excited, spectrum, np.vstack([system.twists, own]))
-        devices = _devices(system.elastic, found, case.fatigue)
-        links = _links(system.names, excited, found, len(devices))
-        made = None if omegas is None else _spectrum(excited, spectrum, omegas)
-    by_name = {one.name: one for one in converters}
+    of_links = np.eye(len(system.names))[: system.case_links]
+    with np.errstate(all="ignore"):  # undefined values are reported as NaN
+        variances = form_variances(excited, spectrum, np.vstack([system.twists, of_links]))
+        devices = _devices(system.elastic, variances, case.fatigue)
+        links = _links(system.names, excited, variances, len(devices))
+        spectra = None if omegas is None else _spectrum(excited, spectrum, omegas)
+    by_name = {converter.name: converter for converter in converters}
     widths = _half_widths(excited)
-    return GearRandom(gear.name, devices, links, widths, made, converters=by_name)
+    return GearRandom(gear.name, devices, links, widths, spectra, converters=by_name)
 
 
 def _devices(
-    elastic: Sequence[TorsionalDevice], found: FormVariances, strengths: Mapping[str, Carried]
+    elastic: Sequence[TorsionalDevice], variances: FormVariances, strengths: Mapping[str, Carried]
 ) -> dict[str, RandomDevice]:
-    made = {}
-    for number, one in enumerate(elastic):
-        twist, rate = (math.sqrt(part[number]) for part in found[:2])
-        viscous, lost = one.damping.viscous, one.rate * one.damping.loss_factor
-        # twist and rate are not correlated; |k + i lost + i viscous omega|^2 by its parts
-        torque = math.hypot(one.rate * twist, lost * twist, viscous * rate if viscous else 0.0)
-        if viscous and lost and found.between is not None:
-            torque = math.sqrt(torque**2 + 2 * viscous * lost * float(found.between[number]))
+    devices = {}
+    for number, device in enumerate(elastic):
+        twist, rate = (math.sqrt(part[number]) for part in variances[:2])
+        k, c = device.rate, device.damping.viscous
+        lost = k * device.damping.loss_factor
+        # The torque is the twist times |k + i (lost + c omega)|; twist and rate are uncorrelated.
+        torque = math.hypot(k * twist, lost * twist, c * rate if c else 0.0)
+        if c and lost and variances.between is not None:
+            torque = math.sqrt(torque**2 + 2 * c * lost * float(variances.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
-        strength = strengths.get(one.name)
-        life = _life(strength, one.rate * twist, crossings) if strength else None
-        made[one.name] = RandomDevice(twist, rate, torque, crossings, life)
-    return made
+        strength = strengths.get(device.name)
+        life = _life(strength, k * twist, crossings) if strength else None
+        devices[device.name] = RandomDevice(twist, rate, torque, crossings, life)
+    return devices
 
 
 def _life(strength: Carried, deviation: float, crossings: float) -> float:
-    """Return the life under the torque of a spring [s], which another annex calculates."""
     life: float = higher("torque_life")(strength, deviation, crossings)
     return life
 
 
 def _links(
-    names: Sequence[str], excited: ExcitedGear, found: FormVariances, first: int
+    names: Sequence[str], excited: ExcitedGear, variances: FormVariances, first: int
 ) -> dict[str, RandomLink]:
-    own = excited.free.own
-    loose = coordinates(excited.free).undetermined[:own]
-    parts = np.array(found[:3])[:, first:]
-    parts[:, loose] = np.nan
+    undetermined = coordinates(excited.free).undetermined[: excited.free.case_links]
+    parts = np.array(variances[:3])[:, first:]
+    parts[:, undetermined] = np.nan
     return {
         name: RandomLink(*np.sqrt(part).tolist())
         for name, part in zip(names, parts.T, strict=False)
@@ -206,19 +211,19 @@ def _half_widths(excited: ExcitedGear) -> list[float]:
     if not system.resists and not any(device.damping for device in system.elastic):
         return [0.0] * len(excited.natural.omegas)
     slowest = -damped_modes(system, split, excited.natural).of_modes[:, 0].real
-    return [float(one) + 0.0 for one in slowest]
+    return [float(width) + 0.0 for width in slowest]  # without -0.0
 
 
 def _spectrum(excited: ExcitedGear, spectrum: Spectrum, omegas: Floats) -> RandomSpectrum:
     of_input = np.asarray(spectrum.at(omegas))
     answers = np.array([_squares(excited, omega) for omega in omegas.tolist()])
-    names = [one.name for one in excited.free.elastic]
+    names = [device.name for device in excited.free.elastic]
     spectra = (of_input[:, None] * answers).T
     return RandomSpectrum(omegas, of_input, dict(zip(names, spectra, strict=True)))
 
 
 def _squares(excited: ExcitedGear, omega: float) -> Floats:
-    """Of what each twist has of the input at a frequency; NaN where an undamped mode is hit."""
+    """Return ``|H|^2`` of each twist at a frequency; NaN at the frequency of an undamped mode."""
     twists = excited.free.twists
     try:
         squares: Floats = np.abs(excited.answers(twists, omega)) ** 2

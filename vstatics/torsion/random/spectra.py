@@ -1,7 +1,7 @@
-"""Spectra of what excites, two-sided over omega: the variance is ``2 int_0^inf S d omega``.
+"""Two-sided spectra of random inputs, with the variance ``2 int_0^inf S d omega``.
 
-Source: Tsitovich, Algin, Vehicle dynamics, 1981, (4.19) to (4.22), repaired: of the correlation
-``s^2 exp(-a |t|) cos(b t)`` it is ``s^2 a/pi (w^2 + a^2 + b^2)/((w^2 - a^2 - b^2)^2 + 4 a^2 w^2)``.
+The spectrum of the correlation ``s^2 exp(-a |t|) cos(b t)`` is ``s^2 a/pi (w^2 + a^2 + b^2)/((w^2 -
+a^2 - b^2)^2 + 4 a^2 w^2)`` (Tsitovich, Algin, Vehicle dynamics, 1981, (4.19) to (4.22), corrected).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from vstatics.torsion.tolerances import WHOLE
 
 
 class White(NamedTuple):
-    """The same at all frequencies.
+    """White noise, with a constant spectrum.
 
     Examples
     --------
@@ -28,14 +28,14 @@ class White(NamedTuple):
     """
 
     white: float
-    """[unit^2 s/rad]"""
+    """Spectrum at all frequencies. [unit^2 s/rad]"""
 
     def at(self, omegas: Floats) -> Floats:
-        """Its values."""
+        """Return the spectrum at frequencies [rad/s]."""
         return np.full(np.shape(omegas), self.white)
 
     def problems(self) -> Iterator[Problem]:
-        """What is wrong with it."""
+        """Yield a problem if the spectrum is out of range."""
         if not 0 <= self.white < math.inf:
             yield Problem(
                 "E527", f"read {self.white:g}, expected a spectrum of 0 or more", ("white",)
@@ -43,31 +43,31 @@ class White(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """A variance that is correlated over time: ``variance sum share exp(-a |t|) cos(b t)``.
+    """Input with the correlation ``variance sum share exp(-a |t|) cos(b t)``.
 
     Examples
     --------
-    A road that is driven over at 10 m/s:
+    Road profile at 10 m/s:
 
     >>> Correlation(2.0, ((1.0, 0.3, 0.8),), speed=10.0).parts
     [(2.0, 3.0, 8.0)]
     """
 
     variance: float
-    """[unit^2]"""
+    """Variance of the input. [unit^2]"""
     correlation: tuple[tuple[float, float, float], ...]
-    """Share [-], a and b [1/s], or, with a speed, [1/m]."""
+    """Share [-], a and b of each part, in 1/s, or in 1/m if a speed is given."""
     speed: float | None = None
-    """At which it is driven over. [m/s]"""
+    """Speed at which a road is driven over. [m/s]"""
 
     @property
     def parts(self) -> list[tuple[float, float, float]]:
-        """Variance, a and b of each part, over time."""
-        pace = 1.0 if self.speed is None else self.speed
-        return [(self.variance * one, a * pace, b * pace) for one, a, b in self.correlation]
+        """Variance [unit^2], a and b [1/s] of each part."""
+        speed = 1.0 if self.speed is None else self.speed
+        return [(self.variance * share, a * speed, b * speed) for share, a, b in self.correlation]
 
     def at(self, omegas: Floats) -> Floats:
-        """Its values.
+        """Return the spectrum at frequencies [rad/s].
 
         Examples
         --------
@@ -77,28 +77,28 @@ class Correlation(NamedTuple):
         """
         squares, total = np.square(omegas), np.zeros(np.shape(omegas))
         for variance, a, b in self.parts:
-            whole = a**2 + b**2
-            bottom = (squares - whole) ** 2 + 4 * a**2 * squares
-            total += variance * a / math.pi * (squares + whole) / bottom
+            modulus = a**2 + b**2
+            denominator = (squares - modulus) ** 2 + 4 * a**2 * squares
+            total += variance * a / math.pi * (squares + modulus) / denominator
         return total
 
     def problems(self) -> Iterator[Problem]:
-        """What is wrong with it."""
+        """Yield problems of numbers that are out of range."""
         if not 0 <= self.variance < math.inf:
             message = f"read {self.variance:g}, expected a variance of 0 or more"
             yield Problem("E528", message, ("variance",))
         if self.speed is not None and not 0 < self.speed < math.inf:
             yield Problem("E529", f"read {self.speed:g}, expected a speed above 0", ("speed",))
         for number, (share, a, b) in enumerate(self.correlation, 1):
-            for place, right, what in (
+            for place, is_valid, expected in (
                 (1, 0 <= share < math.inf, "a share of 0 or more"),
                 (2, 0 < a < math.inf, "an alpha above 0"),
                 (3, math.isfinite(b), "a finite beta"),
             ):
-                if not right:
+                if not is_valid:
                     read = (share, a, b)[place - 1]
                     path = ("correlation", number, place)
-                    yield Problem("E530", f"read {read:g}, expected {what}", path)
+                    yield Problem("E530", f"read {read:g}, expected {expected}", path)
         shares = sum(share for share, _, _ in self.correlation)
         if not abs(shares - 1) <= WHOLE:
             message = f"the shares add up to {shares:g}, expected 1"
@@ -106,7 +106,7 @@ class Correlation(NamedTuple):
 
 
 class SpectrumPoints(NamedTuple):
-    """Straight between points, 0 outside.
+    """Spectrum that is interpolated linearly between points, and 0 outside.
 
     Examples
     --------
@@ -115,33 +115,35 @@ class SpectrumPoints(NamedTuple):
     """
 
     points: tuple[tuple[float, float], ...]
-    """Omega [rad/s], value [unit^2 s/rad]."""
+    """Frequency [rad/s] and spectrum [unit^2 s/rad] of each point."""
 
     def at(self, omegas: Floats) -> Floats:
-        """Its values."""
+        """Return the spectrum at frequencies [rad/s]."""
         corners, values = np.transpose(self.points)
-        found: Floats = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
-        return np.asarray(found)
+        spectrum: Floats = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
+        return np.asarray(spectrum)
 
     @property
     def bands(self) -> list[tuple[float, float]]:
-        """Between which frequencies it is not 0 [rad/s]."""
-        return [(a, b) for (a, one), (b, other) in pairwise(self.points) if one or other]
+        """Intervals of frequencies in which the spectrum is not 0 [rad/s]."""
+        return [(a, b) for (a, at_a), (b, at_b) in pairwise(self.points) if at_a or at_b]
 
     def problems(self) -> Iterator[Problem]:
-        """What is wrong with them."""
+        """Yield problems of points that are not valid."""
         if len(self.points) < 2:
             yield Problem("E532", "expected two points at least", ("points",))
-        before = -math.inf
+        previous = -math.inf
         for number, (omega, value) in enumerate(self.points, 1):
-            if not (max(before, 0.0) <= omega < math.inf and omega > before):
-                expected = "an omega of 0 or more" if before < 0 else f"an omega above {before:g}"
+            if not (max(previous, 0.0) <= omega < math.inf and omega > previous):
+                expected = (
+                    "an omega of 0 or more" if previous < 0 else f"an omega above {previous:g}"
+                )
                 message = f"read {omega:g}, expected {expected}"
                 yield Problem("E533", message, ("points", number, 1))
             if not 0 <= value < math.inf:
                 message = f"read {value:g}, expected a spectrum of 0 or more at a point"
                 yield Problem("E534", message, ("points", number, 2))
-            before = omega
+            previous = omega
 
 
 Spectrum = White | Correlation | SpectrumPoints

@@ -1,4 +1,4 @@
-"""A spectrum as a YAML file: `white`, or `variance` and `correlation`, or `points`."""
+"""YAML file of a spectrum: `white`, or `variance` and `correlation`, or `points`."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ KEYS = ("white", "correlation", "points")
 EXPECTED = "a spectrum: a mapping with `white`, `variance` and `correlation`, or `points`"
 
 
-def _made(**values: Any) -> Spectrum:
-    """The spectrum of a document that has one of them."""
+def _spectrum(**values: Any) -> Spectrum:
     if values.get("white") is not None:
         return White(values["white"])
     if values.get("points") is not None:
@@ -24,14 +23,14 @@ def _made(**values: Any) -> Spectrum:
 
 
 def _fault(**values: Any) -> str:
-    """Why keys are not those of one spectrum."""
+    """Return the reason why the given keys do not describe a single spectrum."""
     given = [key for key in KEYS if values.get(key) is not None]
     if len(given) != 1:
         read = " and ".join(f"`{key}`" for key in given) or "none of them"
         return f"read {read}, expected one of `white`, `correlation` and `points`"
-    beside = [key for key in ("variance", "speed") if values.get(key) is not None]
-    if given != ["correlation"] and beside:
-        return f"read `{beside[0]}` beside `{given[0]}`, expected it beside `correlation` alone"
+    extra = [key for key in ("variance", "speed") if values.get(key) is not None]
+    if given != ["correlation"] and extra:
+        return f"read `{extra[0]}` beside `{given[0]}`, expected it beside `correlation` alone"
     if given == ["correlation"] and values.get("variance") is None:
         return "`variance` is missing beside `correlation`"
     return ""
@@ -55,7 +54,7 @@ SPECTRUM = ByKey(
             "Omega in rad/s, which rises, and the spectrum there; 0 outside.",
         ),
     ),
-    _made,
+    _spectrum,
     _fault,
 )
 
@@ -66,7 +65,7 @@ def read_spectrum(data: bytes, file: str) -> Spectrum:
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is not valid, with all problems and their places.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Random vibration as tables."""
+"""Tables of random vibration."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ _LINKS = ("angle [rad]", "velocity [rad/s]", "acceleration [rad/s^2]")
 
 
 def random_grids(gears: Sequence[GearRandom]) -> Iterator[Grid]:
-    """Standard deviations, half widths of modes, spectra."""
+    """Yield tables of standard deviations, half widths of modes, and spectra."""
     devices: list[Values] = [
-        (gear.name, name, *one[:4], "" if one.life is None else one.life)
+        (gear.name, name, *device[:4], "" if device.life is None else device.life)
         for gear in gears
-        for name, one in gear.devices.items()
+        for name, device in gear.devices.items()
     ]
     yield grid_of("Devices: RMS", ["gear", "device", *_DEVICES], devices, key="devices")
     links: list[Values] = [
-        (gear.name, name, *one) for gear in gears for name, one in gear.links.items()
+        (gear.name, name, *link) for gear in gears for name, link in gear.links.items()
     ]
     yield grid_of("Links: RMS", ["gear", "link", *_LINKS], links, key="links")
     widths: list[Values] = [
-        (gear.name, str(mode), one)
+        (gear.name, str(mode), width)
         for gear in gears
-        for mode, one in enumerate(gear.half_widths, 1)
+        for mode, width in enumerate(gear.half_widths, 1)
     ]
     yield grid_of("Modes", ["gear", "mode", "half width [1/s]"], widths, key="modes")
     for gear in gears:

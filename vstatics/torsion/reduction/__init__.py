@@ -1,6 +1,7 @@
-"""A gear reduced: to one link, to a scheme of masses and springs, to a simpler one.
+"""Reduction of a gear to a single link, to a scheme of masses and springs, and to simpler schemes.
 
-`reduced_values` has inertias and compliances on one link. `reduced_scheme` is the `scheme` of a
-gear on its input shaft, by `condensation` of masses without inertia; a `chain` has partial
-systems, by which `simplification` takes masses away, step by step. `tables` has the tables.
+`reduced_values` has inertias and compliances reduced to a link. `reduced_scheme` builds the
+`scheme` of a gear on its input shaft, and `condensation` removes its masses without inertia.
+`simplification` removes partial systems of a `chain` or branched scheme step by step, and `merging`
+merges masses that move together. `tables` has the tables.
 """

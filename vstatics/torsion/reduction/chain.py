@@ -1,7 +1,7 @@
-"""Chains of masses, and the partial systems that they are made of.
+"""Chains of masses, and their partial systems.
 
-A chain is a path of masses with a shaft between neighbours; one end or both may be held by the
-housing, which is a mass without end: so no formula has a case of its own for it.
+A chain is a path of masses with a shaft between neighbours. The housing can hold one or both ends;
+it is a mass of infinite inertia, so that the formulas need no special case.
 """
 
 from __future__ import annotations
@@ -16,39 +16,39 @@ from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
 
 class ChainSpring(NamedTuple):
-    """A shaft of a chain."""
+    """Shaft between two neighbouring masses of a chain."""
 
     name: str
     compliance: float
-    """[rad/(N*m)]"""
+    """Compliance. [rad/(N*m)]"""
     damping: float = 0.0
-    """[N*m*s/rad]"""
+    """Viscous damping. [N*m*s/rad]"""
 
 
 class Chain(NamedTuple):
-    """Masses along a path, and the springs between neighbours: one less."""
+    """Masses along a path, shape (n,), and the springs between neighbours, shape (n - 1,)."""
 
     names: tuple[str, ...]
-    """Of the masses; the housing has none."""
+    """Names of the masses; empty for the housing."""
     inertias: tuple[float, ...]
-    """Infinite for the housing. [kg*m^2]"""
+    """Inertias of the masses; infinite for the housing. [kg*m^2]"""
     springs: tuple[ChainSpring, ...]
 
 
 class PartialSystem(NamedTuple):
-    """A mass between two springs with all others held, or a spring between two free masses."""
+    """Mass between two springs with all other masses held, or spring between two free masses."""
 
     masses: tuple[int, ...]
-    """Their numbers along the chain, from 0: one, or two neighbours."""
+    """Indices of the mass, or of both masses, along the chain."""
     names: tuple[str, ...]
     frequency: float
-    """[rad/s]"""
+    """Natural frequency of the partial system. [rad/s]"""
 
 
 def partial_systems(chain: Chain) -> list[PartialSystem]:
-    """Partial systems with their frequencies, (П1.3): those of one mass, then those of two.
+    """Return partial systems of single masses, then of pairs, with frequencies by (П1.3).
 
-    The last mass at a free end has one spring, and is no system of one mass.
+    A mass at a free end has a single spring, and is not counted as a partial system.
 
     Parameters
     ----------
@@ -68,23 +68,23 @@ def partial_systems(chain: Chain) -> list[PartialSystem]:
     for left, spring in enumerate(chain.springs):
         pair = slice(left, left + 2)
         if math.inf not in chain.inertias[pair]:
-            frequency = math.sqrt(sum(1 / one for one in chain.inertias[pair]) / spring.compliance)
+            frequency = math.sqrt(sum(1 / J for J in chain.inertias[pair]) / spring.compliance)
             systems.append(PartialSystem((left, left + 1), chain.names[pair], frequency))
     return systems
 
 
 def one_mass_system(chain: Chain, mass: int) -> PartialSystem:
-    """A mass of a chain with all others held, at an end too."""
+    """Return the partial system of a mass of a chain, which may be at an end."""
     stiffness = sum(1 / spring.compliance for spring in chain.springs[max(mass - 1, 0) : mass + 1])
     frequency = math.sqrt(stiffness / chain.inertias[mass])
     return PartialSystem((mass,), (chain.names[mass],), frequency)
 
 
 def chain_of(scheme: TorsionScheme) -> Chain | str:
-    """The scheme as a chain, or why it is none.
+    """Return a scheme as a chain, or a text with the reason why the scheme is not a chain.
 
-    The chain begins with the end that comes first in the scheme. What does the same is a chain
-    too: parallel shafts are one, so are two with no inertia between them.
+    The chain begins with the end that comes first in the scheme. Parallel shafts count as one
+    shaft, and so do two shafts in series without an inertia between them.
 
     Examples
     --------
@@ -111,12 +111,12 @@ def chain_of(scheme: TorsionScheme) -> Chain | str:
     return Chain(
         tuple("" if mass is None else names[mass] for mass in path.masses),
         tuple(math.inf if mass is None else inertias[mass] for mass in path.masses),
-        tuple(ChainSpring(one.name, one.compliance, one.damping) for one in path.springs),
+        tuple(ChainSpring(s.name, s.compliance, s.damping) for s in path.springs),
     )
 
 
 def scheme_of(chain: Chain) -> TorsionScheme:
-    """The scheme that a chain is, with its masses in the order of the chain."""
+    """Return a chain as a scheme, with masses in the order of the chain and no housing."""
     masses = [mass for mass, inertia in enumerate(chain.inertias) if inertia < math.inf]
     number = {mass: new for new, mass in enumerate(masses)}
     springs = []
@@ -132,28 +132,28 @@ def scheme_of(chain: Chain) -> TorsionScheme:
 
 
 class _Path(NamedTuple):
-    """A walk from end to end; None is the housing."""
+    """Masses and springs of a chain from end to end."""
 
     masses: list[int | None]
+    """Indices of the masses; None for the housing."""
     springs: list[SchemeSpring]
 
 
 def _is_shaft(spring: SchemeSpring) -> bool:
-    """Whether it joins two masses, or one and the housing, by the difference of their angles."""
     first, *others = spring.twist.values()
     return not others or (len(others) == 1 and math.isclose(others[0], -first, rel_tol=TIE))
 
 
 def _path(count: int, springs: tuple[SchemeSpring, ...]) -> _Path | str:
-    """The walk along shafts, two at most at a mass, that meets each mass once, or why not."""
+    """Return the path through all masses, of which each has two shafts at most, or a reason."""
     between = [spring for spring in springs if len(spring.twist) == 2]
-    ends = [mass for mass in range(count) if sum(mass in one.twist for one in between) < 2]
+    ends = [mass for mass in range(count) if sum(mass in s.twist for s in between) < 2]
     if not ends:
         return "its springs make a ring"
     path = _Path([ends[0]], [])
-    while further := [s for s in between if path.masses[-1] in s.twist and s not in path.springs]:
-        path.springs.append(further[0])
-        path.masses.append(next(mass for mass in further[0].twist if mass != path.masses[-1]))
+    while onward := [s for s in between if path.masses[-1] in s.twist and s not in path.springs]:
+        path.springs.append(onward[0])
+        path.masses.append(next(mass for mass in onward[0].twist if mass != path.masses[-1]))
     if len(path.masses) < count:
         return "not all of its links are joined by springs"
     for spring in springs:

@@ -1,9 +1,10 @@
-"""Masses without inertia taken out of a scheme: springs on what they leave.
+"""Condensation of a scheme: removal of masses without inertia.
 
-A mass without inertia stands where the torques on it are in balance. Two springs that meet there
-become one, by the closed form of figure П1.6 of Tsitovich and Algin, Vehicle dynamics (1981): so
-n springs become n - 1, one after another. All terms are positive, so nothing is lost where one
-spring is far stiffer than another, and K = sum of a a^T/E is that of static condensation.
+The torques on a mass without inertia are in balance. Two springs that meet at such a mass are
+replaced by a single spring (Tsitovich, Algin, Vehicle dynamics, 1981, figure П1.6), so that n
+springs become n - 1, one after another. The stiffness matrix K = sum of a a^T/E is equal to that
+of static condensation. All terms are positive, so that no digits cancel if one spring is far
+stiffer than another.
 """
 
 from __future__ import annotations
@@ -16,10 +17,10 @@ from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
 
 def tidied(scheme: TorsionScheme) -> TorsionScheme:
-    """The same scheme with as few devices as do the same.
+    """Return an equivalent scheme with the smallest number of springs.
 
-    Parallel springs are one, so are two in a row: a mass without inertia stays only where three
-    springs or more meet. The first coefficient of every twist is 1.
+    Springs in parallel or in series are combined, so that masses without inertia remain only where
+    three or more springs meet. The first coefficient of every twist is 1.
 
     Examples
     --------
@@ -32,29 +33,29 @@ def tidied(scheme: TorsionScheme) -> TorsionScheme:
 
 
 def without_massless(scheme: TorsionScheme) -> TorsionScheme:
-    """The scheme of the masses with inertia alone.
+    """Return an equivalent scheme in which all masses have inertia.
 
-    Where three springs or more met, those in their place act on many masses each, and what
-    couples their damping is left out.
+    Springs that replace three or more springs at a mass can act on many masses each; the coupling
+    of their dampings is neglected.
     """
     return _condensed(scheme, most=len(scheme.springs))
 
 
 def _condensed(scheme: TorsionScheme, most: int) -> TorsionScheme:
-    """Take out masses without inertia on which this many springs act at most."""
+    """Remove masses without inertia on which at most `most` springs act."""
     light = [mass for mass, inertia in enumerate(scheme.inertias) if inertia == 0]
-    springs = _parallel_as_one(scheme.springs)
+    springs = _parallel_combined(scheme.springs)
     while True:
-        few = next((one for one in light if sum(one in s.twist for s in springs) <= most), None)
-        if few is None:
+        mass = next((m for m in light if sum(m in s.twist for s in springs) <= most), None)
+        if mass is None:
             break
-        light.remove(few)
-        springs = _parallel_as_one(_without(springs, few))
-    stay = [mass for mass, inertia in enumerate(scheme.inertias) if inertia > 0 or mass in light]
-    number = {mass: new for new, mass in enumerate(stay)}
+        light.remove(mass)
+        springs = _parallel_combined(_without(springs, mass))
+    masses = [mass for mass, inertia in enumerate(scheme.inertias) if inertia > 0 or mass in light]
+    number = {mass: new for new, mass in enumerate(masses)}
     return TorsionScheme(
-        tuple(scheme.names[mass] for mass in stay),
-        tuple(scheme.inertias[mass] for mass in stay),
+        tuple(scheme.names[mass] for mass in masses),
+        tuple(scheme.inertias[mass] for mass in masses),
         tuple(
             spring._replace(twist={number[mass]: a for mass, a in spring.twist.items()})
             for spring in springs
@@ -63,64 +64,64 @@ def _condensed(scheme: TorsionScheme, most: int) -> TorsionScheme:
 
 
 def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
-    """What is left of springs where a mass gives way until its torques are in balance."""
-    left: list[SchemeSpring] = []
+    """Return equivalent springs that do not act on a mass without inertia."""
+    remaining: list[SchemeSpring] = []
     meeting: SchemeSpring | None = None
     for spring in springs:
         if mass not in spring.twist:
-            left.append(spring)
+            remaining.append(spring)
         elif meeting is None:
             meeting = spring
         else:
-            left.append(_in_series(meeting, spring, mass))
+            remaining.append(_in_series(meeting, spring, mass))
             meeting = _side_by_side(meeting, spring, mass)
-    return left  # the last of `meeting` is followed without torque
+    return remaining  # the mass follows the last `meeting` spring, which carries no torque
 
 
-def _in_series(one: SchemeSpring, two: SchemeSpring, mass: int) -> SchemeSpring:
-    """Two springs that meet at a mass carry one torque: figure П1.6, damping by (П1.14).
+def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
+    """Connect two springs in series at a mass: figure П1.6, damping by (П1.14).
 
-    With twists a1 x + b1 and a2 x + b2, x the angle of the mass, a2 b1 - a1 b2 is free of x.
+    With the twists a1 x + b1 and a2 x + b2, where x is the angle of the mass, the twist
+    a2 b1 - a1 b2 does not depend on x.
     """
-    a1, a2 = one.twist[mass], two.twist[mass]
-    first, second = a2**2 * one.compliance, a1**2 * two.compliance
+    a1, a2 = spring.twist[mass], other.twist[mass]
+    first, second = a2**2 * spring.compliance, a1**2 * other.compliance
     compliance = first + second
-    damping = one.damping * (first / compliance / a2) ** 2
-    damping += two.damping * (second / compliance / a1) ** 2
-    twist = _sum(one.twist, a2, two.twist, -a1)
+    damping = spring.damping * (first / compliance / a2) ** 2
+    damping += other.damping * (second / compliance / a1) ** 2
+    twist = _weighted_sum(spring.twist, a2, other.twist, -a1)
     twist.pop(mass, None)
-    return SchemeSpring(f"{one.name}+{two.name}", twist, compliance, damping)
+    return SchemeSpring(f"{spring.name}+{other.name}", twist, compliance, damping)
 
 
-def _side_by_side(one: SchemeSpring, two: SchemeSpring, mass: int) -> SchemeSpring:
-    """What two springs that meet at a mass are where the one in series has no twist.
+def _side_by_side(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
+    """Return the spring that completes the series connection of two springs at a mass.
 
-    Its twist is x plus the mean of b1/a1 and b2/a2, weighted by stiffness: so the energy of both
-    is that of this spring and of the one in series.
+    The twist is x plus the mean of b1/a1 and b2/a2, weighted by stiffness. The energy of this
+    spring and of the series connection is then equal to the energy of both springs.
     """
-    a1, a2 = one.twist[mass], two.twist[mass]
-    stiffness = a1**2 / one.compliance + a2**2 / two.compliance
-    weights = a1 / one.compliance / stiffness, a2 / two.compliance / stiffness
-    twist = _sum(one.twist, weights[0], two.twist, weights[1])
+    a1, a2 = spring.twist[mass], other.twist[mass]
+    stiffness = a1**2 / spring.compliance + a2**2 / other.compliance
+    weights = a1 / spring.compliance / stiffness, a2 / other.compliance / stiffness
+    twist = _weighted_sum(spring.twist, weights[0], other.twist, weights[1])
     twist[mass] = 1.0
-    damping = one.damping * a1**2 + two.damping * a2**2
-    return SchemeSpring(f"{one.name}+{two.name}", twist, 1 / stiffness, damping)
+    damping = spring.damping * a1**2 + other.damping * a2**2
+    return SchemeSpring(f"{spring.name}+{other.name}", twist, 1 / stiffness, damping)
 
 
-def _sum(
-    one: Mapping[int, float], factor: float, two: Mapping[int, float], other: float
+def _weighted_sum(
+    twist: Mapping[int, float], factor: float, other: Mapping[int, float], other_factor: float
 ) -> dict[int, float]:
-    """A sum of two twists, without coefficients that are nothing but rounding."""
     total = {}
-    for mass in one.keys() | two.keys():
-        parts = factor * one.get(mass, 0), other * two.get(mass, 0)
-        if abs(sum(parts)) > TIE * max(map(abs, parts)):
+    for mass in twist.keys() | other.keys():
+        parts = factor * twist.get(mass, 0), other_factor * other.get(mass, 0)
+        if abs(sum(parts)) > TIE * max(map(abs, parts)):  # more than a rounding error
             total[mass] = sum(parts)
     return total
 
 
-def _parallel_as_one(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
-    """Springs whose twists differ; one with no twist at all is none."""
+def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
+    """Combine springs of equal twist; drop springs whose twist is 0."""
     different: list[SchemeSpring] = []
     for spring in map(_normal, springs):
         for place, other in enumerate(different):
@@ -140,7 +141,7 @@ def _parallel_as_one(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 
 
 def _normal(spring: SchemeSpring) -> SchemeSpring:
-    """The same spring with 1 as the first coefficient of its twist, in the order of the masses."""
+    """Return an equivalent spring whose twist is sorted by mass and begins with 1."""
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}

@@ -1,7 +1,7 @@
-"""Masses that turn as one, as those of equal branches do, in the course of a simplification.
+"""Merging of masses that move together, such as masses of equal branches, in a simplification.
 
-Tsitovich and Algin, Vehicle dynamics (1981), table 2.15: the inertias of both are added, springs
-between them are gone, those that come to stand beside each other are one.
+The inertias of both masses are added, springs between them are dropped, and springs that become
+parallel are combined (Tsitovich, Algin, Vehicle dynamics, 1981, table 2.15).
 """
 
 from __future__ import annotations
@@ -34,19 +34,20 @@ def simplify_merging(
     remove: Sequence[str],
     merge: Sequence[str],
 ) -> Simplification:
-    """Remove masses, let pairs of others turn as one, then go on by the rule.
+    """Remove masses, merge pairs of other masses, then continue by the rule.
 
     Parameters
     ----------
     scheme, frequencies, rule, remove
-        As of `simplify`; a scheme that is a chain only then goes by partial systems from there.
+        Parameters of `simplify`. A scheme that merging turns into a chain is simplified by
+        partial systems from there on.
     merge : sequence of str
-        Names of two masses with a plus between, which is the name of both from then on.
+        Names of two masses joined by a plus sign; this is the name of the merged mass.
 
     Raises
     ------
     CaseError
-        As `simplify`; and of names that it does not have.
+        If `simplify` raises it, or a name is not the name of a mass.
 
     Examples
     --------
@@ -57,26 +58,26 @@ def simplify_merging(
     >>> step.operation, step.partial_frequency, step.inertias, step.compliances
     ('merge b and c', 1.0, (2.0, 4.0), (0.5,))
     """
-    most = len(natural_frequencies(scheme))
-    removed = simplify(scheme, max(most - len(remove), 1), rule, remove)
-    left = removed.scheme
+    modes = len(natural_frequencies(scheme))
+    removal = simplify(scheme, max(modes - len(remove), 1), rule, remove)
+    scheme = removal.scheme
     merges: list[SimplificationStep] = []
     for pair in merge:
-        left, step = _merged(left, _pair(pair, left.names))
+        scheme, step = _merged(scheme, _pair(pair, scheme.names))
         merges.append(step)
-    rest = simplify(left, frequencies, rule)
-    own = (*removed.steps, *rest.steps)
-    steps = (*removed.steps, *merges, *rest.steps)
-    return rest._replace(steps=steps, warnings=tuple(doubts_of(own, steps[-1:])))
+    final = simplify(scheme, frequencies, rule)
+    removals = (*removal.steps, *final.steps)
+    steps = (*removal.steps, *merges, *final.steps)
+    return final._replace(steps=steps, warnings=tuple(doubts_of(removals, steps[-1:])))
 
 
 def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
-    """The masses that a text names."""
-    parts = [(text[:n].strip(), text[n + 1 :].strip()) for n, one in enumerate(text) if one == "+"]
+    """Find two masses by a text `A+B`, where the names A and B can contain plus signs."""
+    parts = [(text[:n].strip(), text[n + 1 :].strip()) for n, c in enumerate(text) if c == "+"]
     for first, second in parts:
         if first in names and second in names and first != second:
             return names.index(first), names.index(second)
-    wrong = next((one for one in (parts or [(text, text)])[0] if one not in names), text)
+    wrong = next((name for name in (parts or [(text, text)])[0] if name not in names), text)
     hint = "" if wrong in names else nearest(wrong, names)
     message = f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
     raise CaseError("E888", message)
@@ -85,7 +86,7 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
 def _merged(
     scheme: TorsionScheme, pair: tuple[int, int]
 ) -> tuple[TorsionScheme, SimplificationStep]:
-    """The scheme in which two masses are one, which stands where the first of them does."""
+    """Merge two masses at the place of the first, and describe the step."""
     stay, gone = min(pair), max(pair)
     names, inertias = list(scheme.names), list(scheme.inertias)
     system = _system(scheme, pair)
@@ -95,28 +96,27 @@ def _merged(
     springs = [
         spring._replace(twist=dict(_twist(spring.twist, stay, gone))) for spring in scheme.springs
     ]
-    made = tidied(TorsionScheme(tuple(names), tuple(inertias), tuple(springs)))
-    chain = chain_of(made)
+    merged = tidied(TorsionScheme(tuple(names), tuple(inertias), tuple(springs)))
+    chain = chain_of(merged)
     is_chain = isinstance(chain, Chain)
-    made = scheme_of(chain) if isinstance(chain, Chain) else made
-    return made, step_of((system, made), "partial" if is_chain else "r", is_chain=is_chain)
+    merged = scheme_of(chain) if isinstance(chain, Chain) else merged
+    return merged, step_of((system, merged), "partial" if is_chain else "r", is_chain=is_chain)
 
 
 def _twist(twist: Mapping[int, float], stay: int, gone: int) -> Iterator[tuple[int, float]]:
-    """Its coefficients by the numbers of masses that are left."""
-    joined = twist.get(stay, 0.0) + twist.get(gone, 0.0)
-    if abs(joined) > TIE * max(abs(twist.get(one, 0.0)) for one in (stay, gone)):
-        yield stay, joined
+    total = twist.get(stay, 0.0) + twist.get(gone, 0.0)
+    if abs(total) > TIE * max(abs(twist.get(mass, 0.0)) for mass in (stay, gone)):
+        yield stay, total
     for mass, part in twist.items():
         if mass not in (stay, gone):
             yield mass - (mass > gone), part
 
 
 def _system(scheme: TorsionScheme, pair: tuple[int, int]) -> PartialSystem:
-    """Both against each other, with their common mean and all others held."""
-    one, two = (scheme.inertias[mass] for mass in pair)
+    """Return the system of two masses that oscillate in opposition, with all other masses held."""
+    first, second = (scheme.inertias[mass] for mass in pair)
     shape = np.zeros(len(scheme.names))
-    shape[[*pair]] = two, -one
+    shape[[*pair]] = second, -first
     energy = float(shape @ stiffness_matrix(scheme) @ shape)
-    frequency = math.sqrt(max(energy, 0.0) / (one * two * (one + two)))
+    frequency = math.sqrt(max(energy, 0.0) / (first * second * (first + second)))
     return PartialSystem(pair, tuple(scheme.names[mass] for mass in pair), frequency)

@@ -1,4 +1,4 @@
-"""The scheme of a gear on its input shaft: masses and springs, no rigid devices left."""
+"""Scheme of a gear on its input shaft: masses and springs without rigid devices."""
 
 from __future__ import annotations
 
@@ -18,29 +18,30 @@ from vstatics.torsion.system.coordinates import form_values
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 
-STIFFER = 1e9
-"""A rigid set by the stiffest device of the gear."""
+STIFFNESS_OF_RIGID_SETS = 1e9
+"""Stiffness assumed for rigid gear sets, relative to the stiffest device of the gear."""
 
 
 @refusing()
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
-    """The scheme of a gear reduced to its input, or why it has none.
+    """Return the scheme of a gear reduced to its input, or a text why the gear has no scheme.
 
-    Rigidly joined links are one mass, under the name of the first. A rigid set whose links all
-    have inertia and can move is taken as a spring that is stiffer than all others by far: its
-    partial frequency is the highest, so that simplification takes it out first. What does not
-    turn with the input is left out, and so is a reaction where the ratio is 1.
+    Rigidly joined links form a mass with the name of the first link. A rigid gear set whose links
+    all have inertia and can move is replaced by a spring far stiffer than all others. Its partial
+    frequency is then the highest, so that simplification removes it first. Links that do not
+    rotate with the input are omitted, and so is the reaction of a gear train with the ratio 1.
 
     Parameters
     ----------
     case : Transmission
     gear : Gear
-        One of the case.
+        Gear of the case.
 
     Returns
     -------
     TorsionScheme or str
-        Inertias [kg*m^2] and compliances [rad/(N*m)] by the input; a text says why there is none.
+        Scheme with inertias [kg*m^2] and compliances [rad/(N*m)] on the input, or the reason why
+        it does not exist.
 
     Raises
     ------
@@ -71,13 +72,14 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
 
 
 def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
-    """The system with springs in place of rigid devices of three links that can move apart.
+    """Replace rigid devices between three links that can move independently by stiff springs.
 
-    Planets are shared by the links of their set, as these have speeds of their own then.
+    The links of such a set have independent speeds then, so they share the inertia of its planets.
     """
-    group = {link: one[0] for one in joined_links(system) for link in one}
+    group = {link: links[0] for links in joined_links(system) for link in links}
     free = system.free()
-    stiffness = STIFFER * max((one.rate for one in system.elastic), default=1.0)
+    stiffest = max((device.rate for device in system.elastic), default=1.0)
+    stiffness = STIFFNESS_OF_RIGID_SETS * stiffest
 
     def is_set(device: TorsionalDevice) -> bool:
         return len({group.get(link, link) for link in device.twist if free[link].any()}) > 2
@@ -90,35 +92,40 @@ def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
             )
         ),
         devices=tuple(
-            one._replace(stiffness=stiffness) if one.stiffness is None and is_set(one) else one
-            for one in system.devices
+            device._replace(stiffness=stiffness)
+            if device.stiffness is None and is_set(device)
+            else device
+            for device in system.devices
         ),
     )
 
 
 def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
-    """The scheme, or why there is none; None where rigid devices make a body follow several."""
-    found = scales(system, system.ends[0])
-    if isinstance(found, str):
-        return found
+    """Return the scheme or a reason for failure.
+
+    None is returned if a body follows several independent masses.
+    """
+    to_input = scales(system, system.ends[0])
+    if isinstance(to_input, str):
+        return to_input
     free = system.free()
-    groups = [group for group in joined_links(system) if found.scales[group[0]]]
+    groups = [group for group in joined_links(system) if to_input.scales[group[0]]]
     masses = _independent(system, groups, free)
     turning = {link for group in groups for link in group}
     for body in system.bodies:
-        of_scheme = turning.intersection(body.form)
-        if body.inertia > 0 and of_scheme and not any(of_scheme.issubset(one) for one in masses):
+        links = turning.intersection(body.form)
+        if body.inertia > 0 and links and not any(links.issubset(mass) for mass in masses):
             return None
     firsts = [group[0] for group in masses]
-    own = np.array([found.scales[link] or np.nan for link in firsts])
+    of_masses = np.array([to_input.scales[link] or np.nan for link in firsts])
     springs = [
         spring
         for device in system.elastic
-        if (spring := _spring(device, free, firsts, own, found)) is not None
+        if (spring := _spring(device, free, firsts, of_masses, to_input)) is not None
     ]
     return TorsionScheme(
         tuple(system.names[link] for link in firsts),
-        tuple(_inertia(system, group, found) for group in masses),
+        tuple(_reduced_inertia(system, group, to_input) for group in masses),
         tuple(springs),
     )
 
@@ -126,52 +133,54 @@ def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
 def _independent(
     system: TorsionalSystem, groups: Sequence[Sequence[int]], free: Floats
 ) -> list[Sequence[int]]:
-    """Groups of links by whose angles all others are known: those with inertia before others."""
+    """Choose groups of links whose angles determine all motions, with inertia if possible."""
     heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
-    by_inertia = sorted(groups, key=lambda group: not any(one.issubset(group) for one in heavy))
+    by_inertia = sorted(groups, key=lambda group: not any(b.issubset(group) for b in heavy))
     chosen: list[Sequence[int]] = []
     basis = np.zeros((0, free.shape[1]))
     for group in by_inertia:
         if len(chosen) == free.shape[1]:
             break
         row = free[group[0]]
-        with_it = np.vstack([basis, row / np.linalg.norm(row)])
-        if np.linalg.svd(with_it, compute_uv=False)[-1] > TIE:
-            basis = with_it
+        extended = np.vstack([basis, row / np.linalg.norm(row)])
+        if np.linalg.svd(extended, compute_uv=False)[-1] > TIE:
+            basis = extended
             chosen.append(group)
     return [group for group in groups if group in chosen]
 
 
-def _inertia(system: TorsionalSystem, group: Sequence[int], found: Scales) -> float:
-    """Of all bodies of a group, on the reference shaft [kg*m^2]."""
+def _reduced_inertia(system: TorsionalSystem, group: Sequence[int], to_input: Scales) -> float:
     total = 0.0
     for body in system.bodies:
         if body.inertia > 0 and any(link in group for link in body.form):
             speed = sum(
-                part / scale for link, part in body.form.items() if (scale := found.scales[link])
+                part / scale for link, part in body.form.items() if (scale := to_input.scales[link])
             )
             total += body.inertia * speed**2
     return total
 
 
 def _spring(
-    device: TorsionalDevice, free: Floats, firsts: Sequence[int], own: Floats, found: Scales
+    device: TorsionalDevice,
+    free: Floats,
+    firsts: Sequence[int],
+    of_masses: Floats,
+    to_input: Scales,
 ) -> SchemeSpring | None:
-    """An elastic device by the angles of masses on the reference shaft; none if it twists none."""
+    """Reduce an elastic device to the input, unless no mass twists the device."""
     by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
-    by_mass = by_mass / own
+    by_mass = by_mass / of_masses
     largest = np.abs(by_mass).max(initial=0.0)
     terms = {n: float(a) for n, a in enumerate(by_mass) if abs(a) > TIE * largest}
-    if not terms or any(found.scales[link] is None for link in device.twist):
+    if not terms or any(to_input.scales[link] is None for link in device.twist):
         return None
     first = next(iter(terms.values()))
-    lead = found.scales[next(iter(device.twist))]
+    lead = to_input.scales[next(iter(device.twist))]
     factor = next(iter(device.twist.values())) / lead if lead else first
-    scaled = {n: _whole(a / factor) for n, a in terms.items()}
+    scaled = {n: _without_rounding_error(a / factor) for n, a in terms.items()}
     compliance = 1 / (device.rate * factor**2)
     return SchemeSpring(device.name, scaled, compliance, device.damping.viscous * factor**2)
 
 
-def _whole(coefficient: float) -> float:
-    """A coefficient that is 1 or -1 but for rounding, as that of a shaft."""
+def _without_rounding_error(coefficient: float) -> float:
     return float(round(coefficient)) if abs(coefficient - round(coefficient)) < TIE else coefficient

@@ -1,8 +1,8 @@
-"""A torsional system on one shaft, masses and springs without rigid constraints; the case of it.
+"""Scheme of a torsional system on a reference shaft: masses and springs without rigid constraints.
 
-A spring is a linear form of angles, its twist: +1, -1 of a shaft between two masses, 1 of a
-support on the housing, 1, -i, i-1 of three links with a compliance. Everything that is linear
-has this one shape (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
+The twist of a spring is a linear form of angles, with the coefficients +1, -1 for a shaft between
+two masses, 1 for a support on the housing, and 1, -i, i-1 for three links with a compliance
+(Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
 """
 
 from __future__ import annotations
@@ -23,33 +23,33 @@ from vstatics.torsion.vibration.natural import natural_modes
 
 
 class SchemeSpring(NamedTuple):
-    """An elastic device; what it resists is its twist."""
+    """Elastic device of a scheme."""
 
     name: str
     twist: Mapping[int, float]
-    """Number of a mass, from 0 -> coefficient of its angle. [-]"""
+    """Coefficients of the angles of masses (indices from 0). [-]"""
     compliance: float
-    """On the reference shaft. [rad/(N*m)]"""
+    """Compliance on the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0
-    """[N*m*s/rad]"""
+    """Viscous damping on the reference shaft. [N*m*s/rad]"""
 
 
 class TorsionScheme(NamedTuple):
-    """Masses in the order of the case, and springs."""
+    """Masses, in the order of the case, and springs."""
 
     names: tuple[str, ...]
     inertias: tuple[float, ...]
-    """Of the masses. [kg*m^2]"""
+    """Inertias of the masses on the reference shaft. [kg*m^2]"""
     springs: tuple[SchemeSpring, ...]
 
 
 def twists(scheme: TorsionScheme) -> Floats:
-    """A row for each spring with its coefficients [-], a column for each mass."""
+    """Return the twists as rows, shape (springs, masses) [-]."""
     return values_of([spring.twist for spring in scheme.springs], len(scheme.names))
 
 
 def stiffness_matrix(scheme: TorsionScheme) -> Floats:
-    """K, the sum of a a^T/E over all springs [N*m/rad].
+    """Calculate the stiffness matrix K, the sum of a a^T/E over all springs [N*m/rad].
 
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
     >>> stiffness_matrix(TorsionScheme(("a", "b"), (1.0, 3.0), (shaft,))).tolist()
@@ -62,14 +62,9 @@ def stiffness_matrix(scheme: TorsionScheme) -> Floats:
 
 
 def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
-    """Natural frequencies without damping, ascending, without those of rigid motions.
+    """Calculate undamped natural frequencies of elastic motions, ascending [rad/s].
 
     Masses without inertia follow the others.
-
-    Returns
-    -------
-    tuple of float
-        [rad/s]
 
     Examples
     --------
@@ -94,17 +89,17 @@ def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
 
 
 def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str) -> Transmission:
-    """A case that vibrates as a scheme does, on its reference shaft.
+    """Build a case with the masses and springs of a scheme as links and springs.
 
     Parameters
     ----------
     scheme : TorsionScheme
     name : str
-        Of the case.
+        Name of the case.
     ends : sequence of str
-        The links of input and output, as far as masses are named after them.
+        Names of the links of input and output, used if a mass is named after the link.
     gear : str
-        The name of its gear.
+        Name of the gear.
 
     Examples
     --------
@@ -114,7 +109,7 @@ def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str
     >>> case.link_name(case.input), case.link_name(case.output), case.springs[0].compliance
     ('a+b', 'c', 0.5)
     """
-    first, last = (_mass_of(scheme.names, end) for end in ends)
+    first, last = (_mass_number(scheme.names, end) for end in ends)
     masses = range(1, len(scheme.names) + 1)
     others = [mass for mass in reversed(masses) if mass != first]
     output = last if last not in (None, first) else next(iter(others), 1)
@@ -140,7 +135,6 @@ def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str
     )
 
 
-def _mass_of(names: Sequence[str], link: str) -> int | None:
-    """The number of the mass that a link is part of."""
-    found = (n for n, name in enumerate(names, 1) if link in (name, *name.split("+")))
-    return next(found, None)
+def _mass_number(names: Sequence[str], link: str) -> int | None:
+    masses = (n for n, name in enumerate(names, 1) if link in (name, *name.split("+")))
+    return next(masses, None)

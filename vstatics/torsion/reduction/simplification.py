@@ -1,21 +1,17 @@
-"""A scheme with fewer natural frequencies, step by step: the lowest ones hardly change.
+"""Simplification of a scheme: fewer masses with nearly unchanged lowest natural frequencies.
 
-Each step takes out the partial system with the highest frequency. Chains go by systems of one
-and of two masses (`chain_simplification`), schemes with branches by systems of one mass
-(`branch_simplification`).
+Each step removes the partial system with the highest frequency (Tsitovich, Algin, Vehicle dynamics,
+1981, appendix П1.2).
 
-Chains with one mass less, by the method of partial frequencies.
+The method of partial frequencies simplifies chains. A partial system of one mass is replaced by
+two masses with the same frequency and the node at the mass, (П1.4), or a system of two masses by
+a mass between two springs, (П1.5). Neighbouring springs and inertias are then added, so that the
+sums of compliances and of inertias do not change. A compliance at a free end and an inertia on the
+housing have no effect and are dropped.
 
-Tsitovich and Algin, Vehicle dynamics (1981), appendix П1.2: a partial system of one mass becomes
-one of two masses with the same frequency and its node at the mass, (П1.4), or the other way
-round, (П1.5). Springs and inertias that come to stand beside each other are added, so the sums of
-both stay as they were. A compliance at a free end, and an inertia on the housing, do nothing.
-
-Schemes of any shape with one mass less, by static condensation.
-
-Tsitovich and Algin, Vehicle dynamics (1981), appendix П1.2: the mass of the system of one mass
-with the highest partial frequency is taken out. K - Kj Kj^T / Kjj is left of the stiffness
-matrix, and a part of its inertia goes to the masses that it is joined with.
+Static condensation simplifies branched schemes. It removes the mass whose partial system has the
+highest frequency. The stiffness matrix becomes K - Kj Kj^T / Kjj, and neighbouring masses get a
+part of the inertia.
 """
 
 from __future__ import annotations
@@ -42,42 +38,42 @@ from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies, stiffness_matrix
 
 SimplificationRule = Literal["partial", "r", "b", "u"]
-"""By partial systems of one and two masses; by those of one, and how their inertia is shared."""
+"""Method of partial frequencies for chains, or static condensation with a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Of a partial frequency: what is below it stays right to 5 % in most cases, (П1.8)."""
+"""Fraction of a partial frequency below which natural frequencies mostly keep to 5 %, (П1.8)."""
 
 
 class SimplificationStep(NamedTuple):
-    """What is taken out of a scheme, and what is left then."""
+    """Step of a simplification, with the resulting scheme."""
 
     operation: str
     partial_frequency: float
-    """Of the system that is taken out. [rad/s]"""
+    """Frequency of the removed partial system. [rad/s]"""
     names: tuple[str, ...]
-    """Of the masses, in the order of the chain, or of the case."""
+    """Names of the remaining masses, in the order of the chain or of the case."""
     inertias: tuple[float, ...]
-    """[kg*m^2]"""
+    """Inertias of the remaining masses. [kg*m^2]"""
     compliances: tuple[float, ...] | None
-    """Of a chain, in its order. [rad/(N*m)]"""
+    """Compliances along a chain; None for a branched scheme. [rad/(N*m)]"""
     stiffness: tuple[tuple[float, ...], ...] | None
-    """The matrix, by the other rules than `partial`. [N*m/rad]"""
+    """Stiffness matrix; None for the rule `partial`. [N*m/rad]"""
     omegas: tuple[float, ...]
     """Natural frequencies, ascending. [rad/s]"""
 
 
 class Simplification(NamedTuple):
-    """Steps from a scheme to a simpler one."""
+    """Simplified scheme, and the steps of the simplification."""
 
     rule: SimplificationRule
     steps: tuple[SimplificationStep, ...]
     scheme: TorsionScheme
-    """What is left: its masses all have inertia."""
+    """Simplified scheme, in which all masses have inertia."""
     warnings: tuple[Problem, ...]
 
 
 SchemeReached = tuple[PartialSystem, TorsionScheme]
-"""A system that is taken out, and the scheme then."""
+"""Removed partial system, and the resulting scheme."""
 
 
 @refusing()
@@ -87,39 +83,39 @@ def simplify(
     rule: SimplificationRule | None = None,
     remove: Sequence[str] = (),
 ) -> Simplification:
-    """Take out one partial system after another until so many natural frequencies are left.
+    """Remove partial systems step by step, down to a number of natural frequencies.
 
-    Masses without inertia are taken out first, which changes nothing and is no step.
+    Masses without inertia are removed first. This is exact and does not count as a step.
 
     Parameters
     ----------
     scheme : TorsionScheme
     frequencies : int
-        How many natural frequencies remain, those of rigid motions not counted.
+        Number of natural frequencies to keep, not counting rigid motions.
     rule : {"partial", "r", "b", "u"}, optional
-        `partial` for a chain, else `r`, when not given. The system with the highest frequency
-        is taken out; of several within 1e-9, one of one mass, then the first. By the rules for
-        branched schemes a mass that one device alone acts on stays.
+        By default `partial` for a chain and `r` for other schemes. The system with the highest
+        frequency is removed; among frequencies within 1e-9, a system of one mass, then the first.
+        The rules for branched schemes keep masses on which a single device acts.
     remove : sequence of str
-        Names of masses that are taken out first, in this order, in place of the rule's choice.
+        Names of masses to remove first, in this order, instead of the choice of the rule.
 
     Returns
     -------
     Simplification
-        The steps, and what is left: inertias [kg*m^2], compliances [rad/(N*m)].
+        Steps and simplified scheme, with inertias [kg*m^2] and compliances [rad/(N*m)].
 
     Raises
     ------
     CaseError
-        A number of frequencies that the scheme can't come down to, names that it does not
-        have, the rule `partial` for a scheme that is no chain.
+        If the number of frequencies is out of range, a name is not the name of a mass, or the
+        rule is `partial` and the scheme is not a chain.
 
     Examples
     --------
     >>> from vstatics.torsion.reduction.scheme import SchemeSpring
     >>> springs = SchemeSpring("s", {0: 1, 1: -1}, 1.0), SchemeSpring("t", {1: 1, 2: -1}, 0.25)
-    >>> found = simplify(TorsionScheme(("a", "b", "c"), (4.0, 1.0, 4.0), springs), 1)
-    >>> [step] = found.steps
+    >>> simpler = simplify(TorsionScheme(("a", "b", "c"), (4.0, 1.0, 4.0), springs), 1)
+    >>> [step] = simpler.steps
     >>> step.operation, round(step.partial_frequency, 3), step.inertias, step.compliances
     ('remove b', 2.236, (4.2, 4.8), (1.25,))
     """
@@ -127,43 +123,41 @@ def simplify(
     is_chain = isinstance(chain, Chain)
     rule = rule or ("partial" if is_chain else "r")
     given = scheme_of(chain) if isinstance(chain, Chain) else tidied(scheme)
-    steps = len(natural_frequencies(given)) - frequencies
-    if problems := [*_problems(scheme, frequencies, steps, remove)]:
+    count = len(natural_frequencies(given)) - frequencies
+    if problems := [*_problems(scheme, frequencies, count, remove)]:
         raise CaseError(problems)
     if rule != "partial":
-        stages = [*_by_masses(given, steps, rule, remove)]
+        stages = [*_by_masses(given, count, rule, remove)]
     elif isinstance(chain, Chain):
-        stages = [*_by_partial_systems(chain, steps, remove)]
+        stages = [*_by_partial_systems(chain, count, remove)]
     else:
         message = f"read rule `partial`, expected r, b or u: the scheme is no chain, {chain}"
         raise CaseError("E506", message)
-    found = tuple(step_of(stage, rule, is_chain=is_chain) for stage in stages)
-    left = without_massless(stages[-1][1] if stages else given)
-    return Simplification(rule, found, left, tuple(doubts_of(found, found[-1:])))
+    described = tuple(step_of(stage, rule, is_chain=is_chain) for stage in stages)
+    final = without_massless(stages[-1][1] if stages else given)
+    return Simplification(rule, described, final, tuple(doubts_of(described, described[-1:])))
 
 
 def _by_partial_systems(chain: Chain, steps: int, remove: Sequence[str]) -> Iterator[SchemeReached]:
-    """The stages of a chain by systems of one and of two masses."""
     for step in range(steps):
         if step < len(remove):
             system = one_mass_system(chain, chain.names.index(remove[step]))
         else:
             system = _highest(partial_systems(chain))
-        one, *other = system.masses
-        chain = with_masses_merged(chain, one) if other else without_mass(chain, one)
+        mass, *neighbour = system.masses
+        chain = with_masses_merged(chain, mass) if neighbour else without_mass(chain, mass)
         yield system, scheme_of(chain)
 
 
 def _by_masses(
     scheme: TorsionScheme, steps: int, rule: BranchRule, remove: Sequence[str]
 ) -> Iterator[SchemeReached]:
-    """The stages of any scheme by systems of one mass."""
     for step in range(steps):
         systems = one_mass_systems(scheme)
         if step < len(remove):
-            system = next(one for one in systems if one.names == (remove[step],))
+            system = next(s for s in systems if s.names == (remove[step],))
         else:
-            system = _highest(_inner(scheme, systems))
+            system = _highest(_removable(scheme, systems))
         [mass] = system.masses
         if not system.frequency:
             raise CaseError("E507", f"`{system.names[0]}` can't be removed: no device acts on it")
@@ -171,28 +165,26 @@ def _by_masses(
         yield system, scheme
 
 
-def _inner(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
-    """The systems that a rule may take out."""
-    inner = [one for one in systems if acted_on_by_several(scheme, one.masses[0])]
+def _removable(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
+    inner = [system for system in systems if acted_on_by_several(scheme, system.masses[0])]
     if not inner:
         raise CaseError(
             "E508",
             "no link is left that a rule removes: one device alone acts on each of "
-            f"{listed([one.names[0] for one in systems])}; name those to remove",
+            f"{listed([system.names[0] for system in systems])}; name those to remove",
         )
     return inner
 
 
 def _highest(systems: Sequence[PartialSystem]) -> PartialSystem:
-    """The system with the highest frequency; at a tie the first."""
     highest = max(system.frequency for system in systems)
-    return next(one for one in systems if one.frequency >= highest * (1 - TIE))
+    return next(system for system in systems if system.frequency >= highest * (1 - TIE))
 
 
 def step_of(
     stage: SchemeReached, rule: SimplificationRule, *, is_chain: bool
 ) -> SimplificationStep:
-    """What is told of a stage."""
+    """Describe the removal of a partial system and the resulting scheme."""
     system, scheme = stage
     heavy = without_massless(scheme)
     verb = "remove" if len(system.names) == 1 else "merge"
@@ -210,7 +202,6 @@ def step_of(
 def _problems(
     scheme: TorsionScheme, frequencies: int, steps: int, remove: Sequence[str]
 ) -> Iterator[Problem]:
-    """What is wrong with what is asked for."""
     most = frequencies + steps
     if not 1 <= frequencies <= most:
         to = f" to {most}" if most > 1 else ""
@@ -238,30 +229,38 @@ def _problems(
 def doubts_of(
     steps: Sequence[SimplificationStep], last: Sequence[SimplificationStep]
 ) -> Iterator[Problem]:
-    """A frequency that the last step keeps is too near to one that was taken out, (П1.8)."""
+    """Warn of a natural frequency too close to a removed partial frequency, (П1.8).
+
+    Parameters
+    ----------
+    steps : sequence of SimplificationStep
+        Steps whose partial frequencies count.
+    last : sequence of SimplificationStep
+        Steps up to the last, whose highest natural frequency counts.
+    """
     if not steps:
         return
     lowest = min(steps, key=lambda step: certain(step.partial_frequency))
-    kept, partial = last[-1].omegas[-1], lowest.partial_frequency
-    if kept > ACCURATE * partial:
+    omega, partial = last[-1].omegas[-1], lowest.partial_frequency
+    if omega > ACCURATE * partial:
         yield Problem(
             "W501",
-            f"{kept:.4g} rad/s is kept, more than half of the partial frequency {partial:.4g} "
+            f"{omega:.4g} rad/s is kept, more than half of the partial frequency {partial:.4g} "
             f"rad/s that is taken out ({lowest.operation}): it may be more than 5 % off",
         )
 
 
 def without_mass(chain: Chain, mass: int) -> Chain:
-    """One mass gives way to a spring: its inertia goes to its neighbours, (П1.4).
+    """Remove a mass from a chain and share the inertia among the neighbours, (П1.4).
 
-    Each gets the part that the stiffness towards it has in both. At a free end the neighbour
-    gets all, and the spring is gone.
+    The shares are proportional to the stiffnesses towards the neighbours. At a free end the
+    neighbour gets the whole inertia, and the spring is dropped.
 
     Parameters
     ----------
     chain : Chain
     mass : int
-        Its number along the chain, from 0.
+        Index of the mass along the chain.
 
     Examples
     --------
@@ -287,15 +286,16 @@ def without_mass(chain: Chain, mass: int) -> Chain:
 
 
 def with_masses_merged(chain: Chain, left: int) -> Chain:
-    """A mass and the next one become one: the spring between them goes to those beside, (П1.5).
+    """Merge two neighbouring masses of a chain, (П1.5).
 
-    Each takes the part that the farther inertia has in both; at a free end it is gone.
+    The compliance of the spring between the masses is shared among the springs on both sides, in
+    proportion to the inertia of the farther mass. At a free end the share is dropped.
 
     Parameters
     ----------
     chain : Chain
     left : int
-        The number of the first of both along the chain, from 0.
+        Index of the first mass along the chain.
 
     Examples
     --------
@@ -303,17 +303,17 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
     >>> with_masses_merged(three, 0)
     Chain(names=('a+b', 'c'), inertias=(4, 4), springs=(ChainSpring(name='t', compliance=1.0, damping=0.0),))
     """  # noqa: E501
-    one, two = chain.inertias[left : left + 2]
+    first, second = chain.inertias[left : left + 2]
     between, springs = chain.springs[left], list(chain.springs)
     if left > 0:
-        springs[left - 1] = _longer(springs[left - 1], between, two / (one + two), 0.5)
+        springs[left - 1] = _longer(springs[left - 1], between, second / (first + second), 0.5)
     if left + 1 < len(springs):
-        springs[left + 1] = _longer(springs[left + 1], between, one / (one + two), 0.5)
+        springs[left + 1] = _longer(springs[left + 1], between, first / (first + second), 0.5)
     del springs[left]
-    rest = slice(left + 2, None)
+    behind = slice(left + 2, None)
     return Chain(
-        (*chain.names[:left], "+".join(chain.names[left : left + 2]), *chain.names[rest]),
-        (*chain.inertias[:left], one + two, *chain.inertias[rest]),
+        (*chain.names[:left], "+".join(chain.names[left : left + 2]), *chain.names[behind]),
+        (*chain.inertias[:left], first + second, *chain.inertias[behind]),
         tuple(springs),
     )
 
@@ -321,11 +321,11 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
 def _longer(
     spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
 ) -> ChainSpring:
-    """A spring in a row with a part of another one, which carry one torque; damping by (П1.14).
+    """Lengthen a spring by a part of a second spring in series, with damping by (П1.14).
 
-    Where the other is divided, by (П1.15), both parts of it dissipate the same at the same torque:
-    (П1.15) in (П1.16) leaves K/2 of it, times the square of its own compliance by that of the sum,
-    however small the part is.
+    Both parts of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
+    (П1.16), each part adds K/2 times the square of the ratio of the undivided compliance to the
+    total compliance, however small the part is.
     """
     compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2
@@ -334,54 +334,47 @@ def _longer(
 
 
 BranchRule = Literal["r", "b", "u"]
-"""How the inertia of a mass is shared out."""
+"""Rule of static condensation for sharing the inertia of a removed mass."""
 
 _SHARES: dict[BranchRule, Callable[[float], float]] = {
     "r": lambda part: part,  # (П1.7), which the book recommends
     "b": lambda part: part**2,  # (П1.6), of Banakh
     "u": lambda _: 0.0,
 }
-"""What a mass gets of the inertia, by its part |Kij|/Kjj of the stiffness."""
+"""Share of a mass in the removed inertia, as a function of the stiffness ratio |Kij|/Kjj."""
 
 
 def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
-    """Each mass with all others held: sqrt(Kjj/Jj), K and J without the massless ones.
+    """Return the partial systems of the masses with inertia, in the order of the scheme.
 
-    Parameters
-    ----------
-    scheme : TorsionScheme
-        Masses without inertia are where springs meet.
-
-    Returns
-    -------
-    list of PartialSystem
-        In the order of the scheme.
+    The frequency with all other masses held is sqrt(Kjj/Jj), where the stiffness matrix K is
+    condensed to masses with inertia.
     """
     heavy = without_massless(scheme)
     stiffness = stiffness_matrix(heavy).diagonal().tolist()
     number = {name: mass for mass, name in enumerate(scheme.names)}
     return [
-        PartialSystem((number[name],), (name,), math.sqrt(own / inertia))
-        for name, inertia, own in zip(heavy.names, heavy.inertias, stiffness, strict=True)
+        PartialSystem((number[name],), (name,), math.sqrt(k / j))
+        for name, j, k in zip(heavy.names, heavy.inertias, stiffness, strict=True)
     ]
 
 
 def acted_on_by_several(scheme: TorsionScheme, mass: int) -> bool:
-    """Whether more than one device acts on a mass: it is no end of the scheme."""
+    """Return whether several devices act on a mass, so that the mass is not an end."""
     return sum(mass in spring.twist for spring in scheme.springs) > 1
 
 
 def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> TorsionScheme:
-    """The scheme without the inertia of one mass, a part of which others get.
+    """Remove the inertia of a mass, and share part of the inertia among other masses.
 
-    The mass stays as a place without inertia where three springs or more meet: so the scheme
-    keeps its shape, and it is still seen which device acts on which mass.
+    Where three or more springs meet, the mass remains without inertia. The scheme thus keeps its
+    layout, which shows the masses on which each device acts.
 
     Parameters
     ----------
     scheme : TorsionScheme
     mass : int
-        Its number, from 0.
+        Index of the mass.
     rule : {"r", "b", "u"}
 
     Examples
@@ -393,11 +386,13 @@ def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> T
     [(4.5, 5.5), (4.125, 5.125), (4.0, 4.0)]
     """
     heavy = without_massless(scheme)
-    own = heavy.names.index(scheme.names[mass])
-    column = stiffness_matrix(heavy)[own].tolist()
+    removed = heavy.names.index(scheme.names[mass])
+    column = stiffness_matrix(heavy)[removed].tolist()
     inertias = dict(zip(scheme.names, scheme.inertias, strict=True))
     for name, stiffness in zip(heavy.names, column, strict=True):
         if name != scheme.names[mass]:
-            inertias[name] += scheme.inertias[mass] * _SHARES[rule](abs(stiffness) / column[own])
+            inertias[name] += scheme.inertias[mass] * _SHARES[rule](
+                abs(stiffness) / column[removed]
+            )
     inertias[scheme.names[mass]] = 0.0
     return tidied(scheme._replace(inertias=tuple(inertias.values())))

@@ -1,4 +1,4 @@
-"""Reduced inertias and compliances, and steps to a simpler scheme, as tables."""
+"""Tables of reduced inertias and compliances, and of the steps of a simplification."""
 
 from __future__ import annotations
 
@@ -10,18 +10,22 @@ from vstatics.torsion.reduction.simplification import Simplification
 
 
 def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
-    """A row for each link or device, a column for each gear.
+    """Yield tables of reduced values, with a row for each link or device.
 
     Examples
     --------
-    >>> one = GearReduction("1", {"a": 0.5}, {"s": 0.04}, {"a": 2.0}, {"a": ["b", "c"]}, {})
-    >>> [grid.key for grid in reduction_grids("a", [one])]
+    >>> gear = GearReduction("1", {"a": 0.5}, {"s": 0.04}, {"a": 2.0}, {"a": ["b", "c"]}, {})
+    >>> [grid.key for grid in reduction_grids("a", [gear])]
     ['inertias', 'compliances', 'ratios', 'notes']
     """
     for title, heading, by_gear in (
-        (f"Inertias reduced to {to} [kg*m^2]", "link", [one.inertias for one in gears]),
-        (f"Compliances reduced to {to} [rad/(N*m)]", "device", [one.compliances for one in gears]),
-        (f"Ratios w_{to}/w_link", "link", [one.ratios for one in gears]),
+        (f"Inertias reduced to {to} [kg*m^2]", "link", [gear.inertias for gear in gears]),
+        (
+            f"Compliances reduced to {to} [rad/(N*m)]",
+            "device",
+            [gear.compliances for gear in gears],
+        ),
+        (f"Ratios w_{to}/w_link", "link", [gear.ratios for gear in gears]),
     ):
         yield _by_gear(title, heading, gears, by_gear)
     notes = [
@@ -46,27 +50,27 @@ def _by_gear(
     return grid_of(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
 
 
-def simplification_grids(found: Simplification) -> Iterator[Grid]:
-    """What each step takes out and what frequencies remain; then the masses and springs left.
+def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
+    """Yield tables of the steps, the remaining masses and the remaining springs.
 
     Examples
     --------
     >>> from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
     >>> from vstatics.torsion.reduction.simplification import simplify
     >>> springs = SchemeSpring("s", {0: 1, 1: -1}, 1.0), SchemeSpring("t", {1: 1, 2: -1}, 0.25)
-    >>> left = simplify(TorsionScheme(("a", "b", "c"), (4.0, 1.0, 4.0), springs), 1)
-    >>> [grid.title for grid in simplification_grids(left)]
+    >>> simpler = simplify(TorsionScheme(("a", "b", "c"), (4.0, 1.0, 4.0), springs), 1)
+    >>> [grid.title for grid in simplification_grids(simpler)]
     ['Steps, by rule partial', 'Masses', 'Springs']
     """
-    most = max((len(step.omegas) for step in found.steps), default=0)
+    most = max((len(step.omegas) for step in simplification.steps), default=0)
     headings = ["partial [rad/s]", *(f"omega {n} [rad/s]" for n in range(1, most + 1))]
     rows = [
         (step.operation, step.partial_frequency, *step.omegas, *[None] * (most - len(step.omegas)))
-        for step in found.steps
+        for step in simplification.steps
     ]
-    title = f"Steps, by rule {found.rule}" + ": none" * (not rows)
+    title = f"Steps, by rule {simplification.rule}" + ": none" * (not rows)
     yield grid_of(title, ["step", *headings], rows, key="steps")
-    scheme = found.scheme
+    scheme = simplification.scheme
     inertias = (exact(inertia, 6) for inertia in scheme.inertias)
     masses = zip(scheme.names, inertias, strict=True)
     yield grid_of("Masses", ["link", "inertia [kg*m^2]"], masses, key="masses")
@@ -79,7 +83,7 @@ def simplification_grids(found: Simplification) -> Iterator[Grid]:
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:
-    """A twist by the angles of masses.
+    """Format a twist as a form of the angles of masses.
 
     >>> _form({0: 1.0, 2: -2.5}, ["a", "b", "c"])
     '1*a -2.5*c'

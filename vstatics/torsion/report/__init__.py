@@ -1,5 +1,5 @@
-"""Sections of a page on torsional vibration.
+"""Section of a page on torsional vibration.
 
-`vibration` calculates the modes of all gears of a case for its page and shows them: natural
-frequencies, shapes, damping, the Campbell diagram.
+`vibration` calculates the modes of all gears of a case, and shows natural frequencies, shapes,
+damping and the Campbell diagram.
 """

@@ -1,7 +1,4 @@
-"""The natural modes of a case that vibrates, for its page.
-
-The section on vibration: natural frequencies, resonances, the modes of each gear.
-"""
+"""Section on vibration of the page of a case: natural frequencies, resonances, modes by gear."""
 
 from __future__ import annotations
 
@@ -23,43 +20,44 @@ if TYPE_CHECKING:
 
 
 class Vibration(NamedTuple):
-    """What the page shows of the natural modes of a case."""
+    """Natural modes of a case, as shown on the page."""
 
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
-    """Of each gear; nothing where there are no pictures."""
+    """Pictures of the shapes of each gear; empty on a page without pictures."""
     campbell: Drawn | None = None
-    """Of all gears that are shown."""
+    """Campbell diagram of all gears shown."""
     in_full: bool = True
-    """Whether what is shown of each gear is printed."""
+    """True if the parts about single gears are printed."""
     without: str = ""
-    """Why all this is left out, else nothing."""
+    """Reason why the section is left out, or an empty text."""
     drawn: tuple[str, ...] = ()
+    """Kinds of pictures that need not appear elsewhere on the page."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """All of it, or why it is left out."""
+        """Yield the markup of the section, or the reason why the section is left out."""
         if self.without:
             yield tag("p", tr("Left out: {why}", why=self.without))
             return
-        said = [
+        warnings = [
             f"{tr('gear {gear}', gear=gear.name)}: {text}"
             for gear in self.gears
             for text in gear.warnings
         ]
-        if said:
-            yield tag("ul", *(tag("li", text) for text in said), class_="messages")
+        if warnings:
+            yield tag("ul", *(tag("li", text) for text in warnings), class_="messages")
         grid = frequencies(self.gears).with_digits(digits)
         yield table(grid._replace(rows=[[gear_link(row[0].text), *row[1:]] for row in grid.cells]))
         if self.campbell:
             yield from figures(self.campbell, name_of(self.campbell.kind))
         for number, gear in enumerate(self.gears):
             drawn = self.shapes[number] if self.shapes else None
-            shown = list(_gear(gear, drawn, digits))
+            shown = list(_gear_markup(gear, drawn, digits))
             yield of_gear("modes", gear.name, shown, is_printed=self.in_full)
 
 
 def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
-    """Whether anything has an inertia, and anything is elastic.
+    """Return whether a case has inertias and elastic devices.
 
     >>> from vstatics import Spring
     >>> spring = Spring({1: 1, 2: -1}, stiffness=100.0)
@@ -69,13 +67,13 @@ def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
     """
     drawing = drawing_of(case)
     elements = drawing.elements if drawing is not None else ()
-    heavy = any(case.heavy.values()) or any(one.planet_masses for one in elements)
-    parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
-    return heavy and (bool(case.springs) or any(one.stiffness is not None for one in parts))
+    heavy = any(case.heavy.values()) or any(element.planet_masses for element in elements)
+    devices: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
+    return heavy and (bool(case.springs) or any(d.stiffness is not None for d in devices))
 
 
 def part(request: PartRequest) -> Vibration | None:
-    """Return the natural modes of a case; nothing if it does not vibrate."""
+    """Return the section of a page, or None for a case that does not vibrate."""
     case = request.results.case
     if not has_part(case):
         return None
@@ -86,20 +84,20 @@ def part(request: PartRequest) -> Vibration | None:
     from vstatics.torsion.vibration.gear_modes import modes
 
     numbers = [n for n in range(1, len(case.gears) + 1) if request.shows(n)]
-    found = [gear for n, gear in enumerate(modes(case), 1) if request.shows(n)]
-    if not request.has_pictures or not any(gear.modes for gear in found):
-        return Vibration(found)
+    gears = [gear for n, gear in enumerate(modes(case), 1) if request.shows(n)]
+    if not request.has_pictures or not any(gear.modes for gear in gears):
+        return Vibration(gears)
     shapes = [request.draw("modes", [number]) for number in numbers]
     campbell = request.draw("campbell", request.gears)
-    return Vibration(found, shapes, campbell, request.in_full)
+    return Vibration(gears, shapes, campbell, request.in_full)
 
 
 OF_GEAR = ("frequencies", "energy")
-"""Keys of the tables of a gear."""
+"""Keys of the tables shown of each gear."""
 
 
 def frequencies(gears: Sequence[GearModes]) -> Grid:
-    """The natural frequencies of all gears, without damping; why a gear has none.
+    """Return the table of undamped natural frequencies, with notes on gears without modes.
 
     Examples
     --------
@@ -120,8 +118,7 @@ def frequencies(gears: Sequence[GearModes]) -> Grid:
     return grid_of(title, ["gear", Column("rigid modes"), *modes, "note"], rows, optional=["note"])
 
 
-def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[Markup]:
-    """The modes of a gear, below its name."""
+def _gear_markup(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[Markup]:
     from vstatics.torsion.vibration.tables import modes_grids
 
     if not gear.modes:
@@ -130,5 +127,5 @@ def _gear(gear: GearModes, drawn: Drawn | None, digits: int | None) -> Iterator[
     if drawn:
         yield from figures(drawn, name_of(drawn.kind))
     shown = (grid for grid in modes_grids([gear]) if grid.key in OF_GEAR)
-    for_one = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
-    yield from tables(grid.with_digits(digits) for grid in for_one)
+    without_gear = (grid.with_columns(range(1, len(grid.columns))) for grid in shown)
+    yield from tables(grid.with_digits(digits) for grid in without_gear)

@@ -28,7 +28,7 @@ class Coordinates(NamedTuple):
     rigid: Floats
     """Motions with inertia but without elastic twist, shape (links, r)."""
     undetermined: Booleans
-    """Whether each link takes part in a motion with neither inertia nor resistance."""
+    """Mask of the links that take part in a motion with neither inertia nor resistance."""
 
     @property
     def modes(self) -> int:
@@ -73,7 +73,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = [{pinned: 1.0} for pinned in _determining_links(loose)]
+    held: list[Form] = [{link: 1.0} for link in _links_that_block(loose)]
     return Coordinates(
         free=system.free(*held),
         massless=system.free(*held, *bodies),
@@ -82,8 +82,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     )
 
 
-def _determining_links(motions: Floats) -> list[int]:
-    """Return links that determine the given motions: with these links held, no motion remains."""
+def _links_that_block(motions: Floats) -> list[int]:
     if not motions.shape[1]:
         return []
     from scipy import linalg

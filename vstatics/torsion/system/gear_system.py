@@ -32,7 +32,7 @@ class TorsionalDevice(NamedTuple):
     twist: Form
     """Coefficients of the angles of links (indices from 0). [-]"""
     stiffness: float | None = None
-    """Stiffness [N*m/rad]; None for a rigid device, whose twist is 0."""
+    """Stiffness; None for a rigid device, whose twist is 0. [N*m/rad]"""
     damping: Damping = NO_DAMPING
 
     @property
@@ -48,7 +48,7 @@ class TorsionalSystem(NamedTuple):
     ----------
     names : sequence of str
         Names of all links: the links of the case, then those of planets.
-    own : int
+    case_links : int
         Number of links of the case.
     bodies : sequence of Body
         A body for each link of the case, also with an inertia of 0; then planets.
@@ -67,7 +67,7 @@ class TorsionalSystem(NamedTuple):
     """
 
     names: tuple[str, ...]
-    own: int
+    case_links: int
     bodies: tuple[Body, ...]
     devices: tuple[TorsionalDevice, ...]
     link_inertias: tuple[float, ...]
@@ -78,7 +78,7 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def resists(self) -> bool:
-        """Whether converters or separate dampers resist motions, also rigid ones."""
+        """True if converters or separate dampers resist motions, including rigid motions."""
         return bool(self.converters or self.dampers)
 
     @property

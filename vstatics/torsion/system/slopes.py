@@ -66,10 +66,10 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
 
 
 def _torques_of_springs(case: Transmission, gear: Gear) -> list[float]:
-    """Return the torques of springs [N*m]; 0 without a load, or if nothing is transmitted."""
     case, gear, *_ = mean_gear(case, gear)
     if not case.gear_load(gear).torque:
         return [0.0] * len(case.springs)
     results = solve(case.replace(gears=[gear]))
+    # Without a torque at the output the gear transmits nothing, and its springs carry nothing.
     *torques, output = results.lossy_torques_Nm[0, -len(case.springs) - 1 :].tolist()
     return [0.0] * len(torques) if math.isnan(output) else torques

@@ -85,7 +85,7 @@ def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
             raise ValueError(f"no converter {name!r}{hint}")
     if not names:
         return WorkingGear(case, gear)
-    return _WorkingPoints(case, opened, case.gear_number(gear.name) - 1).found(given)
+    return _WorkingPoints(case, opened, case.gear_number(gear.name) - 1).working_gear(given)
 
 
 class _OnPump(NamedTuple):
@@ -118,8 +118,7 @@ class _WorkingPoints:
         self.driving: list[Converter] = []
         """Converters with given speed ratios; the first determines the torque of the input."""
 
-    def found(self, given: Ratios) -> WorkingGear:
-        """Return the gear at its working point."""
+    def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
         self.driving = [pump for pump in self.closed if pump.name in ratios]
         unknown = [converter for converter in self.closed if converter.name not in ratios]
@@ -127,7 +126,7 @@ class _WorkingPoints:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
             raise self._unknown(unknown, "of one converter alone it follows from the load")
-        case, doubts = self._loaded(self._with(ratios))
+        case, doubts = self._loaded(self._case_at(ratios))
         results = solve(case)
         working = []
         for converter in self.opened.converters:
@@ -161,7 +160,7 @@ class _WorkingPoints:
                 yield converter.name, ratio
 
     def _given(self) -> dict[str, float]:
-        """Return the speed ratios that the mechanisms or the gear give."""
+        """Return the speed ratios given in the mechanisms or in the gear."""
         converters = [mesh for mesh in self.case.mechanisms if mesh.kind == "converter"]
         ratios = {c.name: c.ratio for c in converters if not math.isnan(c.ratio)}
         first = len(self.opened.mechanisms[self.opened.own_mechanisms])
@@ -171,8 +170,7 @@ class _WorkingPoints:
                 ratios[names[number - first - 1]] = ratio
         return ratios
 
-    def _with(self, ratios: Ratios) -> Transmission:
-        """Return the case of the gear with converters replaced by mechanisms."""
+    def _case_at(self, ratios: Ratios) -> Transmission:
         of_case = self.opened.mechanisms[self.opened.own_mechanisms]
         speed_ratios = {n: i for n, i in self.gear.speed_ratios.items() if n <= len(of_case)}
         mechanisms = [*of_case, *(c.at_ratio(ratios[c.name]) for c in self.closed)]
@@ -202,16 +200,15 @@ class _WorkingPoints:
             if excess[above] * excess[below] <= 0:
                 from scipy.optimize import brentq  # not imported for most gears
 
-                def of(ratio: float) -> float:
+                def excess_at(ratio: float) -> float:
                     return self._excess(converter, ratios, ratio)
 
-                return float(brentq(of, below, above, xtol=SPEED_RATIO_STEP))
+                return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
         why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
         raise self._unknown([converter], why)
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
-        """Return the excess torque of a pump at a speed ratio [N*m]."""
-        case, _ = self._loaded(self._with({**ratios, converter.name: ratio}))
+        case, _ = self._loaded(self._case_at({**ratios, converter.name: ratio}))
         return self._on_pump(converter, case).excess
 
     def _on_pump(self, converter: Converter, case: Transmission) -> _OnPump:

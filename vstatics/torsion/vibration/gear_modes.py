@@ -254,7 +254,7 @@ def _named(  # noqa: PLR0913, PLR0917
     damped: DampedModes | None,
 ) -> Iterator[Mode]:
     """Yield the modes by names, each with a largest amplitude of 1."""
-    shapes = natural.shapes / _largest(natural.shapes[: system.own])
+    shapes = natural.shapes / _largest(natural.shapes[: system.case_links])
     link_torques = torques(system, held, shapes, natural.omegas)
     by_device = own_torques(case, system, link_torques, shapes * natural.omegas**2)
     kinetic = _shares(shapes, [(body.name, body.inertia, body.form) for body in system.bodies])
@@ -262,7 +262,7 @@ def _named(  # noqa: PLR0913, PLR0917
     elastic = _shares(shapes, springs)
     nodes = count_nodes(system, split, shapes)
     shapes[split.undetermined] = math.nan
-    links = system.names[: system.own]
+    links = system.names[: system.case_links]
     ratios = np.zeros_like(natural.omegas) if damped is None else damped.ratios
     damped_omegas = natural.omegas if damped is None else damped.frequencies
     for index, omega in enumerate(natural.omegas.tolist()):

@@ -196,6 +196,26 @@ def shown_speeds(text: str) -> tuple[float, float]:
     return low, high
 
 
+def torque(text: str) -> float:
+    """Read a torque [N*m], with or without a unit.
+
+    Raises
+    ------
+    ValueError
+
+    Examples
+    --------
+    >>> torque("120"), torque("1.2 kN*m")
+    (120.0, 1200.0)
+    """
+    from vstatics.core.readers.named.si_units import measured
+
+    try:
+        return measured(text, "si_torque")
+    except ValueError as error:
+        raise ValueError(f"read {text!r}, {error}") from None
+
+
 def named(
     shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
 ) -> Callable[[Sequence[str]], dict[str, Value]]:

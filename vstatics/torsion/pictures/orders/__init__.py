@@ -1,7 +1,7 @@
-"""Vibration over the speed of a link, which excites by orders.
+"""Pictures of vibration over the speed of a link that excites the gear by orders.
 
-`excited` tells orders and speeds, `running` marks at which the input runs. `resonances` are where
-orders meet natural frequencies: `dots` shows how much each matters, `resonance_table` their speeds,
-`gear_strip` the frequencies gear by gear; `campbell` is the picture of these, of what
-`campbell_sheet` has. `response_lines` are amplitudes over the speed, `response` their picture.
+`excited` determines orders and speeds, and `running` marks the speeds at which the input runs.
+`resonances` finds the speeds at which orders meet natural frequencies. `campbell` draws the content
+of a `campbell_sheet`, with `dots` for the size of resonances, a `resonance_table` and a
+`gear_strip`. `response` draws the amplitudes of `response_lines`.
 """

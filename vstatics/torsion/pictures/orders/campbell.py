@@ -1,7 +1,7 @@
-"""The Campbell diagram: natural frequencies of gears over the speed of the input, and its orders.
+"""Campbell diagram: natural frequencies of gears and orders over the speed of the input.
 
-All gears are in one panel, linear in both scales, up to where the highest order ends. Beside it
-stand the frequencies gear by gear, below it the table of resonances.
+A panel with linear scales shows all gears up to the end of the highest order. The strip at the
+side shows the frequencies gear by gear, and the table below the panel lists resonances.
 """
 
 from __future__ import annotations
@@ -33,17 +33,17 @@ from vstatics.torsion.pictures.orders.resonances import Meeting
 from vstatics.torsion.pictures.orders.running import draw_running, running_sign
 
 PANEL_HEIGHT = 250.0
-"""Of the panel, where nothing else decides. [pt]"""
+"""Usual height of the panel. [pt]"""
 TALLEST_PANEL = 340.0
-"""Of the panel, on a page with room. [pt]"""
+"""Largest height of the panel, on a page with room. [pt]"""
 FREQUENCY_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 52.0, 46.0
-"""For the scales. [pt]"""
+"""Width and height of the scales. [pt]"""
 ORDERS_PART = 0.6
-"""Of the right edge, at most, that names of orders take beside those of modes."""
+"""Largest part of the right edge for names of orders, if names of modes need room too."""
 ABOVE_PANEL = 16.0
-"""For what the strip of gears is. [pt]"""
+"""Height of the title of the strip of gears. [pt]"""
 BEFORE_STRIP = 6.0
-"""Between names of orders and the gears. [pt]"""
+"""Gap between names of orders and the strip of gears. [pt]"""
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
@@ -59,22 +59,22 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
 
 
 def _mode_look(style: Style, *, is_common: bool) -> Look:
-    """Of a natural frequency: ink, as links alone have colours."""
+    """Return the line of a natural frequency, in ink, as only links have colours."""
     return {"color": style.ink, "width": 1.3 if is_common else 0.5}
 
 
 def _signs(sheet: CampbellSheet) -> list[Meaning]:
     style, several = sheet.style, len(sheet.gears) > 1
-    common = any(len(one.modes) == len(sheet.gears) for one in sheet.shared)
-    alone = any(len(one.modes) < len(sheet.gears) for one in sheet.shared)
+    common = any(len(mode.modes) == len(sheet.gears) for mode in sheet.shared)
+    partial = any(len(mode.modes) < len(sheet.gears) for mode in sheet.shared)
     of_all = "natural frequency of all gears"
     if not several:
         of_all = "natural frequency"
-    fires, others = (any(one.fires is so for one in sheet.orders) for so in (True, False))
+    fires, others = (any(order.fires is so for order in sheet.orders) for so in (True, False))
     plain, firing = (order_look(Order(1.0, so), style) for so in (False, True))
     return [
         (common, of_all, _mode_look(style, is_common=True)),
-        (alone, "of some gears", _mode_look(style, is_common=False)),
+        (partial, "of some gears", _mode_look(style, is_common=False)),
         (others, "order n×", plain),
         (fires, "order that fires", firing),
         *running_sign(sheet.running, style),
@@ -83,28 +83,28 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 
 
 def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
-    """The panel with as much of the tables as fits, then the rest."""
+    """Draw the panel with the tables that fit on its page, then pages with the other tables."""
     style, across = sheet.style, sheet.style.width
     text, room = _title(sheet), across - 2 * MARGIN
     tables = resonance_tables(
         sheet.modes, sheet.orders, (sheet.running, sheet.fastest, sheet.slowest), room, style
     )
-    left = TableParts([(one, one.rows) for one in tables])
+    remaining = TableParts([(table, table.rows) for table in tables])
     head = sheet_head(text, sheet.note, _signs(sheet), room, style)
     around = ABOVE_PANEL + SPEED_SCALE_HEIGHT
     high = max(PANEL_HEIGHT, height_of(sheet.order_ends))
     free = style.height - head.high - MARGIN - around
     if math.isfinite(free):
-        high = max(high, free - left.high)
+        high = max(high, free - remaining.high)
     high = min(high, TALLEST_PANEL)
-    first, left = left.fitting(free - high)
+    first, remaining = remaining.fitting(free - high)
     pen = head.over((across, first.high + around + high), MARGIN, style)
     _draw_panel(pen, sheet, (first.high + SPEED_SCALE_HEIGHT, high))
     first.draw(pen)
     yield pen.figure
     head = sheet_head(text, "", [], room, style)
-    while left.parts:
-        page, left = left.fitting(style.height - head.high - MARGIN, least=1)
+    while remaining.parts:
+        page, remaining = remaining.fitting(style.height - head.high - MARGIN, least=1)
         pen = head.over((across, page.high), MARGIN, style)
         page.draw(pen)
         yield pen.figure
@@ -116,7 +116,7 @@ def _title(sheet: CampbellSheet) -> str:
 
 
 def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> None:
-    """The diagram and the strip of gears, from an ordinate up, of a height [pt]."""
+    """Draw the diagram and the strip of gears above an ordinate, with a height [pt]."""
     (low, high), style = place, sheet.style
     strip = GearStrip(sheet.gears, sheet.modes, sheet.top, style)
     is_lone = len(sheet.gears) == 1
@@ -133,28 +133,28 @@ def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> N
     _draw_scales(panel, sheet)
     _draw_lines(panel, sheet)
     beside(panel, "right", ends)
-    for met in sorted(sheet.meetings, key=lambda one: one.mode.participation):
-        _draw_meeting(panel, met, sheet)
+    for meeting in sorted(sheet.meetings, key=lambda meeting: meeting.mode.participation):
+        _draw_meeting(panel, meeting, sheet)
     if not is_lone:
         at = FREQUENCY_SCALE_WIDTH + wide + width_of(ends) + BEFORE_STRIP
         strip.draw(pen.panel((at, low), (strip.across, high), y=scales[1]))
 
 
 def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
-    """The names of the modes of one gear, an arrow at those above."""
-    found = []
-    for one in sheet.modes:
-        above = " ↑" if one.frequency > sheet.top else ""
-        part = min(one.frequency / sheet.top, 1.0)
-        found.append(LineEnd(part, (f"{one.number}: {sheet.hertz(one.frequency)}{above}",)))
-    return found
+    """Return the names of the modes of a single gear, with arrows at modes above the scale."""
+    ends = []
+    for mode in sheet.modes:
+        above = " ↑" if mode.frequency > sheet.top else ""
+        part = min(mode.frequency / sheet.top, 1.0)
+        ends.append(LineEnd(part, (f"{mode.number}: {sheet.hertz(mode.frequency)}{above}",)))
+    return ends
 
 
 def thinned(ends: Sequence[LineEnd], room: float) -> list[LineEnd]:
-    """As many names as there is room for [pt], evenly chosen.
+    """Choose names at even steps so that they fit into a height [pt].
 
-    >>> some = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
-    >>> [end.names[0] for end in thinned(some, 60.0)]
+    >>> ends = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
+    >>> [end.names[0] for end in thinned(ends, 60.0)]
     ['0', '2', '4', '6', '8']
     """
     every = max(1, math.ceil(height_of(ends) / max(room, ends[0].high))) if ends else 1
@@ -165,53 +165,52 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
     (wide, high), style = pen.size, sheet.style
     speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / (width("10000") + 14))))
     hertz = ticks(0.0, sheet.top, max(2, int(high / (2.5 * height("")))))
-    texts = [f"{one:g}" for one in hertz]
-    pen.scale("bottom", speeds, [f"{one:g}" for one in speeds], grid=True)
+    texts = [f"{frequency:g}" for frequency in hertz]
+    pen.scale("bottom", speeds, [f"{speed:g}" for speed in speeds], grid=True)
     pen.scale("left", hertz, texts, grid=True)
     pen.frame()
     rpm = style.text("rpm")
-    said = style.text("speed of {input}, {rpm}", input=sheet.input, rpm=rpm)
-    if not sheet.input or width(said) >= wide:  # a link with a long name is the input
-        said = style.text("speed of the input, {rpm}", rpm=rpm)
-    pen.name("bottom", said, 28)
+    name = style.text("speed of {input}, {rpm}", input=sheet.input, rpm=rpm)
+    if not sheet.input or width(name) >= wide:  # a link with a long name is the input
+        name = style.text("speed of the input, {rpm}", rpm=rpm)
+    pen.name("bottom", name, 28)
     pen.name("left", style.text("frequency, Hz"), widest(texts) + 16)
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
-    """Modes, and orders over them."""
+    """Draw the lines of modes, and the lines of orders over the modes."""
     style, (wide, _) = sheet.style, pen.size
     for mode in sheet.shared:
         if mode.frequency <= sheet.top:
             y, names = pen.up(mode.frequency), json.dumps(mode.gears, ensure_ascii=False)
-            own = pen.within("mode", mode=str(mode.number), gears=names)
-            said = style.text("mode {number}", number=mode.number)
+            group = pen.within("mode", mode=str(mode.number), gears=names)
+            hint = style.text("mode {number}", number=mode.number)
             which = ", ".join(mode.gears)
-            said = f"{said}, {gear_title(which, style)}: {sheet.hertz(mode.frequency)}"
+            hint = f"{hint}, {gear_title(which, style)}: {sheet.hertz(mode.frequency)}"
             common = len(mode.modes) == len(sheet.gears)
-            own.line((0.0, y), (wide, y), title=said, **_mode_look(style, is_common=common))
+            group.line((0.0, y), (wide, y), title=hint, **_mode_look(style, is_common=common))
     for order in sheet.orders:
-        own = pen.within("order", order=f"{order.number:g}", firing=json.dumps(order.fires))
+        group = pen.within("order", order=f"{order.number:g}", firing=json.dumps(order.fires))
         end = wide, pen.up(order.frequency(sheet.fastest))
         begin = 0.0, pen.up(order.frequency(sheet.slowest))
-        own.line(begin, end, title=order.name, **order_look(order, style))
+        group.line(begin, end, title=order.name, **order_look(order, style))
 
 
-def _draw_meeting(pen: Pen, met: Meeting, sheet: CampbellSheet) -> None:
-    """The dot of a resonance."""
-    style, mode, speed = sheet.style, met.mode, met.speed
-    own = pen.within(
+def _draw_meeting(pen: Pen, meeting: Meeting, sheet: CampbellSheet) -> None:
+    style, mode, speed = sheet.style, meeting.mode, meeting.speed
+    group = pen.within(
         "resonance",
         gear=mode.gear,
         mode=str(mode.number),
-        order=f"{met.order.number:g}",
+        order=f"{meeting.order.number:g}",
         rpm=f"{speed:.12g}",
         participation=f"{mode.participation:.12g}",
     )
     rpm, share = style.text("rpm"), style.text("participation")
-    said = style.text("mode {number}", number=mode.number)
-    said = f"{gear_title(mode.gear, style)}, {said}, {met.order.name}: {speed:.0f} {rpm}"
-    said = f"{said}, {sheet.hertz(mode.frequency)}, {share} {mode.participation:.2g}"
+    hint = style.text("mode {number}", number=mode.number)
+    hint = f"{gear_title(mode.gear, style)}, {hint}, {meeting.order.name}: {speed:.0f} {rpm}"
+    hint = f"{hint}, {sheet.hertz(mode.frequency)}, {share} {mode.participation:.2g}"
     if mode.damping_ratio:
-        said = f"{said}, {style.text('damping ratio')} {mode.damping_ratio:.3f}"
+        hint = f"{hint}, {style.text('damping ratio')} {mode.damping_ratio:.3f}"
     at = pen.across(speed), pen.up(mode.frequency)
-    own.line(at, title=said, **dot_look(met, style))
+    group.line(at, title=hint, **dot_look(meeting, style))

@@ -1,4 +1,4 @@
-"""What a Campbell diagram shows: modes of gears, orders, speeds, and words about them."""
+"""Content of a Campbell diagram: modes of gears, orders, speeds and texts."""
 
 from __future__ import annotations
 
@@ -23,37 +23,37 @@ from vstatics.torsion.pictures.orders.resonances import (
 from vstatics.torsion.pictures.shown_modes import modes_of, why_none
 
 MOST_NAMED = 4
-"""So many modes without resonances are named."""
+"""Largest number of modes without resonances that a note lists."""
 
 
 class CampbellSheet(NamedTuple):
-    """What is drawn."""
+    """Content of a Campbell diagram."""
 
     case: Transmission
     gears: Sequence[str]
-    """Names of those that have modes."""
+    """Names of gears with modes."""
     said: Sequence[str]
-    """Why others have none."""
+    """Reasons why gears have no modes."""
     input: str
-    """The link whose speed is across; nothing where gears have their own."""
+    """Link whose speed is the abscissa; empty if gears have different inputs."""
     modes: Sequence[GearMode]
     orders: Sequence[Order]
     running: Sequence[float]
     """Speeds of the input, ascending. [rpm]"""
     fastest: float
-    """Up to which the diagram goes. [rpm]"""
+    """Highest speed of the diagram. [rpm]"""
     slowest: float
-    """From which the diagram goes. [rpm]"""
+    """Lowest speed of the diagram. [rpm]"""
     style: Style
 
     @property
     def top(self) -> float:
-        """Where the highest order ends [Hz]."""
+        """Frequency at the end of the highest order [Hz]."""
         return self.orders[-1].frequency(self.fastest)
 
     @property
     def shared(self) -> list[SharedMode]:
-        """Modes, those of gears that are alike as one."""
+        """Modes, with equal modes of several gears combined."""
         return shared_modes(self.modes)
 
     @property
@@ -62,23 +62,25 @@ class CampbellSheet(NamedTuple):
         return list(meetings(self.modes, self.orders, self.fastest, self.slowest))
 
     def hertz(self, frequency: float) -> str:
-        """A frequency with its unit."""
+        """Return the text of a frequency with the unit."""
         return f"{number(frequency)} {self.style.text('Hz')}"
 
     @property
     def order_ends(self) -> list[LineEnd]:
-        """The names of orders, each behind a piece of its line."""
-        look = {one: order_look(one, self.style) for one in self.orders}
+        """Names of orders, each with a piece of the line of the order."""
         top = self.orders[-1].number
-        return [LineEnd(one.number / top, (one.name,), (look[one],)) for one in self.orders]
+        return [
+            LineEnd(order.number / top, (order.name,), (order_look(order, self.style),))
+            for order in self.orders
+        ]
 
     @property
     def note(self) -> str:
-        """What the panel does not show."""
+        """Note about modes and gears that the panel does not show."""
         style, notes = self.style, []
-        met = {one.mode.number for one in self.meetings}
-        excited = {one.number for one in self.modes if one.is_excited}
-        every = sorted({one.number for one in self.modes})
+        met = {meeting.mode.number for meeting in self.meetings}
+        excited = {mode.number for mode in self.modes if mode.is_excited}
+        every = sorted({mode.number for mode in self.modes})
         for numbers, english in (
             (
                 [n for n in every if n not in excited],
@@ -102,25 +104,33 @@ class CampbellSheet(NamedTuple):
 
 
 def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> CampbellSheet:
-    """What is shown of all gears of a case, or of some; errors as of `modes_of`."""
+    """Return the content of the diagram of some gears, or of all gears of a case.
+
+    Raises
+    ------
+    CaseError
+        If `modes_of` raises it.
+    """
     case = results.case
     numbers = list(gears) or list(range(1, len(case.gears) + 1))
-    own = [case.gears[one - 1] for one in numbers]
-    found = modes_of(results, numbers)
-    said = [
-        f"{gear_title(one.name, style)}: {why_none(one, style)}" for one in found if not one.modes
+    chosen = [case.gears[number - 1] for number in numbers]
+    by_gear = modes_of(results, numbers)
+    reasons = [
+        f"{gear_title(gear.name, style)}: {why_none(gear, style)}"
+        for gear in by_gear
+        if not gear.modes
     ]
-    shown = [pair for pair in zip(own, found, strict=True) if pair[1].modes]
+    shown = [pair for pair in zip(chosen, by_gear, strict=True) if pair[1].modes]
     inputs = [case.link_name(case.gear_input(gear)) for gear, _ in shown]
-    modes = gear_modes([one for _, one in shown], inputs)
-    excited = excited_speeds(case, own, [one.frequency for one in modes], style.excited)
+    modes = gear_modes([gear for _, gear in shown], inputs)
+    excited = excited_speeds(case, chosen, [mode.frequency for mode in modes], style.excited)
     names = [gear.name for gear, _ in shown]
     link = inputs[0] if len({*inputs}) == 1 else ""
-    return CampbellSheet(case, names, said, link, modes, *excited, style)
+    return CampbellSheet(case, names, reasons, link, modes, *excited, style)
 
 
 def order_look(order: Order, style: Style) -> Look:
-    """The line of an order: those that fire are apart from others."""
+    """Return the line of an order, with a colour for firing orders."""
     if order.fires:
         return {"color": style.engaged, "width": 1.6}
     return {"color": style.soft, "width": 0.7}

@@ -1,4 +1,4 @@
-"""Dots of resonances: as large as the input takes part, as dark as they are little damped."""
+"""Dots of resonances: the size shows the participation of the input, and the fill the damping."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import Meeting
 
 LARGEST_DOT, LEAST_DOT = 6.0, 1.6
-"""Of a participation of 1, and of the least. [pt]"""
+"""Diameters of dots for a participation of 1, and for the smallest participation. [pt]"""
 PER_DECADE = 1.4
-"""By so much a dot is smaller at a tenth of the participation. [pt]"""
+"""Decrease of the diameter per decade of the participation. [pt]"""
 LITTLE_DAMPED, MUCH_DAMPED = 0.02, 0.1
-"""Damping ratios: dots are filled below the first, open from the second on."""
+"""Damping ratios below which dots are filled, and from which dots are open."""
 
 
 def dot_size(participation: float) -> float:
-    """The diameter of a dot [pt].
+    """Return the diameter of a dot [pt].
 
     >>> [round(dot_size(part), 1) for part in (1.0, 0.1, 0.01, 1e-6)]
     [6.0, 4.6, 3.2, 1.6]
@@ -28,14 +28,14 @@ def dot_size(participation: float) -> float:
 
 
 def dot_fill(damping_ratio: float, colour: str, style: Style) -> str:
-    """What a dot is filled with."""
+    """Return the fill of a dot: the colour of the order, a faint colour or paper."""
     if damping_ratio >= MUCH_DAMPED:
         return style.paper
     return style.faint if damping_ratio >= LITTLE_DAMPED else colour
 
 
 def dot_look(met: Meeting, style: Style) -> Look:
-    """The dot of a resonance, in the colour of its order."""
+    """Return the dot of a resonance, in the colour of the order."""
     return _look(met.mode.participation, met.mode.damping_ratio, style, fires=met.order.fires)
 
 
@@ -53,29 +53,29 @@ def _look(participation: float, damping_ratio: float, style: Style, *, fires: bo
 
 
 def dot_signs(met: Sequence[Meeting], style: Style) -> Iterator[Meaning]:
-    """What sizes and fills mean, of those that occur."""
+    """Yield the entries of the legend for sizes and fills that occur."""
     if not met:
         return
-    rates = [one.mode.damping_ratio for one in met]
-    least = min(one.mode.participation for one in met)
-    is_damped = any(rates)
+    ratios = [meeting.mode.damping_ratio for meeting in met]
+    least = min(meeting.mode.participation for meeting in met)
+    is_damped = any(ratios)
     full = "resonance, participation of the input 1"
     yield (True, full, _look(1.0, 0.0, style, fires=False))
     for part in (0.1, 0.01):
         yield (least < 5 * part, f"{part:g}", _look(part, 0.0, style, fires=False))
     for occurs, rate, english in (
         (
-            any(one < LITTLE_DAMPED for one in rates),
+            any(ratio < LITTLE_DAMPED for ratio in ratios),
             0.0,
             style.text("damping ratio below {ratio:g}", ratio=LITTLE_DAMPED),
         ),
         (
-            any(LITTLE_DAMPED <= one < MUCH_DAMPED for one in rates),
+            any(LITTLE_DAMPED <= ratio < MUCH_DAMPED for ratio in ratios),
             LITTLE_DAMPED,
             style.text("damping ratio to {ratio:g}", ratio=MUCH_DAMPED),
         ),
         (
-            any(one >= MUCH_DAMPED for one in rates),
+            any(ratio >= MUCH_DAMPED for ratio in ratios),
             MUCH_DAMPED,
             style.text("damping ratio from {ratio:g} on", ratio=MUCH_DAMPED),
         ),

@@ -1,4 +1,4 @@
-"""What excites the input of a case: orders of its speed, and the speeds at which it runs."""
+"""Excitation of the input of a case: orders, and the speeds at which the input runs."""
 
 from __future__ import annotations
 
@@ -14,25 +14,29 @@ from vstatics.pictures.drawing.style import Excitation
 from vstatics.torsion.clutch.clutch_dump import ClutchDump
 
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
-"""Of any four-stroke engine: half orders, the shaft, the firing of four, six, eight, twelve
-cylinders."""
+"""Orders shown for an unknown number of cylinders of a four-stroke engine.
+
+These are the half order, the order of the shaft, and the firing of 4, 6, 8 and 12 cylinders.
+"""
 FASTEST_INPUT = 6000.0
-"""Where nothing tells the speed of the input. [rpm]"""
+"""Largest speed of a diagram if no speed of the input is known. [rpm]"""
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
-"""How far a diagram goes above the only speed that is known, above the highest of several."""
+"""Ratios of the speed of a diagram to a single known speed, and to the highest of several."""
 PER_MINUTE = 60.0
+"""Number of seconds per minute."""
 
 
 class Order(NamedTuple):
-    """How often something excites in a revolution."""
+    """Order of an excitation."""
 
     number: float
+    """Number of periods per revolution."""
     fires: bool
-    """Whether it is that in which cylinders fire, or a multiple."""
+    """True for the firing order of the cylinders and multiples of the firing order."""
 
     @property
     def name(self) -> str:
-        """As it is written.
+        """Name of the order.
 
         >>> Order(0.5, False).name
         '0.5×'
@@ -40,32 +44,33 @@ class Order(NamedTuple):
         return f"{self.number:g}×"
 
     def frequency(self, speed: float) -> float:
-        """At a speed [rpm] in Hz."""
+        """Return the frequency [Hz] at a speed [rpm]."""
         return self.number * speed / PER_MINUTE
 
     def speed(self, frequency: float) -> float:
-        """At which it excites a frequency [Hz] in rpm."""
+        """Return the speed [rpm] at which the order excites a frequency [Hz]."""
         return frequency * PER_MINUTE / self.number
 
 
 def orders_of(case: Transmission, asked: Excitation) -> list[Order]:
-    """The orders that are asked for, else those of the engine; ascending.
+    """Return the requested orders, or the orders of the engine, ascending.
 
-    Of N cylinders N/2 fire in a revolution; with half orders, and the shaft, they and N are shown.
-    Orders of another link than the input are none of the engine.
+    Of N cylinders N/2 fire per revolution. By default the orders 0.5, 1, N/2 and N are shown. Links
+    other than the input have no firing orders.
 
     Examples
     --------
     >>> case = Transmission(2, [], [], [Gear()], inertias={1: 1.0}, cylinders=6)
-    >>> [(one.number, one.fires) for one in orders_of(case, Excitation())]
+    >>> [(order.number, order.fires) for order in orders_of(case, Excitation())]
     [(0.5, False), (1.0, False), (3.0, True), (6.0, True)]
-    >>> [one.fires for one in orders_of(case, Excitation(orders=(4.5, 9.0)))]
+    >>> [order.fires for order in orders_of(case, Excitation(orders=(4.5, 9.0)))]
     [False, True]
     """
     is_input = not asked.at or case.link_number(asked.at) == case.input
     cylinders = case.cylinders if is_input else None
-    own = ORDERS if cylinders is None else (0.5, 1.0, cylinders / 2, float(cylinders))
-    return [Order(one, _fires(one, cylinders)) for one in sorted({*(asked.orders or own)})]
+    usual = ORDERS if cylinders is None else (0.5, 1.0, cylinders / 2, float(cylinders))
+    numbers = sorted({*(asked.orders or usual)})
+    return [Order(number, _fires(number, cylinders)) for number in numbers]
 
 
 def _fires(order: float, cylinders: int | None) -> bool:
@@ -76,10 +81,10 @@ def _fires(order: float, cylinders: int | None) -> bool:
 
 
 def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation) -> list[float]:
-    """The speeds of the input that a case tells, ascending [rpm].
+    """Return the known speeds of the input of a case, ascending [rpm].
 
-    They are those of loads, of the engine of the vehicle, of a clutch that is dumped, and what is
-    known besides.
+    Known speeds are the requested speeds, and the speeds of loads, of the engine of the vehicle and
+    of a clutch dump.
 
     Examples
     --------
@@ -88,14 +93,14 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
     >>> running_speeds(case, case.gears, Excitation(speeds=(900.0,)))
     [900.0, 5800.0]
     """
-    found = [*asked.speeds, *(case.gear_load(gear).speed or 0.0 for gear in gears)]
-    found += (one / RAD_PER_RPM for one in _of_engine(case))
-    return sorted({certain(abs(one)) for one in found if one})
+    speeds = [*asked.speeds, *(case.gear_load(gear).speed or 0.0 for gear in gears)]
+    speeds += (speed / RAD_PER_RPM for speed in _engine_speeds(case))
+    return sorted({certain(abs(speed)) for speed in speeds if speed})
 
 
 @runtime_checkable
 class HasEngine(Protocol):
-    """The vehicle of a case, as far as its engine is concerned."""
+    """Vehicle with an engine."""
 
     @property
     def engine(self) -> Sequence[tuple[float, float]]:
@@ -106,8 +111,7 @@ class HasEngine(Protocol):
         """Speed [rad/s] and torque [N*m] of the engine as a brake."""
 
 
-def _of_engine(case: Transmission) -> Iterator[float]:
-    """Speeds of the engine [rad/s]."""
+def _engine_speeds(case: Transmission) -> Iterator[float]:
     if isinstance(case.vehicle, HasEngine):
         yield from (speed for speed, _ in (*case.vehicle.engine, *case.vehicle.overrun))
     dump = ClutchDump.of(case)
@@ -116,16 +120,18 @@ def _of_engine(case: Transmission) -> Iterator[float]:
 
 
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:
-    """A round speed above those that are known, else one at which an order is above all [rpm].
+    """Return a round speed above all known speeds [rpm].
+
+    If no speed is known, the lowest order meets all natural frequencies below the speed.
 
     Parameters
     ----------
     known : sequence of float
-        Ascending. [rpm]
+        Known speeds, ascending. [rpm]
     frequencies : sequence of float
-        Natural ones, where nothing is known. [Hz]
+        Natural frequencies, used if no speed is known. [Hz]
     lowest : float
-        The lowest order.
+        Lowest order.
 
     Examples
     --------
@@ -143,22 +149,22 @@ def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: 
 
 
 class ExcitedSpeeds(NamedTuple):
-    """What a picture of vibration is over."""
+    """Orders and speeds of a picture of vibration."""
 
     orders: Sequence[Order]
-    """Ascending."""
+    """Orders, ascending."""
     running: Sequence[float]
     """Speeds at which the input runs, ascending. [rpm]"""
     fastest: float
-    """The highest speed that is shown. [rpm]"""
+    """Highest speed shown. [rpm]"""
     slowest: float = 0.0
-    """The lowest speed that is shown. [rpm]"""
+    """Lowest speed shown. [rpm]"""
 
 
 def excited_speeds(
     case: Transmission, gears: Sequence[Gear], frequencies: Sequence[float], asked: Excitation
 ) -> ExcitedSpeeds:
-    """Orders and speeds of gears with natural frequencies [Hz]."""
+    """Choose the orders and speeds shown for gears with natural frequencies [Hz]."""
     orders = orders_of(case, asked)
     running = running_speeds(case, gears, asked)
     if asked.shown is not None:

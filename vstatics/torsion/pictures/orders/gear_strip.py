@@ -1,4 +1,4 @@
-"""The strip beside a Campbell diagram: the natural frequencies gear by gear, on its own scale."""
+"""Strip at the side of a Campbell diagram with the natural frequencies gear by gear."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import GearMode
 
 GEAR_PITCH = 12.0
-"""From gear to gear. [pt]"""
+"""Distance between neighbouring gears. [pt]"""
 MOST_STRIP_WIDTH = 150.0
-"""Of all gears. [pt]"""
+"""Largest width of all gears. [pt]"""
 HALF_MARK = 0.36
-"""Half of the mark of a frequency, by the pitch."""
+"""Half width of the mark of a frequency, relative to the pitch."""
 
 
 class GearStrip(NamedTuple):
-    """Gears, and their modes."""
+    """Strip of gears with marks of modes."""
 
     gears: Sequence[str]
     modes: Sequence[GearMode]
     top: float
-    """Of the scale. [Hz]"""
+    """Highest frequency of the scale. [Hz]"""
     style: Style
 
     @property
@@ -39,46 +39,43 @@ class GearStrip(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """With the numbers of modes [pt]."""
+        """Width of the strip with the numbers of modes [pt]."""
         return self.across + width_of(self._ends)
 
     @property
     def _by_mode(self) -> dict[int, list[GearMode]]:
-        shown = (one for one in self.modes if one.frequency <= self.top)
-        return grouped((one.number, one) for one in shown)
+        shown = (mode for mode in self.modes if mode.frequency <= self.top)
+        return grouped((mode.number, mode) for mode in shown)
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """The numbers of modes, each at the last gear that has it."""
-        lasts = [(number, own[-1].frequency) for number, own in self._by_mode.items()]
+        """Numbers of modes, at the frequency in the last gear."""
+        lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 
     def draw(self, pen: Pen) -> None:
-        """In a panel with the scale of the diagram."""
+        """Draw the strip in a panel with the scale of the diagram."""
         (wide, high), style = pen.size, self.style
         pitch = wide / len(self.gears)
         at = [(place + 0.5) * pitch for place in range(len(self.gears))]
         pen.lines([((x, 0.0), (x, high)) for x in at], color=style.faint, width=0.4, zorder=0.4)
         pen.frame()
-        for own in self._by_mode.values():
-            places = [(at[one.place], pen.up(one.frequency)) for one in own]
-            pen.lines(
-                [[one, other] for one, other in itertools.pairwise(places)],
-                color=style.faint,
-                width=0.6,
-            )
+        for modes in self._by_mode.values():
+            places = [(at[mode.place], pen.up(mode.frequency)) for mode in modes]
+            pairs = [[*pair] for pair in itertools.pairwise(places)]
+            pen.lines(pairs, color=style.faint, width=0.6)
             half = HALF_MARK * pitch
             marks = [((x - half, y), (x + half, y)) for x, y in places]
             pen.lines(marks, color=style.ink, width=1.3)
         every = math.ceil((height("") + 1) / pitch)
-        upright = any(width(one) > pitch - 2 for one in self.gears)
+        upright = any(width(name) > pitch - 2 for name in self.gears)
         names = [
             Label(x, name if place % every == 0 else "", style.ink)
             for place, (x, name) in enumerate(zip(at, self.gears, strict=True))
         ]
-        for one in names:
+        for label in names:
             look: Look = {"ha": "center", "va": "top", "rotation": 90 * upright}
-            pen.text(one.at, -4.0, one.text, **look)
+            pen.text(label.at, -4.0, label.text, **look)
         pen.text(wide / 2, high + 4, style.text("modes by gear"), ha="center", color=style.soft)
         ends = self._ends
         every = math.ceil(height_of(ends) / high)

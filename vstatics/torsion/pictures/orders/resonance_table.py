@@ -1,4 +1,4 @@
-"""The table beside a Campbell diagram: each mode with the speeds of its resonances."""
+"""Table of a Campbell diagram: the modes with the speeds of their resonances."""
 
 from __future__ import annotations
 
@@ -16,62 +16,62 @@ from vstatics.torsion.pictures.orders.excited import Order
 from vstatics.torsion.pictures.orders.resonances import GearMode, is_between
 
 GEARS_WIDTH = 96.0
-"""Names of gears are wrapped to it. [pt]"""
+"""Width of names of gears, which are wrapped. [pt]"""
 COLUMN_GAP = 12.0
-"""Between columns. [pt]"""
+"""Gap between columns. [pt]"""
 HEADING_HEIGHT = height("\n") + 4.0
-"""Two lines of headings. [pt]"""
+"""Height of two lines of headings. [pt]"""
 ROW_GAP = 0.5
-"""Between rows. [pt]"""
+"""Gap between rows. [pt]"""
 IN_A_ROW = 3
-"""So many gears in their order are the first and the last of them."""
+"""Smallest number of successive gears that are written as a range."""
 
 
 class TableCell(NamedTuple):
-    """A text of a row."""
+    """Cell of a table of resonances."""
 
     text: str
     bold: bool = False
 
 
 class TableRow(NamedTuple):
-    """A mode of a gear, and of the gears of which the same is printed."""
+    """Row of a mode, for all gears with equal printed values."""
 
     mode: str
-    """Its number."""
+    """Number of the mode."""
     cells: Sequence[TableCell]
-    """What stands behind it."""
+    """Cells after the number of the mode."""
     begins: bool
-    """Whether it is the first of its mode."""
+    """True for the first row of a mode."""
 
     @property
-    def told(self) -> list[TableCell]:
-        """All cells."""
+    def all_cells(self) -> list[TableCell]:
+        """Cells including the number of the mode."""
         return [TableCell(self.mode), *self.cells]
 
     @property
     def high(self) -> float:
-        """[pt]."""
+        """Height of the row [pt]."""
         return max(height(cell.text) for cell in self.cells) + ROW_GAP
 
 
 class ResonanceTable(NamedTuple):
-    """Rows with their columns."""
+    """Table of resonances."""
 
     headings: Sequence[str]
     fires: Sequence[bool]
-    """By column: whether it is of an order that fires."""
+    """Mask of the columns of firing orders."""
     rows: Sequence[TableRow]
     style: Style
 
     @property
     def wide(self) -> float:
-        """[pt]."""
+        """Width of the table [pt]."""
         return sum(self._widths) + COLUMN_GAP * (len(self.headings) - 1)
 
     @property
     def _widths(self) -> list[float]:
-        columns = zip(*(row.told for row in self.rows), strict=True)
+        columns = zip(*(row.all_cells for row in self.rows), strict=True)
         return [
             max(
                 width(heading, bold=fires),
@@ -81,7 +81,7 @@ class ResonanceTable(NamedTuple):
         ]
 
     def draw(self, pen: Pen, left: float, top: float, rows: Sequence[TableRow]) -> None:
-        """Some of its rows below an ordinate, with the headings [pt]."""
+        """Draw headings and some rows below an ordinate [pt]."""
         ends, x = [], left
         for wide in self._widths:
             x += wide
@@ -98,7 +98,7 @@ class ResonanceTable(NamedTuple):
                 rule: Look = {"color": style.faint, "width": LEADER_WIDTH}
                 pen.line((left, y), (ends[-1], y), **rule)
             base = y - 0.95 * SIZE
-            cells = [*zip(ends, row.told, strict=True)]
+            cells = [*zip(ends, row.all_cells, strict=True)]
             for end, cell in cells if begins else cells[1:]:
                 for step, line in enumerate(cell.text.split("\n")):
                     at = base - step * height("")
@@ -107,30 +107,30 @@ class ResonanceTable(NamedTuple):
 
 
 class TableParts(NamedTuple):
-    """Some rows of some tables, below one another."""
+    """Parts of tables, drawn below each other."""
 
     parts: Sequence[tuple[ResonanceTable, Sequence[TableRow]]]
 
     @property
     def high(self) -> float:
-        """With a margin below each [pt]."""
+        """Height of all parts, with a margin below each part [pt]."""
         highs = (HEADING_HEIGHT + sum(row.high for row in rows) + MARGIN for _, rows in self.parts)
         return sum(highs) or MARGIN
 
     def fitting(self, room: float, least: int = 0) -> tuple[TableParts, TableParts]:
-        """As many rows as fit into a height [pt], so many at least, and the others."""
+        """Split into rows that fit into a height [pt], with a least number, and remaining rows."""
         for place, (table, rows) in enumerate(self.parts):
             room -= HEADING_HEIGHT + MARGIN
             for count, row in enumerate(rows):
                 room -= row.high
                 if room < 0 and place + count >= least:
-                    fits, others = (table, rows[:count]), (table, rows[count:])
+                    fits, remaining = (table, rows[:count]), (table, rows[count:])
                     before = [*self.parts[:place], *([fits] if count else [])]
-                    return TableParts(before), TableParts([others, *self.parts[place + 1 :]])
+                    return TableParts(before), TableParts([remaining, *self.parts[place + 1 :]])
         return self, TableParts([])
 
     def draw(self, pen: Pen) -> None:
-        """Up to the lower edge of a figure."""
+        """Draw all parts down to the lower edge of a figure."""
         y = self.high
         for table, rows in self.parts:
             table.draw(pen, MARGIN, y, rows)
@@ -138,7 +138,7 @@ class TableParts(NamedTuple):
 
 
 ResonanceSpeeds = tuple[Sequence[float], float] | tuple[Sequence[float], float, float]
-"""As `speeds` of `resonance_tables`."""
+"""Running speeds, highest speed and optionally lowest speed of `resonance_tables`. [rpm]"""
 
 
 def resonance_tables(
@@ -148,33 +148,33 @@ def resonance_tables(
     room: float,
     style: Style,
 ) -> list[ResonanceTable]:
-    """The table of modes that an order meets; of many orders several, each within a width [pt].
+    """Return tables of resonances, with as many orders in each as fit into a width [pt].
 
     Parameters
     ----------
     speeds : tuple
-        Those of the input in ascending order; resonances between the first and the last are bold.
-        The speed up to which resonances are listed; that from which on they are. [rpm]
+        Running speeds of the input, ascending, between which resonances are bold; then the highest
+        and the lowest speed of listed resonances. [rpm]
 
     Examples
     --------
     >>> from vstatics.torsion.pictures.orders.resonances import GearMode
-    >>> some = [GearMode("low", 0, 1, 20.0, 1.0, 0.0)]
+    >>> modes = [GearMode("low", 0, 1, 20.0, 1.0, 0.0)]
     >>> orders = [Order(0.1, False), Order(2.0, True)]
-    >>> [made] = resonance_tables(some, orders, ([], 6000.0), 400.0, Style())
-    >>> [cell.text for cell in made.rows[0].told]
+    >>> [table] = resonance_tables(modes, orders, ([], 6000.0), 400.0, Style())
+    >>> [cell.text for cell in table.rows[0].all_cells]
     ['1', '20.00', '1', '', '600']
-    >>> len(resonance_tables(some, orders[1:] * 8, ([], 6000.0), 300.0, Style()))
+    >>> len(resonance_tables(modes, orders[1:] * 8, ([], 6000.0), 300.0, Style()))
     2
     """
-    made = _table(modes, orders, speeds, style)
-    if made is None or made.wide <= room or len(orders) == 1:
-        return [made] if made else []
+    table = _table(modes, orders, speeds, style)
+    if table is None or table.wide <= room or len(orders) == 1:
+        return [table] if table else []
     half = math.ceil(len(orders) / 2)
     return [
-        table
+        part
         for some in (orders[:half], orders[half:])
-        for table in resonance_tables(modes, some, speeds, room, style)
+        for part in resonance_tables(modes, some, speeds, room, style)
     ]
 
 
@@ -184,7 +184,6 @@ def _table(
     speeds: ResonanceSpeeds,
     style: Style,
 ) -> ResonanceTable | None:
-    """The table of some orders, or none."""
     places = {mode.place: mode.gear for mode in modes}
     every = [places[place] for place in sorted(places)]
     is_damped = any(mode.damping_ratio for mode in modes)
@@ -207,9 +206,9 @@ def _table(
         style.text("Hz"),
         style.text("partici-\npation"),
         *[style.text("damping\nratio")] * is_damped,
-        *(f"{one.name}\n{style.text('rpm')}" for one in orders),
+        *(f"{order.name}\n{style.text('rpm')}" for order in orders),
     ]
-    fires = [False] * (len(headings) - len(orders)) + [one.fires for one in orders]
+    fires = [False] * (len(headings) - len(orders)) + [order.fires for order in orders]
     return ResonanceTable(headings, fires, rows, style)
 
 
@@ -220,13 +219,13 @@ def _printed_alike(
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
-    """Cells of modes of one number -> places of the gears of which all of them are printed."""
+    """Group the places of gears by the printed cells of a mode."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]
         first += [f"{mode.damping_ratio:.3f}"] * is_damped
-        met = [_speed(mode, order, *speeds) for order in orders]
-        places.setdefault((*map(TableCell, first), *met), []).append(mode.place)
+        resonances = [_speed(mode, order, *speeds) for order in orders]
+        places.setdefault((*map(TableCell, first), *resonances), []).append(mode.place)
     return places
 
 
@@ -245,7 +244,7 @@ def _speed(
 
 
 def gear_run(names: Sequence[str], every: Sequence[str], style: Style) -> str:
-    """Names of gears, of several in a row the first and the last.
+    """Return the names of gears, with successive gears as ranges.
 
     >>> gear_run(["1", "2", "3", "5", "R"], ["1", "2", "3", "4", "5", "R"], Style())
     '1–3, 5, R'
@@ -254,12 +253,12 @@ def gear_run(names: Sequence[str], every: Sequence[str], style: Style) -> str:
     """
     if len(names) == len(every):
         return style.text("all")
-    found: list[list[str]] = []
+    runs: list[list[str]] = []
     for name in names:
         place = every.index(name)
-        if found and place and every[place - 1] == found[-1][-1]:
-            found[-1].append(name)
+        if runs and place and every[place - 1] == runs[-1][-1]:
+            runs[-1].append(name)
         else:
-            found.append([name])
-    parts = [[f"{run[0]}–{run[-1]}"] if len(run) >= IN_A_ROW else run for run in found]
-    return ", ".join(one for part in parts for one in part)
+            runs.append([name])
+    parts = [[f"{run[0]}–{run[-1]}"] if len(run) >= IN_A_ROW else run for run in runs]
+    return ", ".join(text for part in parts for text in part)

@@ -1,4 +1,4 @@
-"""Natural frequencies of some gears, where they are alike, and where orders meet them."""
+"""Resonances: natural frequencies of gears, and the speeds at which orders meet them."""
 
 from __future__ import annotations
 
@@ -18,40 +18,40 @@ if TYPE_CHECKING:
 
 
 class GearMode(NamedTuple):
-    """A natural mode of a gear, as its input feels it."""
+    """Natural mode of a gear, with the participation of the input."""
 
     gear: str
     place: int
-    """Of the gear among those that are shown, from 0."""
+    """Index of the gear among all gears shown."""
     number: int
-    """From 1."""
+    """Number of the mode, from 1."""
     frequency: float
-    """Without damping. [Hz]"""
+    """Natural frequency without damping. [Hz]"""
     participation: float
-    """Amplitude of the input, by the largest of the mode. [-]"""
+    """Amplitude of the input, relative to the largest amplitude of the mode. [-]"""
     damping_ratio: float
-    """0 where nothing is damped. [-]"""
+    """Damping ratio, 0 without damping. [-]"""
 
     @property
     def is_excited(self) -> bool:
-        """Whether the input moves in it."""
+        """True if the input moves in the mode."""
         return self.participation > LEAST_PARTICIPATION
 
 
 class Meeting(NamedTuple):
-    """A resonance: an order meets a natural frequency."""
+    """Resonance, at which an order meets a natural frequency."""
 
     mode: GearMode
     order: Order
 
     @property
     def speed(self) -> float:
-        """Of the input. [rpm]."""
+        """Speed of the input [rpm]."""
         return self.order.speed(self.mode.frequency)
 
 
-def gear_modes(found: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMode]:
-    """The modes of gears, excited at their inputs, which are links by their names."""
+def gear_modes(gears: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMode]:
+    """Return the modes of gears that are excited at input links, given by names."""
     return [
         GearMode(
             gear.name,
@@ -61,7 +61,7 @@ def gear_modes(found: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMo
             abs(certain(mode.shape[link])),
             mode.damping_ratio,
         )
-        for place, (gear, link) in enumerate(zip(found, inputs, strict=True))
+        for place, (gear, link) in enumerate(zip(gears, inputs, strict=True))
         for number, mode in enumerate(gear.modes, 1)
     ]
 
@@ -69,60 +69,60 @@ def gear_modes(found: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMo
 def meetings(
     modes: Sequence[GearMode], orders: Sequence[Order], fastest: float, slowest: float = 0.0
 ) -> Iterator[Meeting]:
-    """The resonances up to a speed, from another speed on [rpm].
+    """Yield the resonances between a lowest and a highest speed [rpm].
 
     >>> mode = GearMode("1", 0, 1, 50.0, 0.3, 0.0)
     >>> orders = [Order(n, False) for n in (0.5, 1.0, 2.0)]
-    >>> [(one.order.number, one.speed) for one in meetings([mode], orders, 3000.0)]
+    >>> [(met.order.number, met.speed) for met in meetings([mode], orders, 3000.0)]
     [(1.0, 3000.0), (2.0, 1500.0)]
     """
     for mode in modes:
         for order in orders:
-            met = Meeting(mode, order)
-            if mode.is_excited and is_between(met.speed, slowest, fastest):
-                yield met
+            meeting = Meeting(mode, order)
+            if mode.is_excited and is_between(meeting.speed, slowest, fastest):
+                yield meeting
 
 
 def is_between(speed: float, slowest: float, fastest: float) -> bool:
-    """Return whether a speed is within a range, its ends included."""
+    """Return whether a speed is within a range, including both ends."""
     return slowest * (1 - NO_POWER) <= speed <= fastest * (1 + NO_POWER)
 
 
 class SharedMode(NamedTuple):
-    """A mode of one number in gears in which its frequency is the same, within a tolerance."""
+    """Mode with nearly equal frequencies in several gears."""
 
     number: int
     modes: Sequence[GearMode]
-    """By ascending frequency, one of each gear."""
+    """Modes of the gears, by ascending frequency."""
 
     @property
     def frequency(self) -> float:
-        """In the middle of them [Hz]."""
+        """Geometric mean of the lowest and the highest frequency [Hz]."""
         return math.sqrt(self.modes[0].frequency * self.modes[-1].frequency)
 
     @property
     def gears(self) -> list[str]:
-        """Names, in the order in which they are shown."""
-        return [one.gear for one in sorted(self.modes, key=lambda one: one.place)]
+        """Names of the gears, in the order shown."""
+        return [mode.gear for mode in sorted(self.modes, key=lambda mode: mode.place)]
 
 
 def shared_modes(modes: Sequence[GearMode]) -> list[SharedMode]:
-    """Modes of gears that are alike as one, by number and frequency.
+    """Combine modes of gears with equal numbers and nearly equal frequencies.
 
     Examples
     --------
-    >>> some = [GearMode(str(n), n, 1, f, 1.0, 0.0) for n, f in enumerate((20.0, 21.0, 20.05))]
-    >>> [(one.gears, round(one.frequency, 3)) for one in shared_modes(some)]
+    >>> modes = [GearMode(str(n), n, 1, f, 1.0, 0.0) for n, f in enumerate((20.0, 21.0, 20.05))]
+    >>> [(mode.gears, round(mode.frequency, 3)) for mode in shared_modes(modes)]
     [(['0', '2'], 20.025), (['1'], 21.0)]
     """
-    found = []
-    ascending = sorted(modes, key=lambda one: (one.number, one.frequency, one.place))
-    for number, own in groupby(ascending, key=lambda one: one.number):
+    shared = []
+    ascending = sorted(modes, key=lambda mode: (mode.number, mode.frequency, mode.place))
+    for number, of_number in groupby(ascending, key=lambda mode: mode.number):
         alike: list[GearMode] = []
-        for one in own:
-            if alike and one.frequency > alike[0].frequency * (1 + SAME_FREQUENCY):
-                found.append(SharedMode(number, alike))
+        for mode in of_number:
+            if alike and mode.frequency > alike[0].frequency * (1 + SAME_FREQUENCY):
+                shared.append(SharedMode(number, alike))
                 alike = []
-            alike.append(one)
-        found.append(SharedMode(number, alike))
-    return found
+            alike.append(mode)
+        shared.append(SharedMode(number, alike))
+    return shared

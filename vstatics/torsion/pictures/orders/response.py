@@ -1,6 +1,6 @@
-"""The response of a link to a harmonic torque on it: its amplitude over its speed, by orders.
+"""Picture of the response of a link to a harmonic torque on the link, over speed and by order.
 
-Each gear has a panel, a line for each order, of 1 N*m. Speeds and orders are those of the
+Each gear has a panel with a line for each order of 1 N*m. Speeds and orders are chosen as in the
 Campbell diagram.
 """
 
@@ -34,44 +34,47 @@ from vstatics.torsion.pictures.orders.running import draw_running, running_sign
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
-"""Of a panel beside others; where the page would be too low for them. [pt]"""
+"""Usual and smallest height of a panel among several panels. [pt]"""
 LONE_RESPONSE_HEIGHT = 230.0
-"""Of one that stands alone. [pt]"""
+"""Height of a single panel. [pt]"""
 AMPLITUDE_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 40.0, 40.0
-"""For the scales. [pt]"""
+"""Width and height of the scales. [pt]"""
 PANEL_HEAD = 18.0
-"""For the gear above its panel. [pt]"""
+"""Height of the name of a gear above the panel. [pt]"""
 BETWEEN_PANELS = 12.0
-"""[pt]"""
+"""Gap between panels. [pt]"""
 MOST_DECADES = 7
-"""Of the scale of amplitudes."""
+"""Largest number of decades of the scale of amplitudes."""
 SLOW = 0.04
-"""Below this part of the speeds amplitudes, which grow without end there, make no scale."""
+"""Part of the highest speed below which amplitudes do not determine the scale.
+
+Amplitudes grow without bound towards standstill.
+"""
 
 
 class _ResponseSheet(NamedTuple):
-    """All gears, with what they share."""
+    """Panels of all gears, with common orders, speeds and scale."""
 
     panels: Sequence[ResponsePanel]
     orders: Sequence[Order]
     running: Sequence[float]
-    """Speeds at which the input runs, where the torque is on it. [rpm]"""
+    """Speeds at which the input runs, if the torque acts on the input. [rpm]"""
     fastest: float
-    """The highest speed. [rpm]"""
+    """Highest speed. [rpm]"""
     slowest: float
-    """The lowest speed. [rpm]"""
+    """Lowest speed. [rpm]"""
     decades: tuple[float, float]
-    """The ends of the scale, logarithms of amplitudes [rad]."""
+    """Ends of the scale, as decadic logarithms of amplitudes [rad]."""
     style: Style
 
     @property
     def link(self) -> str:
-        """On which the torque acts, where it is the same in all gears."""
-        links = {one.link for one in self.panels}
+        """Link on which the torque acts; empty if the link differs between gears."""
+        links = {panel.link for panel in self.panels}
         return next(iter(links)) if len(links) == 1 else ""
 
     def look(self, order: Order) -> Look:
-        """The line of an order; those that fire are thick."""
+        """Return the line of an order, which is thick for firing orders."""
         place, wide = self.orders.index(order), 1.9 if order.fires else 1.0
         return {
             "color": self.style.colour(place),
@@ -88,16 +91,16 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
     CaseError
         If scipy is not installed, or nothing can be excited in these gears.
     ValueError
-        If there is no such link.
+        If the link does not exist.
     """
-    asked, panels = response_panels(results, style, gears)
+    excited, panels = response_panels(results, style, gears)
     lines = [line for panel in panels for line in panel.lines]
     if not lines:
-        names = listed([one.gear for one in panels])
+        names = listed([panel.gear for panel in panels])
         raise CaseError("E741", f"no response in gear {names}: {panels[0].why}")
-    running = [] if style.excited.at else asked.running
-    decades = _decades(lines, asked.fastest)
-    sheet = _ResponseSheet(panels, asked.orders, running, *asked[2:], decades, style)
+    running = [] if style.excited.at else excited.running
+    decades = _decades(lines, excited.fastest)
+    sheet = _ResponseSheet(panels, excited.orders, running, *excited[2:], decades, style)
     columns = min(2, len(panels))
     high, on_page = _rows(results, sheet, math.ceil(len(panels) / columns))
     parts = range(0, len(panels), on_page * columns)
@@ -108,7 +111,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
 
 
 def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, int]:
-    """The height of panels [pt], and how many rows of them a page has."""
+    """Return the height of panels [pt], and the number of rows of panels per page."""
     if len(sheet.panels) == 1:
         return LONE_RESPONSE_HEIGHT, 1
     if math.isinf(sheet.style.height):
@@ -121,7 +124,6 @@ def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, in
 
 
 def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
-    """Title and key."""
     style = sheet.style
     link = sheet.link or style.text("the input")
     subject = style.text(
@@ -129,14 +131,14 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
         link=link,
     )
     signs: list[Meaning] = [
-        (True, _order_words(one, style), sheet.look(one)) for one in sheet.orders
+        (True, _order_words(order, style), sheet.look(order)) for order in sheet.orders
     ]
     signs += running_sign(sheet.running, style)
     return sheet_head(title(results.case, subject), "", signs, style.width - 2 * MARGIN, style)
 
 
 def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
-    """Whole powers of ten around the amplitudes."""
+    """Return the exponents of the powers of ten around all amplitudes."""
     logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
     every = np.concatenate(logs)
     every = every[np.isfinite(every)]
@@ -146,7 +148,7 @@ def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, floa
 
 
 def _logs(amplitudes: Floats) -> Floats:
-    """Logarithms, NaN of what is none."""
+    """Return decadic logarithms, with NaN for amplitudes of 0."""
     known = np.where(amplitudes > 0, amplitudes, np.nan)
     logs: Floats = np.log10(known)
     return logs
@@ -158,7 +160,7 @@ def _figure(
     panels: Sequence[ResponsePanel],
     size: tuple[int, float],
 ) -> Figure:
-    """Panels beside and below one another, in so many columns, of a height [pt]."""
+    """Draw panels in a number of columns, with a height [pt]."""
     style, (columns, high) = sheet.style, size
     rows = math.ceil(len(panels) / columns)
     pitch = PANEL_HEAD + high + BETWEEN_PANELS
@@ -174,9 +176,9 @@ def _figure(
             left + column * across + AMPLITUDE_SCALE_WIDTH,
             SPEED_SCALE_HEIGHT + (rows - 1 - row) * pitch,
         )
-        own = pen.panel(corner, (wide, high), *scales).within("panel", gear=panel.gear)
+        in_panel = pen.panel(corner, (wide, high), *scales).within("panel", gear=panel.gear)
         is_lowest = place + columns >= len(panels)
-        _draw_panel(own, panel, sheet, is_lowest=is_lowest)
+        _draw_panel(in_panel, panel, sheet, is_lowest=is_lowest)
     middle = SPEED_SCALE_HEIGHT + (rows * pitch) / 2
     pen.text(
         MARGIN,
@@ -190,12 +192,10 @@ def _figure(
 
 
 def _order_words(order: Order, style: Style) -> str:
-    """What a line is."""
     return f"{order.name}{style.text(', fires')}" if order.fires else order.name
 
 
 def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
-    """A gear with its lines."""
     (wide, high), style = pen.size, sheet.style
     head = gear_title(panel.gear, style)
     pen.text(0.0, high + 4.0, head, va="bottom", bold=True)
@@ -208,8 +208,8 @@ def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_low
     _draw_scales(pen, sheet, is_lowest=is_lowest)
     for line in panel.lines:
         order = line.order
-        own = pen.within("line", order=f"{order.number:g}", firing=json.dumps(order.fires))
-        own.plot(
+        group = pen.within("line", order=f"{order.number:g}", firing=json.dumps(order.fires))
+        group.plot(
             line.speeds,
             _logs(line.amplitudes),
             title=f"{head}, {order.name}",
@@ -221,33 +221,33 @@ def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_low
 
 
 def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
-    """Decades upward, speeds across with numbers below the lowest panel."""
+    """Draw the scale of amplitudes, and the scale of speeds with numbers below the lowest panel."""
     style, (wide, _) = sheet.style, pen.size
-    low, high = (int(one) for one in sheet.decades)
+    low, high = (int(end) for end in sheet.decades)
     decades = list(range(low, high + 1))
-    pen.scale("left", decades, [_power(one) for one in decades], grid=True)
+    pen.scale("left", decades, [_power(exponent) for exponent in decades], grid=True)
     speeds = ticks(sheet.slowest, sheet.fastest, max(2, int(wide / 34.0)))
-    pen.scale("bottom", speeds, [f"{one:g}" for one in speeds] if is_lowest else [], grid=True)
+    pen.scale("bottom", speeds, [f"{speed:g}" for speed in speeds] if is_lowest else [], grid=True)
     pen.frame()
     if is_lowest:
         rpm = style.text("rpm")
-        said = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
-        if not sheet.link or width(said) > wide:  # gears have links of their own, or a long name
-            said = style.text("speed, {rpm}", rpm=rpm)
-        pen.name("bottom", said, 12.0 + 1.5 * height(""))
+        name = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
+        if not sheet.link or width(name) > wide:  # links differ between gears, or a name is long
+            name = style.text("speed, {rpm}", rpm=rpm)
+        pen.name("bottom", name, 12.0 + 1.5 * height(""))
 
 
 def _power(exponent: int) -> str:
-    """A power of ten.
+    """Return the text of a power of ten.
 
     >>> _power(-4)
     '10⁻⁴'
     """
-    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(one)] if one != "-" else "⁻" for one in str(exponent))
+    return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] if c != "-" else "⁻" for c in str(exponent))
 
 
 def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
-    """A resonance on its line, where the line is there and within the scale."""
+    """Draw the dot of a resonance on its line, if the line is within the scale there."""
     speed = line.order.speed(mode.frequency)
     at = int(np.argmin(np.abs(line.speeds - speed)))
     value = _logs(line.amplitudes[at : at + 1])[0]
@@ -255,8 +255,8 @@ def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseShe
     if mode.participation <= LEAST_PARTICIPATION or not low <= value <= high:
         return
     style = sheet.style
-    said = style.text("mode {number}", number=mode.number)
+    hint = style.text("mode {number}", number=mode.number)
     rpm, rad = style.text("rpm"), style.text("rad")
-    said = f"{line.order.name}, {said}: {speed:.0f} {rpm}, {number(10.0**value)} {rad}"
+    hint = f"{line.order.name}, {hint}: {speed:.0f} {rpm}, {number(10.0**value)} {rad}"
     dot = {"marker": "o", "markersize": 2.2, "zorder": 3, "color": sheet.look(line.order)["color"]}
-    pen.line((pen.across(float(line.speeds[at])), pen.up(float(value))), title=said, **dot)
+    pen.line((pen.across(float(line.speeds[at])), pen.up(float(value))), title=hint, **dot)

@@ -1,4 +1,4 @@
-"""The response of a link to a torque of 1 N*m on it, gear by gear and order by order."""
+"""Response of a link to a torque of 1 N*m on the link, by gear and order."""
 
 from __future__ import annotations
 
@@ -15,55 +15,56 @@ from vstatics.torsion.pictures.orders.resonances import GearMode, gear_modes, me
 from vstatics.torsion.pictures.shown_modes import modes_of
 
 EVEN_SPEEDS = 400
-"""Of a line; resonances are added, and speeds about them."""
+"""Number of evenly spaced speeds of a line; resonances and speeds near resonances are added."""
 ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
-"""By so many damping ratios a speed is off a resonance, as a part of it."""
+"""Relative distances from a resonance at which speeds are added, in damping ratios."""
 
 
 class ResponseLine(NamedTuple):
-    """The response to an order."""
+    """Response to an order."""
 
     order: Order
     speeds: Floats
-    """Of the link. [rpm]"""
+    """Speeds of the link. [rpm]"""
     amplitudes: Floats
-    """Of the link under 1 N*m, NaN where there is none. [rad]"""
+    """Amplitudes of the link under 1 N*m, NaN if undefined. [rad]"""
 
 
 class ResponsePanel(NamedTuple):
-    """A gear."""
+    """Response of a gear."""
 
     gear: str
     link: str
-    """On which the torque acts."""
+    """Link on which the torque acts."""
     lines: Sequence[ResponseLine]
     peaks: Sequence[tuple[Order, GearMode]]
-    """Resonances that are marked."""
+    """Marked resonances."""
     why: str = ""
-    """It has no line."""
+    """Reason why the gear has no response."""
 
 
 def response_panels(
     results: Results, style: Style, gears: Sequence[int] = ()
 ) -> tuple[ExcitedSpeeds, list[ResponsePanel]]:
-    """The orders and speeds, and the response of each gear.
+    """Calculate orders and speeds, and the response of each gear.
 
-    The link is that which the style asks for, else the input of the gear.
+    The torque acts on the link given in the style, or by default on the input of the gear.
     """
-    case, asked = results.case, style.excited
+    case, excitation = results.case, style.excited
     numbers = list(gears) or list(range(1, len(case.gears) + 1))
-    own = [case.gears[one - 1] for one in numbers]
-    found = modes_of(results, numbers)
-    link = case.link_number(asked.at) if asked.at else 0
-    links = [case.link_name(link or case.gear_input(gear)) for gear in own]
-    every = [
+    chosen = [case.gears[number - 1] for number in numbers]
+    modes_by_gear = modes_of(results, numbers)
+    link = case.link_number(excitation.at) if excitation.at else 0
+    links = [case.link_name(link or case.gear_input(gear)) for gear in chosen]
+    by_gear = [
         gear_modes([gear], [name]) if gear.modes else []
-        for gear, name in zip(found, links, strict=True)
+        for gear, name in zip(modes_by_gear, links, strict=True)
     ]
-    excited = excited_speeds(case, own, [one.frequency for some in every for one in some], asked)
+    frequencies = [mode.frequency for modes in by_gear for mode in modes]
+    excited = excited_speeds(case, chosen, frequencies, excitation)
     panels = [
         _panel(results, gear.name, name, modes, excited)
-        for gear, name, modes in zip(own, links, every, strict=True)
+        for gear, name, modes in zip(chosen, links, by_gear, strict=True)
     ]
     return excited, panels
 
@@ -71,25 +72,25 @@ def response_panels(
 def _panel(
     results: Results, gear: str, link: str, modes: Sequence[GearMode], excited: ExcitedSpeeds
 ) -> ResponsePanel:
-    """The response of a gear, order by order, as each has speeds of its own."""
+    """Calculate the response of a gear order by order, as the speeds depend on the order."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
     lines, (orders, _, fastest, slowest) = [], excited
     met = list(meetings(modes, orders, fastest, slowest))
     for order in orders:
-        own = [one for one in met if one.order == order]
-        about = [
-            one.speed * (1 + sign * off * one.mode.damping_ratio)
-            for one in own
+        near_peaks = [
+            meeting.speed * (1 + sign * off * meeting.mode.damping_ratio)
+            for meeting in met
+            if meeting.order == order
             for off in ABOUT_PEAK
             for sign in (-1, 1)
         ]
         even = np.linspace(max(slowest, fastest / EVEN_SPEEDS), fastest, EVEN_SPEEDS)
-        speeds = np.unique([*even, *(one for one in about if even[0] < one < fastest)])
-        [made] = response(results.case, link, [Harmonic(order.number)], speeds, [gear])
-        if made.error:
-            return ResponsePanel(gear, link, [], [], made.error)
-        amplitudes = np.abs(made.orders[0].amplitudes[link])
-        lines.append(ResponseLine(order, made.speeds, amplitudes))
-    peaks = [(one.order, one.mode) for one in met]
+        speeds = np.unique([*even, *(speed for speed in near_peaks if even[0] < speed < fastest)])
+        [forced] = response(results.case, link, [Harmonic(order.number)], speeds, [gear])
+        if forced.error:
+            return ResponsePanel(gear, link, [], [], forced.error)
+        amplitudes = np.abs(forced.orders[0].amplitudes[link])
+        lines.append(ResponseLine(order, forced.speeds, amplitudes))
+    peaks = [(meeting.order, meeting.mode) for meeting in met]
     return ResponsePanel(gear, link, lines, peaks)

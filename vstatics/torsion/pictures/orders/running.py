@@ -1,4 +1,4 @@
-"""The speeds at which the input runs, marked in a panel over these speeds."""
+"""Marks of the speeds at which the input runs, in a panel over the speed."""
 
 from __future__ import annotations
 
@@ -11,34 +11,34 @@ from vstatics.pictures.drawing.style import Style
 
 
 def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
-    """What the mark of some speeds [rpm], in ascending order, means in a key.
+    """Yield the entry of the legend for running speeds [rpm], in ascending order.
 
     >>> [sign[1] for sign in running_sign([800.0, 6500.0], Style())]
     ['the input runs, 800 to 6500 rpm']
     """
     if len(speeds) == 1:
         at = f"{speeds[0]:.0f}"
-        said = style.text("the input runs at {at} rpm", at=at)
-        yield (True, said, _line_look(style))
+        text = style.text("the input runs at {at} rpm", at=at)
+        yield (True, text, _line_look(style))
     elif speeds:
         low, high = (f"{speeds[place]:.0f}" for place in (0, -1))
-        said = style.text("the input runs, {low} to {high} rpm", low=low, high=high)
-        yield (True, said, _band_look(style))
+        text = style.text("the input runs, {low} to {high} rpm", low=low, high=high)
+        yield (True, text, _band_look(style))
 
 
 def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
-    """Draw a band from the least to the largest of some speeds, a line at a single speed."""
+    """Draw a band from the lowest to the highest speed, or a line at a single speed."""
     if not speeds:
         return
     wide, high = pen.size
     left, right = (pen.across(speeds[place]) for place in (0, -1))
     if right < 0 or left > wide:
         return
-    left, right, own = max(left, 0.0), min(right, wide), pen.within("range")
+    left, right, group = max(left, 0.0), min(right, wide), pen.within("range")
     if len(speeds) == 1:
-        own.line((left, 0.0), (left, high), zorder=0.3, **_line_look(style))
+        group.line((left, 0.0), (left, high), zorder=0.3, **_line_look(style))
     else:
-        own.box((left, 0.0), (right - left, high), zorder=0.3, **_band_look(style))
+        group.box((left, 0.0), (right - left, high), zorder=0.3, **_band_look(style))
 
 
 def _band_look(style: Style) -> Look:

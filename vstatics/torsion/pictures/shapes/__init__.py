@@ -1,5 +1,5 @@
-"""Natural modes over the links of a gear.
+"""Pictures of the natural modes of a gear over its links.
 
-`links` puts links and devices in a row, which `link_row` draws with a shape over it; `shares` are
-bars of energy. `modes` is the picture of these.
+`links` arranges links and devices in a row, and `link_row` draws the row and a shape. `shares`
+draws bars of energy. `modes` is the whole picture.
 """

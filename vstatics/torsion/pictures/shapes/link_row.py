@@ -1,4 +1,4 @@
-"""Links in a row with the devices between them, and the shape of a mode over them."""
+"""Row of links with devices between the links, and the shape of a mode over the row."""
 
 from __future__ import annotations
 
@@ -22,57 +22,57 @@ from vstatics.pictures.drawing.style import LONG_NAME, SMALL_NUMBER, number
 from vstatics.torsion.pictures.shapes.links import ModeDevice, ModeLinks
 
 LINK_PITCH = 26.0
-"""From link to link. [pt]"""
+"""Usual distance between neighbouring links. [pt]"""
 LEAST_ROW_WIDTH = 130.0
-"""Width of all links, of however few. [pt]"""
+"""Smallest width of a row of links. [pt]"""
 NEAREST_LINKS = 13.0
-"""From link to link, so that each has its name. [pt]"""
+"""Smallest distance between links at which all links have names. [pt]"""
 BEYOND_ROW = 12.0
-"""So far names may stand beyond the row, on both sides. [pt]"""
+"""Largest distance of names beyond the ends of the row. [pt]"""
 LEVEL_PITCH = 19.0
-"""From level to level of devices. [pt]"""
+"""Distance between levels of devices. [pt]"""
 GROUND_HEIGHT = 24.0
-"""From a link up to the housing. [pt]"""
+"""Height of the housing above a link. [pt]"""
 LEGEND_SIGN = 22.0
-"""From the left of a sign to its meaning. [pt]"""
+"""Distance from the left of a sign to its text in the legend. [pt]"""
 _ELASTIC = "rigid", "elastic, by number"
 _HEAVY = "without inertia", "with inertia"
-"""What signs mean, from below."""
+"""Texts of the legend, from the bottom up."""
 ROOMY_PITCH = 12.0
-"""With less from link to link there are no numbers of springs. [pt]"""
+"""Smallest distance between links at which springs are numbered. [pt]"""
 
 
 class Axis(NamedTuple):
-    """Where the links stand."""
+    """Positions of the links of a row."""
 
     pen: Pen
     left: float
-    """[pt]"""
+    """Abscissa of the left end of the row. [pt]"""
     pitch: float
-    """[pt]"""
+    """Distance between neighbouring links. [pt]"""
 
     def at(self, place: float) -> float:
-        """The abscissa of a place in the row, from 0 [pt]."""
+        """Return the abscissa of a place in the row, counted from 0 [pt]."""
         return self.left + (place + 0.5) * self.pitch
 
 
 def whole_width(links: ModeLinks) -> float:
-    """Width of all links where there is room [pt]."""
+    """Return the width of a row with enough room [pt]."""
     return max(len(links.names) * LINK_PITCH, LEAST_ROW_WIDTH)
 
 
 def least_width(links: ModeLinks) -> float:
-    """Width of all links where each has its name [pt]."""
+    """Return the smallest width of a row in which all links have names [pt]."""
     return max(len(links.names) * NEAREST_LINKS, LEAST_ROW_WIDTH)
 
 
 def springs(links: ModeLinks) -> list[str]:
-    """Names of elastic devices in the order of their numbers."""
+    """Return the names of elastic devices in the order of numbers."""
     return [device.name for device in links.devices if device.elastic]
 
 
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
-    """Places and names; of many links only some, so that they have room."""
+    """Return places and names of links at even steps that leave enough room."""
     names = [wrapped(name, LONG_NAME) for name in links.names]
     needed = sum(height(name) + LABEL_GAP for name in names)
     every = math.ceil(needed / (len(names) * pitch + 2 * BEYOND_ROW)) if names else 1
@@ -80,23 +80,23 @@ def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
 
 
 def row_height(links: ModeLinks, pitch: float) -> float:
-    """Of the row with the names above it and the devices below it [pt]."""
+    """Return the height of the row with names above and devices below [pt]."""
     up = widest(name for _, name in _names(links, pitch))
     up += LEADER + LABEL_GAP
     return up + _above(links) + _below(links)
 
 
 def _above(links: ModeLinks) -> float:
-    return GROUND_HEIGHT if any(one.is_grounded for one in links.devices) else 8.0
+    return GROUND_HEIGHT if any(device.is_grounded for device in links.devices) else 8.0
 
 
 def _below(links: ModeLinks) -> float:
-    levels = (one.level for one in links.devices if not one.is_grounded)
+    levels = (device.level for device in links.devices if not device.is_grounded)
     return 10.0 + LEVEL_PITCH * max(levels, default=0)
 
 
 def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
-    """The row of links above an ordinate [pt]: names, springs, what is rigid."""
+    """Draw the row of links above an ordinate [pt], with names and devices."""
     pen, y = axis.pen, low + _below(links)
     _write_names(axis, y + _above(links), _names(links, axis.pitch))
     count = 0
@@ -105,11 +105,11 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
         _draw_device(axis, y, device, str(count) if device.elastic else "")
     for place, heavy in enumerate(links.heavy):
         colour = pen.style.colour(links.numbers[place] - 1)
-        _draw_dot(pen, (axis.at(place), y), colour, heavy=heavy)
+        _draw_link(pen, (axis.at(place), y), colour, heavy=heavy)
 
 
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
-    """Upright, each with a line to its link."""
+    """Write upright names, each with a line to the link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
     row = axis.left, axis.left + sum(sizes)
@@ -122,7 +122,7 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
-    """A device: on the line, below it with a line to each of its links, or at the housing."""
+    """Draw a device on the line, below the line with lines to its links, or at the housing."""
     pen = axis.pen
     colour, wide = (pen.style.ink, 1.2) if device.elastic else (pen.style.faint, 0.9)
     look: Look = {"color": colour, "width": wide, "title": device.name}
@@ -133,7 +133,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
     level = y - LEVEL_PITCH * device.level
     for place in device.members if device.level else ():
         pen.line((axis.at(place), y), (axis.at(place), level), **look)
-    for place in device.members[1:-1]:  # else it might pass for a crossing
+    for place in device.members[1:-1]:  # a dot, as a joint could be taken for a crossing
         at = axis.at(place), level
         pen.line(at, marker="o", markersize=2.4, color=colour, width=1.5)
     ends = [(axis.at(place), level) for place in (device.members[0], device.members[-1])]
@@ -150,7 +150,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
 
 
 def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look) -> None:
-    """A spring from a link up to the housing."""
+    """Draw a spring from a link up to the housing."""
     pen, link, top = axis.pen, axis.at(device.members[0]), y + GROUND_HEIGHT - 6
     x = link + 0.6 * axis.pitch * device.level
     turns = [(x + turn - y, y + 11 + along - x) for along, turn in zigzag(x, y, 7.0, 3.5)]
@@ -163,14 +163,14 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look
 
 
 def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
-    """What the marks of the row mean, two lines above an ordinate, up to an abscissa [pt]."""
+    """Draw two lines of the legend of a row, above an ordinate and left of an abscissa [pt]."""
     style = pen.style
-    texts = [style.text(said) for said in (_ELASTIC if elastic else _HEAVY)]
+    texts = [style.text(english) for english in (_ELASTIC if elastic else _HEAVY)]
     left = right - LEGEND_SIGN - widest(texts)
     for row, text in enumerate(texts):
         y = low + row * height("")
         if not elastic:
-            _draw_dot(pen, (left + 8, y), style.ink, heavy=bool(row))
+            _draw_link(pen, (left + 8, y), style.ink, heavy=bool(row))
         elif row:
             pen.line(*zigzag(left + 8, y, 8.0, 3.5), color=style.ink, width=1.2)
         else:
@@ -178,35 +178,34 @@ def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
         pen.text(left + LEGEND_SIGN, y, text, va="center", color=style.soft)
 
 
-def _draw_dot(pen: Pen, at: Point, colour: str, *, heavy: bool) -> None:
-    """A link."""
+def _draw_link(pen: Pen, at: Point, colour: str, *, heavy: bool) -> None:
     size, fill = (5.0, colour) if heavy else (3.2, pen.style.paper)
     look: Look = {"markerfacecolor": fill, "markeredgecolor": colour, "markersize": size}
     pen.line(at, marker="o", zorder=4, width=1.5, **look)
 
 
 class AmplitudeBand(NamedTuple):
-    """Where amplitudes are drawn."""
+    """Vertical scale of amplitudes."""
 
-    rest: float
-    """The ordinate of what stands. [pt]"""
+    zero: float
+    """Ordinate of a link at rest. [pt]"""
     unit: float
-    """The length of an amplitude of 1. [pt]"""
+    """Length of an amplitude of 1. [pt]"""
 
     def at(self, amplitude: float) -> float:
-        """The ordinate of an amplitude [pt]."""
-        return self.rest + self.unit * amplitude
+        """Return the ordinate of an amplitude [pt]."""
+        return self.zero + self.unit * amplitude
 
 
 def draw_shape(
     axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float]
 ) -> None:
-    """Amplitudes as bars from the line of rest, joined as the links are.
+    """Draw amplitudes as bars, whose ends are connected like the links.
 
     Parameters
     ----------
     shape : mapping of str to float
-        Amplitudes of links by their names, of 1 at most.
+        Amplitudes of links by name, at most 1.
     """
     pen, style = axis.pen, axis.pen.style
     tips = [(axis.at(place), band.at(shape[name])) for place, name in enumerate(links.names)]
@@ -217,21 +216,21 @@ def draw_shape(
         (2, {"color": style.ink, "linestyle": (0, (3, 1.5))}),
         (1, {"color": style.ink}),
     ):
-        chosen = [one.members for one in links.devices if one.kind == kind]
+        chosen = [device.members for device in links.devices if device.kind == kind]
         pairs = [pair for members in chosen for pair in pairwise(members)]
-        pen.lines([(tips[one], tips[other]) for one, other in pairs], width=1.2, **look)
+        pen.lines([(tips[left], tips[right]) for left, right in pairs], width=1.2, **look)
     for name, link, heavy, (x, y) in zip(
         links.names, links.numbers, links.heavy, tips, strict=True
     ):
         colour = style.colour(link - 1)
         look = {"color": colour, "width": 1.0, "marker": "o", "markersize": 3.6, "zorder": 4}
         look["markerfacecolor"] = colour if heavy else style.paper
-        said = f"{name}: {number(shape[name])}"
-        pen.line((x, band.rest), (x, y), markevery=[1], title=said, **look)
+        hint = f"{name}: {number(shape[name])}"
+        pen.line((x, band.zero), (x, y), markevery=[1], title=hint, **look)
 
 
 def _draw_scale(axis: Axis, band: AmplitudeBand, count: int) -> None:
-    """Lines at rest and at the largest amplitudes, and one for each link."""
+    """Draw lines at the amplitudes -1, 0 and 1, and a line for each link."""
     pen, start, end = axis.pen, axis.left, axis.at(count - 1) + 0.5 * axis.pitch
     for amplitude, text in ((-1, "−1"), (0, "0"), (1, "+1")):
         y, wide = band.at(amplitude), 0.4 if amplitude else 0.8

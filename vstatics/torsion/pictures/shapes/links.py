@@ -1,4 +1,4 @@
-"""The links of a vibrating gear in a row, and the devices between them."""
+"""Arrangement of the links of a vibrating gear in a row, with the devices between links."""
 
 from __future__ import annotations
 
@@ -18,47 +18,48 @@ if TYPE_CHECKING:
 
 
 class ModeDevice(NamedTuple):
-    """A device that takes part in a vibration."""
+    """Device of a vibrating gear."""
 
     name: str
     members: tuple[int, ...]
-    """Places of its links in the row, ascending."""
+    """Places of the links of the device in the row, ascending."""
     elastic: bool
     level: int = 0
-    """0: on the line from one link to the next, else so far below it; of those at the housing
-    how many of the same link stand before it."""
+    """Number of levels below the line of links.
+
+    For a device at the housing, the number of preceding devices at the same link.
+    """
 
     @property
     def is_grounded(self) -> bool:
-        """Whether it joins a link to the housing."""
+        """True if the device connects a link to the housing."""
         return len(self.members) == 1
 
     @property
     def kind(self) -> int:
-        """0 of what is rigid, 1 of a shaft, 2 of what has a twist of more than two links."""
+        """Kind of the device: 0 rigid, 1 shaft, 2 elastic device with any other number of links."""
         return self.elastic * (1 if len(self.members) == 2 else 2)
 
 
 class ModeLinks(NamedTuple):
-    """The links of a gear that vibrate, from the input on."""
+    """Vibrating links of a gear, beginning with the input."""
 
     numbers: tuple[int, ...]
     names: tuple[str, ...]
     heavy: tuple[bool, ...]
-    """Which of them have an inertia."""
+    """Mask of the links with inertia."""
     devices: tuple[ModeDevice, ...]
-    """Elastic ones first, from the input on."""
+    """Devices, elastic devices first, beginning at the input."""
     resting: tuple[str, ...]
-    """Links that stand, also in all modes."""
+    """Links at rest, in all modes too."""
     idle: tuple[str, ...]
-    """Links without inertia at the end of a single device, which nothing loads."""
+    """Unloaded links: links without inertia at the end of a single device."""
 
 
 def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
-    """The links of a gear that has modes in the order in which power comes to them.
+    """Arrange the links of a gear with modes in the order of the power flow.
 
-    That is by the least number of devices between a link and the input; as in the case where it
-    is the same.
+    Links are sorted by the smallest number of devices between link and input, then by number.
 
     Examples
     --------
@@ -68,7 +69,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     ...            Spring({2: 1, 3: 2}, stiffness=9.0, name="wheel")]
     >>> case = Transmission(3, [], [], [], springs=springs, inertias={1: 1.0, 2: 1.0}, output=2)
     >>> row = mode_links(solve(case), 1, modes(case)[0])
-    >>> row.names, [(one.name, one.members) for one in row.devices]
+    >>> row.names, [(device.name, device.members) for device in row.devices]
     (('1', '3', '2'), [('shaft', (0, 1)), ('wheel', (1, 2))])
     """
     case = results.case
@@ -84,10 +85,10 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
         for name, links in _joined(case, state.gear)
     ]
     with_planets = {part.rpartition(".")[0] for part in modes.modes[0].kinetic} - {""}
-    kept = {link for link in moving if case.heavy.get(link)} | {state.input, state.output}
-    kept.update(*(links for name, links in joined if name in with_planets))
-    joined = _loaded(moving - kept, joined)
-    idle = moving - kept - {link for _, links in joined for link in links}
+    loaded = {link for link in moving if case.heavy.get(link)} | {state.input, state.output}
+    loaded.update(*(links for name, links in joined if name in with_planets))
+    joined = _loaded(moving - loaded, joined)
+    idle = moving - loaded - {link for _, links in joined for link in links}
     row = _row(moving - idle, state.input, [links for _, links in joined])
     place = {link: at for at, link in enumerate(row)}
     elastic = modes.modes[0].elastic
@@ -107,16 +108,13 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
 
 
 def _moves(amplitudes: Sequence[float], speed: float) -> bool:
-    """Whether a link vibrates, or turns at least; it may be a node of all modes."""
+    """Return whether a link vibrates or rotates; a link can be a node of all modes."""
     known = not any(map(math.isnan, amplitudes))
-    return known and (
-        any(abs(one) > STANDS_IN_ALL_MODES for one in amplitudes)
-        or abs(speed) > STANDS_IN_ALL_MODES
-    )
+    return known and any(abs(motion) > STANDS_IN_ALL_MODES for motion in (*amplitudes, speed))
 
 
 def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
-    """Each device that takes part in a gear, and the links that it joins."""
+    """Yield the names of all devices of a gear, and the links of each device."""
     for number in gear.engaged:
         element = case.shift_elements[number - 1]
         yield element.name, element.links
@@ -129,18 +127,18 @@ def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]
 def _loaded(
     light: AbstractSet[int], joined: list[tuple[str, list[int]]]
 ) -> list[tuple[str, list[int]]]:
-    """Devices that bear anything, with their links: none of these is light and theirs alone."""
+    """Remove devices with a light link that belongs to no other device, until none is left."""
     while True:
         count = Counter(link for _, links in joined for link in links)
         loose = {link for link in light if count[link] == 1}
-        left = [one for one in joined if loose.isdisjoint(one[1])]
-        if len(left) == len(joined):
+        remaining = [device for device in joined if loose.isdisjoint(device[1])]
+        if len(remaining) == len(joined):
             return joined
-        joined = left
+        joined = remaining
 
 
 def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -> list[int]:
-    """Links by their distance from the first one, then in their own order."""
+    """Sort links by the number of devices to the first link, then by number."""
     distance: dict[int, int] = {}
     reached = links & {first}
     for level in range(len(links)):
@@ -151,8 +149,8 @@ def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -
 
 
 def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
-    """Devices at levels where none covers another: what is elastic, and short, comes first."""
-    order = sorted(devices, key=lambda one: (not one.elastic, one.members[-1] - one.members[0]))
+    """Place devices at levels without overlap, beginning with elastic and short devices."""
+    order = sorted(devices, key=lambda d: (not d.elastic, d.members[-1] - d.members[0]))
     taken: list[ModeDevice] = []
     for device in order:
         on_line = device.is_grounded or device.members[1:] == (device.members[0] + 1,)
@@ -160,12 +158,12 @@ def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
         while any(_cover(other, placed) for other in taken):
             placed = placed._replace(level=placed.level + 1)
         taken.append(placed)
-    yield from sorted(taken, key=lambda one: (not one.elastic, one.members, one.level))
+    yield from sorted(taken, key=lambda d: (not d.elastic, d.members, d.level))
 
 
-def _cover(one: ModeDevice, other: ModeDevice) -> bool:
-    """Whether two devices would touch on one level; on the line only those of the same links."""
-    if one.is_grounded or other.is_grounded or one.level == 0:
-        return (one.level, one.members) == (other.level, other.members)
-    apart = one.members[-1] < other.members[0] or other.members[-1] < one.members[0]
-    return one.level == other.level and not apart
+def _cover(device: ModeDevice, other: ModeDevice) -> bool:
+    """Return whether devices would touch; on the line, devices with equal links touch."""
+    if device.is_grounded or other.is_grounded or device.level == 0:
+        return (device.level, device.members) == (other.level, other.members)
+    apart = device.members[-1] < other.members[0] or other.members[-1] < device.members[0]
+    return device.level == other.level and not apart

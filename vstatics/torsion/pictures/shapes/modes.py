@@ -1,4 +1,4 @@
-"""The natural modes of a gear: shapes over its links, and where the energy is."""
+"""Picture of the natural modes of a gear: shapes over the links, and shares of the energy."""
 
 from __future__ import annotations
 
@@ -40,41 +40,41 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 
 LEAST_MODE_HEIGHT = 58.0
-"""Height of a shape at least. [pt]"""
+"""Smallest height of a shape. [pt]"""
 SHAPE_HEIGHT = 84.0
-"""Height of a shape at most. [pt]"""
+"""Largest height of a shape. [pt]"""
 MODE_GAP = 14.0
-"""Modes, and columns. [pt]"""
+"""Gap between modes, and between columns. [pt]"""
 BETWEEN_SHARES = 5.0
-"""Between the bars of two energies that stand below one another. [pt]"""
+"""Gap between the bars of two energies below each other. [pt]"""
 NO_BREAK = "\N{NO-BREAK SPACE}"
 PART_GAP = "    "
-"""Between the parts of what is said."""
+"""Spaces between the parts of the caption of a mode."""
 SAID_GAP = 3.0
-"""Below what is said over a shape. [pt]"""
+"""Gap below the caption of a mode. [pt]"""
 NOTE_GAP = 4.0
-"""Between the note on a gear and its links. [pt]"""
+"""Gap between the note on a gear and the row of links. [pt]"""
 AMPLITUDE_SCALE_WIDTH = 16.0
-"""For the ends of the scale of amplitudes. [pt]"""
+"""Width of the numbers at the scale of amplitudes. [pt]"""
 ELASTIC = "elastic energy"
 KINETIC = "kinetic energy"
-"""What the bars are."""
+"""Titles of the bars."""
 GEAR_GAP = 30.0
-"""Between gears. [pt]"""
+"""Gap between gears. [pt]"""
 
 
 class _ModeRow(NamedTuple):
-    """A mode, with the bars beside its shape."""
+    """Mode with its caption, and the bars at the side of the shape."""
 
     mode: Mode
     said: Sequence[str]
-    """Parts of a line."""
+    """Parts of the caption."""
     elastic: list[Share]
     kinetic: list[Share]
 
 
 class _GearModesPart(NamedTuple):
-    """A gear, or some modes of it; without modes its reason."""
+    """Gear with some or all modes; the note of a gear without modes says why."""
 
     head: str
     note: str
@@ -83,26 +83,29 @@ class _GearModesPart(NamedTuple):
 
 
 class _ModeColumns(NamedTuple):
-    """Widths that all gears of a figure share, in points."""
+    """Common widths of all gears of a figure, in points."""
 
     shapes: float
+    """Width of shapes."""
     pitch: float
-    """From link to link."""
+    """Distance between neighbouring links."""
     elastic: float
+    """Width of the bars of elastic energy."""
     kinetic: float
+    """Width of the bars of kinetic energy."""
     stacked: bool
-    """Whether bars of kinetic energy stand below those of elastic energy."""
+    """True if the bars of kinetic energy are below the bars of elastic energy."""
     named: float
-    """Of what the bars of elastic energy are called."""
+    """Width of the title of the bars of elastic energy."""
 
     @property
     def left(self) -> float:
-        """Where the shapes begin."""
+        """Left end of the shapes."""
         return MARGIN + AMPLITUDE_SCALE_WIDTH
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Where the bars of elastic and of kinetic energy end."""
+        """Right ends of the bars of elastic and kinetic energy."""
         first = self.left + self.shapes + MODE_GAP
         if self.stacked:
             return (first + max(self.elastic, self.kinetic),) * 2
@@ -110,49 +113,48 @@ class _ModeColumns(NamedTuple):
 
     @property
     def right(self) -> float:
-        """The width of a figure."""
+        """Width of a figure."""
         return self.ends[1] + MARGIN
 
-    def said(self, row: _ModeRow) -> str:
-        """What is said of a mode: a line up to what its bars are called, else above them."""
+    def caption(self, row: _ModeRow) -> str:
+        """Return the caption of a mode, left of the title of the bars or above the bars."""
         line = PART_GAP.join(row.said)
-        if self._stands_beside(line):
+        if self._fits_beside_title(line):
             return line
         parts = " ".join(part.replace(" ", NO_BREAK) for part in row.said)
-        return _spaced(wrapped(parts, self.right - 2 * MARGIN, lambda one: width(_spaced(one))))
+        return _spaced(wrapped(parts, self.right - 2 * MARGIN, lambda text: width(_spaced(text))))
 
-    def _stands_beside(self, line: str) -> bool:
+    def _fits_beside_title(self, line: str) -> bool:
         return width(line) <= self.ends[0] - self.named - MODE_GAP - MARGIN
 
     def drop(self, row: _ModeRow) -> float:
-        """Of the bars below what is said, if that has no room beside what they are called."""
-        is_beside = self._stands_beside(PART_GAP.join(row.said))
-        return 0.0 if is_beside else self.said_height(row)
+        """Return the distance of the bars below the top of a mode."""
+        is_beside = self._fits_beside_title(PART_GAP.join(row.said))
+        return 0.0 if is_beside else self.caption_height(row)
 
-    def said_height(self, row: _ModeRow) -> float:
-        """Of what is said over a shape."""
-        return height(self.said(row)) + SAID_GAP
+    def caption_height(self, row: _ModeRow) -> float:
+        """Return the height of the caption of a mode with the gap below."""
+        return height(self.caption(row)) + SAID_GAP
 
     def high(self, row: _ModeRow) -> float:
-        """Of a mode with the gap below it."""
-        bars = [shares_height(one) for one in (row.elastic, row.kinetic)]
+        """Return the height of a mode with the gap below."""
+        bars = [shares_height(shares) for shares in (row.elastic, row.kinetic)]
         if self.stacked:
             right = sum(bars) + 2 * height("") + BETWEEN_SHARES
         else:
             right = max(bars) + height("") + SAID_GAP
-        left = self.said_height(row) + LEAST_MODE_HEIGHT
+        left = self.caption_height(row) + LEAST_MODE_HEIGHT
         return max(left, self.drop(row) + right) + MODE_GAP
 
 
 def _spaced(parts: str) -> str:
-    """Parts with their gaps between them."""
     return parts.replace(" ", PART_GAP).replace(NO_BREAK, " ")
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figure]:
-    """Draw the natural modes of gears one below another, on pages.
+    """Draw the natural modes of gears below each other, on pages.
 
-    On one page of any height it is the first gear, where none is told.
+    On a single page without a given height, the first gear is drawn by default.
 
     Raises
     ------
@@ -161,34 +163,33 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Figu
     """
     is_one = math.isinf(style.height)
     numbers = gears or ((1,) if is_one else range(1, len(results.case.gears) + 1))
-    found = modes_of(results, numbers)
-    parts = [_part(results, *one, style) for one in zip(numbers, found, strict=True)]
+    by_gear = modes_of(results, numbers)
+    parts = [_part(results, *gear, style) for gear in zip(numbers, by_gear, strict=True)]
     if is_one:
         return [_figure(results, parts, style)]
     pages = (page for part in parts for page in _on_pages(results, part, style))
     return [_figure(results, [page], style) for page in pages]
 
 
-def _part(results: Results, gear: int, found: GearModes, style: Style) -> _GearModesPart:
-    """What is drawn of a gear."""
-    head = gear_title(found.name, style)
-    if not found.modes:
-        return _GearModesPart(head, why_none(found, style), None, [])
-    links = mode_links(results, gear, found)
+def _part(results: Results, gear: int, modes: GearModes, style: Style) -> _GearModesPart:
+    head = gear_title(modes.name, style)
+    if not modes.modes:
+        return _GearModesPart(head, why_none(modes, style), None, [])
+    links = mode_links(results, gear, modes)
     marks = {name: str(place) for place, name in enumerate(springs(links), 1)}
     note = style.text("amplitudes of links, the largest is 1")
-    for those, english in (
+    for names, english in (
         (links.resting, "these stand"),
         (links.idle, "without load"),
     ):
-        if those:
-            note += f"; {style.text(english)}: {', '.join(those)}"
+        if names:
+            note += f"; {style.text(english)}: {', '.join(names)}"
     colours = {
         name: style.colour(link - 1) for name, link in zip(links.names, links.numbers, strict=True)
     }
     rows = [
-        _row(place, mode, found, (marks, colours), style)
-        for place, mode in enumerate(found.modes, 1)
+        _row(place, mode, modes, (marks, colours), style)
+        for place, mode in enumerate(modes.modes, 1)
     ]
     return _GearModesPart(head, note, links, rows)
 
@@ -196,54 +197,53 @@ def _part(results: Results, gear: int, found: GearModes, style: Style) -> _GearM
 def _row(
     place: int,
     mode: Mode,
-    found: GearModes,
+    modes: GearModes,
     marked: tuple[dict[str, str], dict[str, str]],
     style: Style,
 ) -> _ModeRow:
-    """A mode; springs have marks, links their colours."""
     marks, colours = marked
-    said = [
+    caption = [
         style.text("mode {place}", place=place),
         f"{number(mode.frequency)} {style.text('Hz')}",
         f"{number(mode.omega)} {style.text('rad/s')}",
     ]
-    if found.damped and math.isfinite(mode.damping_ratio):
-        said.append(f"{style.text('damping')} {mode.damping_ratio:.4f}")
+    if modes.damped and math.isfinite(mode.damping_ratio):
+        caption.append(f"{style.text('damping')} {mode.damping_ratio:.4f}")
     return _ModeRow(
         mode,
-        said,
+        caption,
         largest_shares(mode.elastic, marks, {}, style),
         largest_shares(mode.kinetic, {}, colours, style),
     )
 
 
 def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
-    """Bars beside one another if links have room besides, else below one another."""
+    """Choose widths so that bars are side by side if links have room, else below each other."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
-    said = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH
-    count = max((len(one.names) for one in links), default=1)
+    captions = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH
+    count = max((len(row.names) for row in links), default=1)
     elastic, kinetic = (
-        max([width(style.text(said)), SHARE_BAR_WIDTH, *map(shares_width, shares)])
-        for said, shares in (
+        max([width(style.text(english)), SHARE_BAR_WIDTH, *map(shares_width, shares)])
+        for english, shares in (
             (ELASTIC, [row.elastic for row in rows]),
             (KINETIC, [row.kinetic for row in rows]),
         )
     )
-    # What is said of a mode may stand above its bars, up to what these are called.
+    # The caption of a mode can extend over the bars, up to their title.
     named = width(style.text(ELASTIC))
-    said -= elastic - named
-    whole = max([said, *map(whole_width, links)])
-    least = max([said, *map(least_width, links)])
+    captions -= elastic - named
+    whole = max([captions, *map(whole_width, links)])
+    least = max([captions, *map(least_width, links)])
     left = style.width - 2 * MARGIN - AMPLITUDE_SCALE_WIDTH - MODE_GAP
-    beside = left - elastic - MODE_GAP - kinetic
-    stacked = beside < least
-    shapes = min(whole, left - max(elastic, kinetic) if stacked else beside)
+    shapes_beside = left - elastic - MODE_GAP - kinetic
+    stacked = shapes_beside < least
+    shapes = min(whole, left - max(elastic, kinetic) if stacked else shapes_beside)
     return _ModeColumns(shapes, shapes / count, elastic, kinetic, stacked, named)
 
 
 def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    """Height of what stands above the first mode of a gear [pt]."""
+    """Return the height above the first mode of a gear [pt]."""
     across = columns.right - 2 * MARGIN
     texts = height("") + NOTE_GAP + height(wrapped(part.note, across))
     return texts + (row_height(part.links, columns.pitch) + MODE_GAP if part.links else 0.0)
@@ -254,7 +254,7 @@ def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
 
 
 def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[_GearModesPart]:
-    """The modes of a gear in parts of which each fits a page."""
+    """Yield parts of the modes of a gear that fit on a page each."""
     columns = _columns([part], style)
     room = style.height - _page_head(results, columns.right, style) - 3 * MARGIN
     room -= _head_high(part, columns)
@@ -268,7 +268,6 @@ def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[
 
 
 def _page_head(results: Results, wide: float, style: Style) -> float:
-    """Height of the title [pt]."""
     return sheet_head(_title(results, style), "", [], wide - 2 * MARGIN, style).high
 
 
@@ -277,7 +276,6 @@ def _title(results: Results, style: Style) -> str:
 
 
 def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> Figure:
-    """Gears one below another."""
     columns = _columns(parts, style)
     wide = columns.right
     high = sum(_high(part, columns) for part in parts) + GEAR_GAP * (len(parts) - 1) - MODE_GAP
@@ -291,7 +289,7 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
 
 
 def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:
-    """The row of links, and the modes below it."""
+    """Draw the row of links, and the modes below the row."""
     style, right = pen.style, columns.right - MARGIN
     pen.text(MARGIN, top, part.head, va="top", bold=True)
     note = wrapped(part.note, right - MARGIN)
@@ -312,17 +310,17 @@ def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns
 def _draw_mode(
     axis: Axis, top: float, links: ModeLinks, row: _ModeRow, columns: _ModeColumns
 ) -> None:
-    """A mode below an ordinate [pt]: what is said, its shape, its bars."""
+    """Draw the caption, shape and bars of a mode below an ordinate [pt]."""
     pen, style = axis.pen, axis.pen.style
-    pen.text(MARGIN, top, columns.said(row), **BELOW)
-    said = columns.said_height(row)
-    high = min(columns.high(row) - MODE_GAP - said, SHAPE_HEIGHT)
-    band = AmplitudeBand(top - said - high / 2, high / 2 - 3)
+    pen.text(MARGIN, top, columns.caption(row), **BELOW)
+    caption = columns.caption_height(row)
+    high = min(columns.high(row) - MODE_GAP - caption, SHAPE_HEIGHT)
+    band = AmplitudeBand(top - caption - high / 2, high / 2 - 3)
     draw_shape(axis, band, links, row.mode.shape)
     y = top - columns.drop(row)
     both = (row.elastic, row.kinetic)
-    for end, called, shares in zip(columns.ends, (ELASTIC, KINETIC), both, strict=True):
-        pen.text(end, y, style.text(called), va="top", ha="right", color=style.soft)
+    for end, bar_title, shares in zip(columns.ends, (ELASTIC, KINETIC), both, strict=True):
+        pen.text(end, y, style.text(bar_title), va="top", ha="right", color=style.soft)
         draw_shares(pen, end, y - height("") - SAID_GAP, shares)
         if columns.stacked:
             y -= height("") + shares_height(shares) + BETWEEN_SHARES
