@@ -1,8 +1,8 @@
-"""What a scenario, its laws, points and formulas must fulfil before anything is calculated.
+"""Checks of a scenario, its laws, points and formulas before the calculation.
 
-Names stand in the paths: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of
-several laws, ``("shifts", 1, "to")``, numbers from 1. What only a calculation tells, such as start
-speeds that contradict each other, is told there.
+Paths contain names: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of several
+laws, ``("shifts", 1, "to")``, numbers from 1. Problems that only a calculation finds, such as
+contradictory start speeds, are reported there.
 """
 
 from __future__ import annotations
@@ -44,19 +44,19 @@ _TRIED_TIMES = 1001
 
 
 def check_scenario(scenario: Scenario) -> None:
-    """Refuse a scenario that cannot be.
+    """Refuse an impossible scenario.
 
     Raises
     ------
     CaseError
         With every problem.
     """
-    if found := list(scenario_problems(scenario)):
-        raise CaseError(found)
+    if problems := list(scenario_problems(scenario)):
+        raise CaseError(problems)
 
 
 def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
-    """All that is wrong with a scenario.
+    """Yield all problems of a scenario.
 
     Examples
     --------
@@ -90,7 +90,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful: capacities without a unit, controls above them, shifts behind the end..."""
+    """Yield warnings and notes, such as of capacities without a unit and shifts after the end."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
@@ -136,7 +136,7 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
-    """Problems of twists at the start: not elastic, not finite, or given with `settled`."""
+    """Yield problems of twists at the start: not elastic, not finite, or given with `settled`."""
     names = elastic_names(case)
     for name, twist in start.twists.items():
         path = ("start", "twists", name)
@@ -175,7 +175,7 @@ def _of_controls(
 
 
 def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """A formula of the time at many times: whether it ever gives no number."""
+    """Try a capacity at many times, and yield the first that is not a number."""
     law = control.law
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
@@ -190,7 +190,7 @@ def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
 
 
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """A formula of the time, or of the motion of its link, that never has a value."""
+    """Yield a problem of a formula that has no value at any time, speed or angle."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
@@ -202,7 +202,7 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
 
 
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """A control or a limit: numbers over time."""
+    """Yield the problems of a control or a limit over time."""
     law, scale = control
     yield from _of_range(scale, "a scale", (*path, "scale"))
     yield from _tried(control, duration, path)
@@ -224,7 +224,7 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_limits(scenario: Scenario) -> Iterator[Problem]:
-    """Of limits of springs: of one that there is and that may have one, of 0 or more."""
+    """Yield the problems of torque limits of springs: unknown spring, second limit, below 0."""
     springs = scenario.case.springs
     for number, limit in scenario.limits.items():
         if not 0 < number <= len(springs):
@@ -234,9 +234,11 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
         path = ("limits", springs[number - 1].name)
         spring = springs[number - 1]
         if spring.points or spring.strut:
-            own = "points" if spring.points else "strut"
-            yield Problem("E693", f"read a limit beside `{own}`, expected none", path)
-        if spring.name in [one.limit.of for one in springs if isinstance(one.limit, SpringLimit)]:
+            key = "points" if spring.points else "strut"
+            yield Problem("E693", f"read a limit beside `{key}`, expected none", path)
+        if spring.name in [
+            other.limit.of for other in springs if isinstance(other.limit, SpringLimit)
+        ]:
             message = f"another limit follows {quoted(spring.name)}, expected none of its own"
             yield Problem("E546", message, path)
         yield from _of_capacity(Capacity(limit), scenario.duration, path)
@@ -272,7 +274,7 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
-    """Of a number that may not be below 0 nor infinite."""
+    """Yield a problem of a number below 0 or infinite."""
     if not (0 < value < math.inf or (value == 0 and not above_0)):
         least = "above 0" if above_0 else "of 0 or more"
         yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
@@ -315,10 +317,10 @@ def _name(case: Transmission, link: int) -> Any:
 
 
 def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
-    """Of a torque: numbers that can be, points in order, known names."""
+    """Yield the problems of a torque law."""
     match law:
         case Formula():
-            pass  # with all others
+            pass  # checked together with all other formulas
         case Points():
             yield from of_points(law, path)
         case Resistance():
@@ -328,7 +330,7 @@ def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
 
 
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
-    """Sizes that can be; and a speed of the wheels has one velocity."""
+    """Yield the problems of a road: sizes, and a wheel speed without a single velocity."""
     problems = [
         *_of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
         *_of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
@@ -347,7 +349,6 @@ def _of_road(law: Road, path: Path) -> Iterator[Problem]:
 
 
 def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
-    """A coefficient, or points over the speed."""
     if not isinstance(rolling, tuple):
         yield from _of_range(rolling, "a coefficient", path)
         return
@@ -365,13 +366,13 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
-    """Of formulas, each with the names that it may have where it stands."""
+    """Yield the problems of all formulas, each with the names allowed at the place."""
     names = [*scenario.settings, *(state.name for state in scenario.states)]
-    converters = [one.name for one in scenario.converters]
+    converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
-    for law, own, path, which in _placed_formulas(scenario):
-        known = words.only(*which) if which else Vocabulary()
-        problems = list(of_formula(law, own, path, known))
+    for law, variables, path, allowed in _placed_formulas(scenario):
+        known = words.only(*allowed) if allowed else Vocabulary()
+        problems = list(of_formula(law, variables, path, known))
         yield from problems
         if not problems and path[0] not in ("controls", "limits"):  # these must always be numbers
             yield from _never_a_number(law, scenario.duration, path)
@@ -381,9 +382,9 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """What may be a formula, its own variables, its place, and the words that it may have."""
+    """Yield possible formulas with variables, place and allowed words."""
     case, elements = scenario.case, scenario.case.shift_elements
-    more = (*OF_MOTION, *OF_TORQUES)
+    seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
         if 0 < number <= len(elements):
             path: Path = ("controls", elements[number - 1].name)
@@ -392,16 +393,16 @@ def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
         yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
     yield from _placed_curves(scenario)
     for state in scenario.states:
-        yield state.rate, ["t"], ("states", state.name, "rate"), more
+        yield state.rate, ["t"], ("states", state.name, "rate"), seen
     for path, step in placed_steps(scenario):
         if step.when:
-            yield step.when.formula, ["t"], (*path, "when"), (*more, *OF_EVENTS)
+            yield step.when.formula, ["t"], (*path, "when"), (*seen, *OF_EVENTS)
         for name, value in step.settings.items():
-            yield value, ["t"], (*path, "set", name), more
+            yield value, ["t"], (*path, "set", name), seen
 
 
 def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
-    """The same of limits, and of speeds and ratios that are given."""
+    """Yield limits, given speeds and given ratios in the form of `_placed_formulas`."""
     case = scenario.case
     for number, limit in scenario.limits.items():
         if 0 < number <= len(case.springs):
@@ -415,11 +416,11 @@ def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
 def of_formula(
     law: object, names: Sequence[str], path: Path, words: Vocabulary
 ) -> Iterator[Problem]:
-    """One that can be read, with known names alone, and is a number where it is a constant."""
+    """Yield the problems of a formula: unreadable, unknown names, a constant without a value."""
     if not isinstance(law, Formula):
         return
     try:
-        if law.tree is None:  # else read with its names, which it no longer has
+        if law.tree is None:  # a formula with a tree was checked when its names were replaced
             formula_tree(Excerpt(law.text, "formula"), names, words)
             if SHORT_SPEED in words.values and "speed" in law.variables:
                 message = (
@@ -434,7 +435,7 @@ def of_formula(
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
-    """As many values as abscissas, finite and in order."""
+    """Yield the problems of points: as many values as abscissas, finite and in order."""
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
@@ -442,7 +443,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    """One time at least, finite and in order."""
+    """Yield the problems of times: at least one, finite and in order."""
     if not times:
         yield Problem("E652", "read no times, expected one at least", path)
     yield from of_finite(times, "a time", path)
@@ -450,15 +451,15 @@ def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
 
 
 def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    for number, (one, other) in enumerate(pairwise(values), 2):
-        if other < one:
-            message = f"read {other:g} behind {one:g}, expected {expected}"
+    for number, (before, after) in enumerate(pairwise(values), 2):
+        if after < before:
+            message = f"read {after:g} behind {before:g}, expected {expected}"
             yield Problem("E653", message, (*path, number))
             return
 
 
 def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    """The first of some numbers that is infinite or does not exist."""
+    """Yield a problem of the first number that is infinite or NaN."""
     for value in values:
         if not math.isfinite(value):
             yield Problem("E654", f"read {value:g}, expected {expected} that is finite", path)

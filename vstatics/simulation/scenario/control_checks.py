@@ -1,4 +1,4 @@
-"""What the numbers, tables, states and sequences of a scenario must fulfil."""
+"""Checks of the numbers, tables, states and sequences of a scenario."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.simulation.scenario.words import name_problems
 
 
 def control_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Of the numbers that change, of states and sequences.
+    """Yield the problems of settings, states, given speeds and ratios, and sequences.
 
     Examples
     --------
@@ -28,7 +28,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
     ...     print(problem)
     states.p.start: read 3, expected at most 2, its max [E684]
     """
-    settings, states = scenario.settings, [one.name for one in scenario.states]
+    settings, states = scenario.settings, [state.name for state in scenario.states]
     yield from name_problems("set", [*settings], ())
     yield from name_problems("states", states, [*settings])
     for name, value in settings.items():
@@ -53,7 +53,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """The steps of all sequences, each with its place."""
+    """Yield the steps of all sequences, each with the place in the document."""
     for sequence in scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
             yield ("sequences", sequence.name, number), step
@@ -71,18 +71,18 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
 
 
 def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
-    """Of a speed that is given: it changes without a jump, and how it does is known."""
+    """Yield the problems of a given speed, which must be continuous with a known slope."""
     if isinstance(speed, Formula):
         if any(speed.jumps("t")) or not speed.has_slope:
-            why = "jumps" if speed.has_slope else "has no slope that can be told"
-            yield Problem("E689", f"the speed {why}, expected one that changes steadily", path)
+            fault = "jumps" if speed.has_slope else "has no slope that can be told"
+            yield Problem("E689", f"the speed {fault}, expected one that changes steadily", path)
         return
     if not speed.x:
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
-    for number, (one, other) in enumerate(pairwise(speed.x), 2):
-        if other <= one:
+    for number, (before, after) in enumerate(pairwise(speed.x), 2):
+        if after <= before:
             wanted = "points in the order of the time, without a jump"
-            message = f"read {other:g} behind {one:g}, expected {wanted}"
+            message = f"read {after:g} behind {before:g}, expected {wanted}"
             yield Problem("E653", message, (*path, number))
             break
     if not all(map(math.isfinite, [*speed.x, *speed.y])):
@@ -96,7 +96,7 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
         yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
     if not 0 <= step.wait < math.inf:
         yield Problem("E640", f"read {step.wait:g}, expected a time of 0 or more", (*path, "wait"))
-    known = [*scenario.settings, *(one.name for one in scenario.states)]
+    known = [*scenario.settings, *(state.name for state in scenario.states)]
     for name in step.settings:
         if name not in known:
             hint = nearest(name, known)
@@ -115,7 +115,7 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
 
 
 def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
-    """Of tables: rows and columns that ascend, numbers.
+    """Yield the problems of tables: rows and columns must ascend, values be finite.
 
     Examples
     --------
@@ -125,15 +125,15 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     """
     for name, table in tables.items():
         path: Path = ("tables", name)
-        twice = table.variables == 1
-        for number, (one, other) in enumerate(pairwise(table.x), 2):
-            if other < one or (other == one and not twice):
-                message = f"read {other:g} behind {one:g}, expected rows in ascending order"
-                yield Problem("E653", message, (*path, *(() if twice else ("rows",)), number))
+        may_jump = table.variables == 1
+        for number, (before, after) in enumerate(pairwise(table.x), 2):
+            if after < before or (after == before and not may_jump):
+                message = f"read {after:g} behind {before:g}, expected rows in ascending order"
+                yield Problem("E653", message, (*path, *(() if may_jump else ("rows",)), number))
                 break
-        for one, other in pairwise(table.columns):
-            if other <= one:
-                message = f"read {other:g} behind {one:g}, expected columns in ascending order"
+        for before, after in pairwise(table.columns):
+            if after <= before:
+                message = f"read {after:g} behind {before:g}, expected columns in ascending order"
                 yield Problem("E653", message, (*path, "columns"))
                 break
         if not all(map(math.isfinite, [*table.x, *table.columns, *chain(*table.values)])):

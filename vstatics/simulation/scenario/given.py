@@ -1,8 +1,8 @@
-"""What is read of a scenario's document before its case says what the numbers measure.
+"""Values of a scenario's document before its case settles their units.
 
-Numbers know their unit, since what one measures may depend on the case: a pressure where an
-element has friction, a velocity where a link has a road. `scenario_values` makes the parts of a
-scenario of these.
+Numbers carry their unit, since the expected measure can depend on the case: a pressure where a
+shift element has friction, a velocity where a link has a road. `values` builds the parts of a
+scenario from these values.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from vstatics.simulation.scenario.laws import Road
 
 
 class GivenControl(NamedTuple):
-    """A control as a mapping."""
+    """Control of a shift element that is given as a mapping."""
 
     points: Sequence[tuple[float, float]] | None = None
     formula: float | Formula | None = None
@@ -38,7 +38,7 @@ class GivenControl(NamedTuple):
 
 
 class GivenLaw(NamedTuple):
-    """A law of a torque as a mapping."""
+    """Law of an outside torque that is given as a mapping."""
 
     over: str = "time"
     points: Sequence[tuple[float, float]] | None = None
@@ -48,7 +48,7 @@ class GivenLaw(NamedTuple):
 
 
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Whether one of some keys is given, and others beside `points` alone."""
+    """Return a check that a single key is given, and some keys only with `points`."""
 
     def fault(**values: Any) -> str:
         given = [name for name in names if values.get(name) is not None]
@@ -64,7 +64,7 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
 
 
 class GivenTable(NamedTuple):
-    """A table as a mapping."""
+    """Table of formulas that is given as a mapping."""
 
     file: str = ""
     columns: Sequence[float] = ()
@@ -72,7 +72,7 @@ class GivenTable(NamedTuple):
 
 
 class GivenSteps(NamedTuple):
-    """The steps of a sequence as a mapping."""
+    """Steps of a sequence that are given as a mapping."""
 
     steps: Sequence[Mapping[str, Any]] = ()
     repeat: bool = False
@@ -81,7 +81,7 @@ class GivenSteps(NamedTuple):
 def _curve(
     text: str, measures: Sequence[Measure], names: Sequence[str], words: Vocabulary
 ) -> float | Formula:
-    """A number, bare or with its unit, or a formula: in ``3*t`` no tonnes, but the time."""
+    """Read a number, bare or with a unit, or a formula: `t` in ``3*t`` is time, not tonnes."""
     try:
         behind = calculated(text).behind
     except ValueError:
@@ -112,21 +112,21 @@ ANYTHING = _number(ANY_MEASURE, "a number")
 
 
 def capacity_curve(words: Vocabulary) -> Parsed:
-    """What a shift element can carry, over time or by what is seen."""
+    """Return the shape of a capacity, over time or by a formula of the motion."""
     measures: Sequence[Measure] = ["si_torque", "pressure"]
     parse = partial(_curve, measures=measures, names=["t"], words=words.only(*OF_MOTION))
     return Parsed("a capacity, or a formula of t", parse, 0.0, _TORQUE)
 
 
 def torque_curve(words: Vocabulary) -> Parsed:
-    """A torque on a link, by its own motion or by what is seen."""
+    """Return the shape of a torque on a link, over time or by a formula of the motion."""
     names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
     parse = partial(_curve, measures=["si_torque", "force"], names=names, words=seen)
     return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0, _TORQUE)
 
 
 def limit_curve(words: Vocabulary) -> Parsed:
-    """Within what a spring stays, over time or by what is seen."""
+    """Return the shape of a torque limit of a spring, over time or by the motion."""
     parse = partial(
         _curve, measures=["si_torque", "force"], names=["t"], words=words.only(*OF_MOTION)
     )
@@ -134,12 +134,12 @@ def limit_curve(words: Vocabulary) -> Parsed:
 
 
 def speed_curve(words: Vocabulary) -> Parsed:
-    """A speed over time."""
+    """Return the shape of a speed over time."""
     return _timed_curve(words, "a speed", ["si_speed", "velocity"], _SPEED)
 
 
 def ratio_curve(words: Vocabulary) -> Parsed:
-    """A speed ratio over time."""
+    """Return the shape of a speed ratio over time."""
     return _timed_curve(words, "a speed ratio", ["angle"])
 
 
@@ -152,14 +152,14 @@ def _timed_curve(
 
 
 def value_curve(words: Vocabulary) -> Parsed:
-    """A number, or a formula that sees everything that does not happen at an instant."""
+    """Return the shape of a number, or of a formula of everything but events."""
     seen = words.only(*OF_MOTION, *OF_TORQUES)
     parse = partial(_curve, measures=ANY_MEASURE, names=["t"], words=seen)
     return Parsed("a number, or a formula", parse, 0.0)
 
 
 def condition(words: Vocabulary) -> Parsed:
-    """A condition."""
+    """Return the shape of a condition of a step."""
 
     def parse(text: str) -> StepCondition:
         return read_condition(Excerpt(text, ""), words)

@@ -1,6 +1,6 @@
-"""The keys of a scenario in YAML and JSON, declared once; see `model.shape`.
+"""Keys of a scenario in YAML and JSON, declared once; see `model.shape`.
 
-What is read of them is in `scenario_given`.
+The values that are read from them are in `given`.
 """
 
 from __future__ import annotations
@@ -303,7 +303,7 @@ TABLE = ByForm(
 
 
 def named_numbers() -> tuple[KeyShape, ...]:
-    """The keys of what formulas know by a name, which is read before them."""
+    """Return the keys of numbers and tables, which are read before all formulas."""
     return (
         KeyShape(
             "numbers",
@@ -387,7 +387,7 @@ _NOTHING_TO_DO = "read a step with nothing to do, expected `set`, `shift` or `do
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """The keys of a scenario whose formulas may speak of this."""
+    """Return the keys of a scenario whose formulas have a vocabulary."""
     return ByKey(
         "Scenario",
         "What happens to a case over time; bare numbers are in SI.",
@@ -396,7 +396,7 @@ def scenario_shape(words: Vocabulary) -> ByKey:
 
 
 def _beginning() -> tuple[KeyShape, ...]:
-    """What it is, how long it is, how it begins."""
+    """Return the keys of the name, the case, the duration and the start."""
     return (
         KeyShape("name", TEXT, "Name of the scenario, on one line."),
         KeyShape("description", TEXT, "What happens, as long as you like."),
@@ -410,7 +410,7 @@ def _beginning() -> tuple[KeyShape, ...]:
 
 
 def _acting(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """What is given over time."""
+    """Return the keys of the inputs over time."""
     return (
         KeyShape(
             "controls",
@@ -447,7 +447,7 @@ def _acting(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 def _shifting() -> tuple[KeyShape, ...]:
-    """Parts in place of those of the case, and shifts."""
+    """Return the keys of replaced converters and of shifts."""
     return (
         KeyShape(
             "converters",
@@ -463,7 +463,7 @@ def _shifting() -> tuple[KeyShape, ...]:
 
 
 def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Numbers that change by themselves or by steps, and what is told of them."""
+    """Return the keys of states, settings, sequences, targets and samples."""
     return (
         *named_numbers(),
         KeyShape(
@@ -501,11 +501,11 @@ SCENARIO = scenario_shape(Vocabulary())
 MEASURES: tuple[Measure, ...] = (
     *("time", "si_torque", "si_speed", "mass", "length", "area", "velocity", "pump_factor"),
 )
-"""Measures of its numbers."""
+"""Measures of the numbers of a scenario."""
 
 
 def json_schema() -> dict[str, Any]:
-    """Return the schema of a scenario."""
+    """Return the JSON schema of a scenario."""
     from vstatics.core.readers.named.schema import document_schema
 
     return document_schema(SCENARIO, MEASURES)

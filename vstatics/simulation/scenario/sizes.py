@@ -1,6 +1,6 @@
-"""Numbers of a size that nothing has: what a motion would make of them is rounding.
+"""Numbers of a size that no machine has, with which a motion would consist of rounding errors.
 
-A mistyped exponent is refused where it stands, instead of speeds of 1e90 rad/s.
+A mistyped exponent is refused at its place in the document, before speeds reach 1e90 rad/s.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_
 
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Numbers of a scenario, or of what its case needs in motion, that are too large or too small.
+    """Yield the numbers of a scenario and its case that are too large or too small.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
-    """All numbers of a part."""
+    """Yield a problem for each number of a part, with the place in the part."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)
@@ -91,7 +91,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:
-    """Inertias beside which others are rounding."""
+    """Yield the inertias that are rounding errors of the largest inertia."""
     largest = max(case.heavy.values(), default=0.0)
     for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:

@@ -1,4 +1,4 @@
-"""The values of a document -> the parts of a scenario: units by what stands there, plain floats."""
+"""Values of a document to parts of a scenario: units by their place, plain floats."""
 
 from __future__ import annotations
 
@@ -41,18 +41,18 @@ from vstatics.simulation.scenario.words import elastic_names
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 Turning = Callable[[float], float]
-"""The speed of a link at a velocity of its vehicle. [m/s, rad/s]"""
+"""Speed of a link as a function of the vehicle speed. [m/s -> rad/s]"""
 _STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
-    """Makes the parts of a scenario of what was read, and tells units that do not belong.
+    """Builder of the parts of a scenario, which reports units that do not belong.
 
     Parameters
     ----------
     case : Transmission
     spots : Spots
-        Of the scenario's document.
+        Places in the document of the scenario.
     """
 
     def __init__(self, case: Transmission, spots: Spots) -> None:
@@ -60,7 +60,7 @@ class ScenarioValues:
         self.spots = spots
 
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
-        """The scenario of a document's values."""
+        """Return the scenario of a document's values."""
         torques = tuple(self._torques(values.get("torques", {})))
         turning: dict[int, Turning] = dict.fromkeys(self.case.masses, float)
         turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
@@ -74,44 +74,46 @@ class ScenarioValues:
             converters_of(values.get("converters", {})) or tuple(self.case.converters),
             None
             if shifts is None
-            else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),
+            else tuple(
+                Shift(float(entry["at"]), entry["to"], float(entry["overlap"])) for entry in shifts
+            ),
             {
                 link: tuple(self._speeds(given, ("targets", link), turning.get(link)))
                 for link, given in values.get("targets", {}).items()
             },
-            settings={name: float(one) for name, one in values.get("set", {}).items()},
+            settings={name: float(entry) for name, entry in values.get("set", {}).items()},
             states=tuple(self._states(values.get("states", {}))),
             sequences=tuple(self._sequences(values.get("sequences", {}), turning)),
             speeds={
-                link: self._given_speed(one, ("speeds", link), turning.get(link))
-                for link, one in values.get("speeds", {}).items()
+                link: self._given_speed(entry, ("speeds", link), turning.get(link))
+                for link, entry in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(one, self._force(number), ("limits", number))
-                for number, one in values.get("limits", {}).items()
+                number: self._curve(entry, self._force(number), ("limits", number))
+                for number, entry in values.get("limits", {}).items()
             },
             speed_ratios={
-                number: _ratios(one) for number, one in values.get("speed_ratios", {}).items()
+                number: _ratios(entry) for number, entry in values.get("speed_ratios", {}).items()
             },
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, LookupTable]]:
-        """The tables of a document, as far as they can be read."""
-        for number, (name, one) in enumerate(given.items(), 1):
-            if isinstance(one, GivenTable) and one.file:
-                yield name, self._table_file(one.file, ("tables", number, "file"))
-            elif isinstance(one, GivenTable):
-                columns = _floats(one.columns) or (0.0,)
-                yield name, self._table(columns, one.rows, ("tables", number, "rows"))
-            elif isinstance(one, Sequence):
-                yield name, self._table((0.0,), one, ("tables", number))
+        """Yield the readable tables of a document."""
+        for number, (name, table) in enumerate(given.items(), 1):
+            if isinstance(table, GivenTable) and table.file:
+                yield name, self._table_file(table.file, ("tables", number, "file"))
+            elif isinstance(table, GivenTable):
+                columns = _floats(table.columns) or (0.0,)
+                yield name, self._table(columns, table.rows, ("tables", number, "rows"))
+            elif isinstance(table, Sequence):
+                yield name, self._table((0.0,), table, ("tables", number))
             else:
-                yield name, LookupTable((0.0,), ((float(one or 0.0),),))
+                yield name, LookupTable((0.0,), ((float(table or 0.0),),))
 
     def _table(
         self, columns: tuple[float, ...], rows: Sequence[Sequence[float]], path: Path
     ) -> LookupTable:
-        """A table of rows, each of an x and a value for each column; or one in its place."""
+        """Return a table from rows, each an x and a value per column; if unreadable, zeros."""
         unreadable = {*self.spots.unreadable}
         if not rows and path[:2] not in unreadable:
             self.spots.tell(path, "read no rows, expected one at least")
@@ -136,12 +138,12 @@ class ScenarioValues:
         return LookupTable((0.0,), ((0.0,),))
 
     def _states(self, given: Mapping[str, Any]) -> Iterator[ControlState]:
-        for name, one in given.items():
-            least, most = one.get("min"), one.get("max")
+        for name, state in given.items():
+            least, most = state.get("min"), state.get("max")
             yield ControlState(
                 name,
-                _as_curve(one["rate"]),
-                float(one["start"]),
+                _as_curve(state["rate"]),
+                float(state["start"]),
                 -math.inf if least is None else float(least),
                 math.inf if most is None else float(most),
             )
@@ -171,15 +173,17 @@ class ScenarioValues:
             when,
             math.inf if within is None else float(within),
             float(given["wait"]),
-            {name: _as_curve(one) for name, one in (given.get("set") or {}).items()},
+            {name: _as_curve(value) for name, value in (given.get("set") or {}).items()},
             Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
             {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
         )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
-        """Distributions by the paths of numbers."""
+        """Return distributions by the paths of the numbers."""
         given: Mapping[str, Distribution] = values.get("samples", {})
-        return {path: Distribution(*map(_plain, one)) for path, one in given.items()}
+        return {
+            path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
+        }
 
     def _start(self, values: Mapping[str, Any], turning: Mapping[int, Turning]) -> Start:
         path, speeds = ("start", "speeds"), values.get("speeds", {})
@@ -188,8 +192,8 @@ class ScenarioValues:
             values.get("gear"),
             speed,
             {
-                link: next(self._speeds([one], (*path, link), turning.get(link)))
-                for link, one in speeds.items()
+                link: next(self._speeds([speed_of_link], (*path, link), turning.get(link)))
+                for link, speed_of_link in speeds.items()
             },
             tuple(values.get("engaged", ())),
             values.get("settled", False),
@@ -213,22 +217,22 @@ class ScenarioValues:
             yield link, float(angle)
 
     def _speeds(self, given: Any, path: Path, turning: Turning | None) -> Iterator[float]:
-        """Speeds of a link [rad/s]; velocities by how the wheels on it turn."""
+        """Yield speeds of a link [rad/s]; velocities by the speed of the wheels."""
         straight = path[-1] in self.case.masses
-        for number, one in enumerate(given if isinstance(given, list) else [given], 1):
+        for number, speed in enumerate(given if isinstance(given, list) else [given], 1):
             place = (*path, number) if isinstance(given, list) else path
-            if getattr(one, "measure", None) == "velocity":
+            if getattr(speed, "measure", None) == "velocity":
                 if turning:
-                    yield turning(float(one))
+                    yield turning(float(speed))
                     continue
                 message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
                 self.spots.tell(place, f"{message}to a link with a `road`")
             if straight:
-                self._check_unit(one, "velocity", place, _STRAIGHT)
-            yield float(one)
+                self._check_unit(speed, "velocity", place, _STRAIGHT)
+            yield float(speed)
 
     def _given_speed(self, given: Any, path: Path, turning: Turning | None) -> Curve:
-        """A speed over time [rad/s]; velocities by how the wheels on it turns link."""
+        """Return a speed over time [rad/s]; velocities by the speed of the wheels."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
@@ -237,20 +241,20 @@ class ScenarioValues:
         return Points(_floats(times), tuple(self._speeds(list(speeds), path, turning)))
 
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
-        for number, one in given.items():
+        for number, control in given.items():
             path: Path = ("controls", number)
             element = self.case.shift_elements[number - 1]
-            if not isinstance(one, GivenControl):
-                yield number, Capacity(self._capacity(one, element, path))
-            elif one.dog is not None:
-                yield number, Dog(tuple((float(t), state == "closed") for t, state in one.dog))
+            if not isinstance(control, GivenControl):
+                yield number, Capacity(self._capacity(control, element, path))
+            elif control.dog is not None:
+                yield number, Dog(tuple((float(t), state == "closed") for t, state in control.dog))
             else:
-                key = "formula" if one.points is None else "points"
-                law = self._capacity(getattr(one, key), element, (*path, key))
-                yield number, Capacity(law, float(one.scale))
+                key = "formula" if control.points is None else "points"
+                law = self._capacity(getattr(control, key), element, (*path, key))
+                yield number, Capacity(law, float(control.scale))
 
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
-        """A capacity over time; a pressure where the element has friction."""
+        """Return a capacity over time; a pressure where the element has friction."""
         measure: Measure = "pressure" if element.pack else "si_torque"
         why = f", since {element.name} has {'' if element.pack else 'no '}`friction`"
         return self._curve(given, measure, path, why)
@@ -258,7 +262,7 @@ class ScenarioValues:
     def _curve(
         self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
-        """Points, a formula, or a number."""
+        """Return points, a formula or a number as a curve."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
@@ -278,13 +282,12 @@ class ScenarioValues:
     def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:
         for link, laws in given.items():
             several = list(laws)
-            for number, one in enumerate(several, 1):
+            for number, law in enumerate(several, 1):
                 listed = self.spots.has(("torques", link, number)) and len(several) > 1
                 path = ("torques", link, number) if listed else ("torques", link)
-                yield link, self._law(one, path)
+                yield link, self._law(law, path)
 
     def _force(self, spring: int) -> Measure:
-        """In what the limit of a spring is, by its number."""
         springs = self.case.springs[spring - 1 : spring]
         return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
 
@@ -305,7 +308,7 @@ class ScenarioValues:
 
 
 def _road(given: Road) -> Road:
-    """In plain numbers: a radius or how it falls, a coefficient or points over the speed."""
+    """Return a road in plain numbers."""
     radius: Any = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
     rolling: Any = given.rolling
@@ -322,7 +325,7 @@ def _as_curve(given: Any) -> Curve:
 
 
 def _ratios(given: Any) -> Curve:
-    """Speed ratios over time."""
+    """Return speed ratios over time."""
     if isinstance(given, Formula) or not isinstance(given, Sequence):
         return _as_curve(given)
     times, ratios = zip(*given, strict=True) if given else ((), ())
@@ -334,7 +337,7 @@ def _floats(values: Iterable[float]) -> tuple[Any, ...]:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers without what their units measure."""
+    """Return numbers without units."""
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)
