@@ -59,13 +59,13 @@ _LOOSEST = 4096.0
 _MOST_EVENTS = 100_000
 """Largest number of events of a run."""
 _BEHIND = 4.0
-"""Shortest time to the other side of a corner, in units of rounding."""
+"""Shortest time to pass a corner, in units of rounding."""
 _MOST_LARGER = 8
 """Number of increases of value scales after steps became too small."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
-"""Largest number of sequence steps at one instant."""
+"""Largest number of sequence steps at an instant."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
@@ -143,7 +143,7 @@ class EventRun:
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a step now, without its condition.
+        """Apply a step now, with or without a true condition.
 
         Parameters
         ----------
@@ -398,7 +398,7 @@ class EventRun:
         return MarginEnd(end, step.last, ())
 
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the instant right behind a corner that no step passes, if there is one.
+        """Return the instant right behind a corner that no step passes, if any.
 
         A quantity that leaves 0 at the corner is wrong by its full size after a step across the
         corner, even in sign. So the motion is extrapolated linearly to the other side.
@@ -661,5 +661,5 @@ class EventRun:
         return last.event == "slips" and time - last.time <= near
 
     def _has_slipped(self, device: Contact | Elastic) -> bool:
-        """Return whether a device slipped since the last event; it can rest without capacity."""
+        """Return whether a device slipped since the last event, with or without capacity."""
         return self.record.largest_slip(device.row) > STANDING * self.scales.speed

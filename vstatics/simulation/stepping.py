@@ -53,7 +53,7 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     (5.0, ())
     >>> before = run.state
     >>> run.advance(9.75)
-    >>> run.time, [(one.event, round(one.time, 9)) for one in run.events]
+    >>> run.time, [(event.event, round(event.time, 9)) for event in run.events]
     (10.0, [('locks', 0.5)])
     >>> run.state = before
     >>> run.time

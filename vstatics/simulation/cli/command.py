@@ -1,4 +1,4 @@
-"""`vstatics simulate`: what happens to a case over time, by a scenario."""
+"""Command `vstatics simulate`: simulation of a case over time under a scenario."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.parts import Scenario
 
 MOST_STEPS = 1_000_000
-"""So many multiples of a step may be written."""
+"""Most additional instants, the multiples of `--step`."""
 WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
-"""Formats that have a run over time."""
+"""Output formats with the columns over time."""
 
 
 @click.command()
@@ -97,9 +97,9 @@ def simulate(asked: SimulateOptions) -> int:
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
-    happened = [*run_problems(read, motion)]
-    problems = [*read.reading.warnings, *happened]
-    notes = [one for one in happened if one.severity == "note"]
+    messages = [*run_problems(read, motion)]
+    problems = [*read.reading.warnings, *messages]
+    notes = [problem for problem in messages if problem.severity == "note"]
     tell(problems, telling, scenario)
     tell(notes, telling._replace(notes=True), scenario)
     show(scenario, to, read, motion, damage=asked.damage)
@@ -119,7 +119,6 @@ def _columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
 
 
 def _check_method(asked: SimulateOptions) -> None:
-    """Refuse what the published method has not."""
     events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
     refuse(
         *(
@@ -133,7 +132,6 @@ def _check_method(asked: SimulateOptions) -> None:
 
 
 def _check_format(asked: SimulateOptions, form: str) -> None:
-    """Refuse what a format has no place for."""
     refuse(
         (
             asked.sampling.out is not None and form not in WITH_COLUMNS,
@@ -147,7 +145,7 @@ def _check_format(asked: SimulateOptions, form: str) -> None:
 
 
 def _check_step(step: float | None, duration: float) -> None:
-    """Refuse more instants than anybody reads.
+    """Refuse more instants than a file can sensibly have.
 
     Raises
     ------
@@ -161,7 +159,7 @@ def _check_step(step: float | None, duration: float) -> None:
 def show(
     scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
 ) -> None:
-    """Write a motion in the format that is asked for."""
+    """Write a motion in the wanted format."""
     from vstatics.core.tables.straight import in_both_units
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet

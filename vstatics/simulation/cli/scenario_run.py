@@ -1,4 +1,4 @@
-"""The run of a scenario that stands for its case, for pictures and pages."""
+"""Run of a scenario among the cases of a command, for pictures and pages."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
 
 INSTANTS = 400
-"""Of a run that is drawn, at least."""
+"""Least number of instants of a run that is drawn."""
 
 
 def expect_fatigue(reading: Reading) -> None:
@@ -40,20 +40,20 @@ def expect_fatigue(reading: Reading) -> None:
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
-    """The run of what names its case by a scenario, with enough instants for pictures.
+    """Return the run of a case that came with a scenario, with enough instants for pictures.
 
-    What is to be said of it is printed.
+    Messages of the run are printed.
 
     Parameters
     ----------
     outcome : CalculatedCase
     out : str
-        Columns that it is to have besides, such as ``jerks[out]``.
+        Additional columns, such as ``jerks[out]``.
 
     Raises
     ------
     ReadError
-        If it can't begin, with the places of what keeps it from that; of columns that are not.
+        If the run cannot start, with the places of the faults, or if a column is unknown.
     """
     from vstatics.simulation.scenario.file import ScenarioFile  # needless for help
 
@@ -66,7 +66,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     scenario = read.scenario
     columns: Sequence[tuple[str, str]] = ()
     if out:
-        from vstatics.simulation.variants.asked import read_asked  # it takes the annex `sweep`
+        from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
 
         columns = read_asked(out, scenario)
     try:
@@ -78,7 +78,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
 
 
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
-    """Return results with the name of their scenario, for pictures, and its run as of `run_of`."""
+    """Return results under the name of the scenario, and the run as of `run_of`."""
     motion = run_of(outcome, out)
     if outcome.scenario is None or not outcome.scenario.name:
         return results, motion
@@ -86,7 +86,7 @@ def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Resu
 
 
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
-    """Messages of a run, and why it stopped, at their places."""
+    """Yield the messages of a run and the reason of a stop, with places."""
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text

@@ -1,4 +1,4 @@
-"""The text of --out of one run -> columns that it is to have besides.
+"""Additional columns of a single run, read from the text of --out.
 
 >>> from vstatics.core.model.transmission import Transmission
 >>> from vstatics.simulation.scenario.parts import Scenario
@@ -28,12 +28,12 @@ _LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", ex
 
 
 def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
-    """The tables and rows of a run that a list asks for, such as ``accelerations[out], heat[C]``.
+    """Read the tables and rows in a list, such as ``accelerations[out], heat[C]``.
 
     Raises
     ------
     ReadError
-        With everything that is wrong, and its places.
+        With every problem and its place.
     """
     asked: list[tuple[str, str]] = []
     problems: list[Problem] = []
@@ -54,13 +54,13 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """A table, with each of its rows of which it is a part; that of a number has no name."""
-    own = rows or [""] if part.row is None else [rows[part.row]]
-    return [(part.table, row) for row in own]
+    """Return a table with each of the selected rows; the row of a number has an empty name."""
+    names = rows or [""] if part.row is None else [rows[part.row]]
+    return [(part.table, row) for row in names]
 
 
 def _no_column(source: Excerpt, tree: Tree) -> ReadError:
-    """What to say of what is no column that can be asked for."""
+    """Return the error of a text that is not an additional column."""
     read = source.part.strip()
     hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
     message = f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}"

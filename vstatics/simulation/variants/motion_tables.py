@@ -1,4 +1,4 @@
-"""The tables of a run of a scenario, as the expressions of a sweep speak of them.
+"""Tables of a run of a scenario, under the names in expressions of a sweep.
 
 >>> [name for name in TABLES if along_time(name)][:5]
 ['time', 'speeds', 'slips', 'torques', 'accelerations']
@@ -19,15 +19,15 @@ from vstatics.simulation.record.rows import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""A number of a run by the name of a row, and its place."""
+"""Function of a motion, a name of a row and a place that returns a number."""
 
 
 class MotionTable(NamedTuple):
-    """A table of a run: along time, or with a number for each row."""
+    """Table of a run: along time, or with a number for each row."""
 
     kind: Kind
     unit: str
-    """As of `AskedTable`."""
+    """Unit as in `AskedTable`."""
     of_row: OfRow | None = None
 
 
@@ -46,10 +46,12 @@ def _of_energy(field: Literal["heat", "losses", "heat_per_area"], otherwise: flo
 
 
 def _of_event(kind: EventKind, place: Literal[0, -1]) -> OfRow:
-    """The time of the first or the last event of a kind."""
+    """Return the function for the time of the first or the last event of a kind."""
 
     def number(motion: Motion, row: str, _: int) -> float:
-        times = [one.time for one in motion.events if (one.element, one.event) == (row, kind)]
+        times = [
+            event.time for event in motion.events if (event.element, event.event) == (row, kind)
+        ]
         return times[place] if times else math.nan
 
     return number
@@ -64,8 +66,8 @@ def _damage(motion: Motion, row: str, _: int) -> float:
 
 
 def _step(motion: Motion, row: str, _: int) -> float:
-    """When a step was done for the first time."""
-    done = (one.time for one in motion.events if f"{one.element},{one.step}" == row)
+    """Return the time at which a step was done for the first time."""
+    done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
     return next(done, math.nan)
 
 
@@ -78,7 +80,7 @@ def _of_target(field: Literal["time", "distance"]) -> OfRow:
 
 
 TIME = "time"
-"""The instants themselves."""
+"""Name of the table of the instants themselves."""
 TABLES: Mapping[str, MotionTable] = {
     TIME: MotionTable("number", "s"),
     "speeds": MotionTable("link", "rad/s"),
@@ -106,26 +108,26 @@ TABLES: Mapping[str, MotionTable] = {
     "impact": MotionTable("number", "J"),
     "balance": MotionTable("number", ""),
 }
-"""By name."""
+"""Tables of a run by name."""
 
 
 def along_time(name: str) -> bool:
-    """Whether a table has values at each instant."""
+    """Return whether a table has values at each instant."""
     table = TABLES[name]
     return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
-    """The tables of one run: shape (1, instants or 1[, rows]).
+    """Tables of a run, of shape (1, instants or 1[, rows]).
 
     Parameters
     ----------
     motion : Motion, optional
-        None: nothing is known of the run, so there is NaN alone.
+        Run; without a run all values are NaN.
     rows : callable
-        Gives the names of the rows of a kind.
+        Function that returns the names of the rows of a kind.
     mechanisms : int
-        How many the case has.
+        Number of mechanisms of the case.
     """
 
     def __init__(
@@ -136,7 +138,7 @@ class MotionTables:
         self.mechanisms = mechanisms
 
     def existing(self, name: str) -> Floats:
-        """A table by its name; NaN where there is nothing to be said."""
+        """Return a table by name, with NaN for missing values."""
         if name in PART_NUMBERS.values():
             return self._of_parts(name)
         known, motion, names = TABLES[name], self.motion, self.rows(TABLES[name].kind)
@@ -155,15 +157,15 @@ class MotionTables:
         return np.array(numbers).reshape(axes)
 
     def _of_parts(self, name: str) -> Floats:
-        """What mechanisms have in the case of the run."""
-        [quantity] = (one for one, table in PART_NUMBERS.items() if table == name)
+        """Return a quantity of the mechanisms in the case of the run."""
+        [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
         parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
-        own = [getattr(one, quantity) for one in parts] or [math.nan] * self.mechanisms
-        return np.array(own, float).reshape(1, 1, -1)
+        values = [getattr(part, quantity) for part in parts] or [math.nan] * self.mechanisms
+        return np.array(values, float).reshape(1, 1, -1)
 
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
-    """A table of shape (instants, rows); NaN for a row that the run has not."""
+    """Return a table of shape (instants, rows), with NaN for a row that the run lacks."""
     if name in ASKED:
         known = motion.asked.get(name, {})
     else:
@@ -176,5 +178,5 @@ def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
             return table
         known = dict(zip(names, table.T, strict=True))
     lacking = np.full(len(motion.time), math.nan)
-    columns = [known.get(one, lacking) for one in wanted]
+    columns = [known.get(row, lacking) for row in wanted]
     return np.array(columns).reshape(len(columns), len(motion.time)).T

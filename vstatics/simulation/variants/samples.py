@@ -1,4 +1,4 @@
-"""Variants that are drawn from the distributions which a scenario has in `samples`."""
+"""Variants drawn from the distributions under `samples` in a scenario."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.samples import Method, Sample
 
 OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
-"""Tables that are told of samples where they have anything."""
+"""Tables that are reported of samples by default, if not empty."""
 
 
 def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
-    """A plan of variants drawn from the distributions that a scenario has in `samples`.
+    """Return a plan of variants drawn from the distributions under `samples`.
 
     Parameters
     ----------
     subject : VariedScenario
     options : SweepOptions
-        With `sample`, the number of variants, and what else a plan takes.
+        Options of the plan, among which `sample` is the number of variants.
 
     Raises
     ------
     ReadError
-        If the scenario has none, or one of a number that it has not.
+        If the scenario has no distributions, or a distribution of an unknown number.
     CaseError
-        If there can be no such plan.
+        If the options contradict each other.
     """
     variations = sampled_numbers(subject)
     if not variations:
@@ -45,7 +45,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
 
 
 def _of_samples(subject: VariedScenario) -> str:
-    """Torques of devices are told without their sign, so that they have a mean."""
+    """Return the default columns; peaks without sign, for a mean of sizes."""
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
-    told = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
-    return ",".join("abs(peaks)" if name == "peaks" else name for name in told)
+    names = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
+    return ",".join("abs(peaks)" if name == "peaks" else name for name in names)

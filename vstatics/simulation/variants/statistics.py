@@ -1,4 +1,4 @@
-"""What drawn runs have in common: what was drawn, and what came of it."""
+"""Statistics of drawn runs: of the drawn numbers and of the results."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 @document("vstatics-samples")
 class SamplesAnswer(NamedTuple):
-    """What was drawn, and what came of it."""
+    """Statistics of the drawn numbers and of the results."""
 
     drawn: Mapping[str, Statistics]
     results: Mapping[str, Statistics]
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
-    """The statistics of columns, without those that are 0 or not there in all variants."""
+    """Return the statistics of columns, without columns that are 0 or missing in all variants."""
     return {
         name: statistics(numbers)
         for name, numbers in columns.items()
@@ -31,29 +31,35 @@ def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
     }
 
 
-def samples_answer(varied: Sequence[str], found: Mapping[str, Statistics]) -> SamplesAnswer:
-    """What was drawn apart from what came of it."""
-    drawn = {name: one for name, one in found.items() if name in varied}
-    return SamplesAnswer(drawn, {name: one for name, one in found.items() if name not in varied})
+def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> SamplesAnswer:
+    """Separate the statistics of drawn numbers from the statistics of results."""
+    drawn = {name: numbers for name, numbers in columns.items() if name in varied}
+    return SamplesAnswer(
+        drawn, {name: numbers for name, numbers in columns.items() if name not in varied}
+    )
 
 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
-    """A table of each."""
+    """Yield a table of the drawn numbers and a table of the results."""
     for title, part in zip(("Drawn", "Results"), samples, strict=True):
         if part:
             yield _grid(title, part, title.lower())
 
 
-def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
-    """A row for each column; how many runs have it is told where that differs."""
-    runs = {one.variants for one in found.values()}
-    together = len(runs) == 1
+def _grid(title: str, columns: Mapping[str, Statistics], key: str) -> Grid:
+    """Return a table with a row for each column, and with the number of runs if not constant."""
+    runs = {numbers_of_column.variants for numbers_of_column in columns.values()}
+    is_same = len(runs) == 1
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
     rows = []
-    for name, one in found.items():
-        numbers = (one.mean, one.deviation, *one.quantiles)
-        rows.append((name, *numbers, "" if together else one.variants))
-    if together:
+    for name, numbers_of_column in columns.items():
+        numbers = (
+            numbers_of_column.mean,
+            numbers_of_column.deviation,
+            *numbers_of_column.quantiles,
+        )
+        rows.append((name, *numbers, "" if is_same else numbers_of_column.variants))
+    if is_same:
         number = runs.pop()
         title += f", {number} {plural('run', number)}"
     return grid_of(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
