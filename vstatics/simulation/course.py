@@ -52,7 +52,7 @@ from vstatics.simulation.tolerances import (
     STANDING,
 )
 
-_MOST_AT_ONCE = 60
+_MOST_EVENTS_AT_ONCE = 60
 """Largest number of events within a moment."""
 _LOOSEST = 4096.0
 """Largest factor by which margins are relaxed at repeated events."""
@@ -291,7 +291,7 @@ class EventRun:
         if self.events % _PATIENCE == 0:
             stays = event.time - self.mark < NO_PROGRESS * self.span
             self.mark = event.time
-        if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
+        if stays or self.at_once > _MOST_EVENTS_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             watch = event.watches[0]
             raise CaseError("E601", self._endless(event.time, watch), self._path(watch))
 

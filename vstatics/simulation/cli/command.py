@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from vstatics.simulation.scenario.file import ScenarioFile
     from vstatics.simulation.scenario.parts import Scenario
 
-MOST_STEPS = 1_000_000
+MOST_INSTANTS = 1_000_000
 """Most additional instants, the multiples of `--step`."""
 WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
 """Output formats with the columns over time."""
@@ -151,8 +151,10 @@ def _check_step(step: float | None, duration: float) -> None:
     ------
     BadParameter
     """
-    if step is not None and duration / step > MOST_STEPS:
-        message = f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_STEPS:g}"
+    if step is not None and duration / step > MOST_INSTANTS:
+        message = (
+            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}"
+        )
         raise click.BadParameter(message, param_hint="--step")
 
 

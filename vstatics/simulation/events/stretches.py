@@ -205,7 +205,7 @@ _MOST_HALVINGS = 256
 """Largest number of parts of a stretch, a power of 2."""
 _GONE = 40.0
 """Number of time constants after which a motion has decayed."""
-_MOST_NUMBERS = 4_000_000
+_MOST_MATRIX_ENTRIES = 4_000_000
 """Largest number of matrix entries that are calculated at once."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""

@@ -15,7 +15,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LAST_BIT
 
-MOST_STEPS = 60
+MOST_NEWTON_ITERATIONS = 60
 """Most steps of Newton's method; fewer than ten are needed from the end of a piece."""
 
 
@@ -99,7 +99,7 @@ class LoadedWheel(NamedTuple):
         piece = np.searchsorted(reached, wanted, side="right") - 1
         low, high = corners[piece], corners[piece + 1]
         speed = low
-        for _ in range(MOST_STEPS):
+        for _ in range(MOST_NEWTON_ITERATIONS):
             inside = np.nextafter(speed, high)  # a corner belongs to the piece above it
             slope, _ = self.turning_slopes(inside)
             before = speed

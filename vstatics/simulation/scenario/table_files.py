@@ -11,7 +11,7 @@ from vstatics.core.readers.named.csv_files import csv_rows
 from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
-MOST_BYTES = 5_000_000
+MOST_TABLE_BYTES = 5_000_000
 """Largest size of a CSV file. [bytes]"""
 
 
@@ -25,7 +25,9 @@ def table_of(scenario: str, name: str) -> LookupTable:
     ValueError
         If the text is not a table, with the text that was expected.
     """
-    rows = csv_rows(Path(scenario).parent / name, MOST_BYTES, lambda cell: bool(with_unit(cell)[1]))
+    rows = csv_rows(
+        Path(scenario).parent / name, MOST_TABLE_BYTES, lambda cell: bool(with_unit(cell)[1])
+    )
     return _table(rows)
 
 
