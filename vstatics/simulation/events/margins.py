@@ -98,8 +98,7 @@ class SplitRoom(NamedTuple):
     @property
     def tight(self) -> Booleans:
         """Slacks at the limit in the split that leaves most room."""
-        at_limit: Booleans = self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
-        return at_limit
+        return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
         """Return the room with the opposite torque sign of a mesh."""
@@ -328,8 +327,7 @@ class Margins:
     def limits(self, times: Floats, seen: Floats | None) -> Floats:
         """Return the torque limits of sticking contacts at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
-            limits: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
-            return limits
+            return self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:

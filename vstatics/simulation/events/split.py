@@ -37,8 +37,7 @@ def widest(slack: Floats, directions: Floats) -> Floats:
     slacks = slack[:, None] + directions @ places
     sizes = slacks.min(axis=0)
     best = int(sizes.argmax())
-    roomiest: Floats = slacks[:, best] if sizes[best] > slack.min() else slack
-    return roomiest
+    return slacks[:, best] if sizes[best] > slack.min() else slack
 
 
 def _corners(slack: Floats, directions: Floats) -> Floats | None:
@@ -60,8 +59,7 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     if not regular.any():
         return np.zeros((count, 1))
     solutions = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
-    places: Floats = solutions[:, :count, 0].T / steep
-    return places
+    return solutions[:, :count, 0].T / steep
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:
@@ -78,8 +76,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
     solution = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
     if not solution.success or solution.x is None:
         return np.zeros(count)
-    place: Floats = solution.x[:-1] * scale / steep
-    return place
+    return solution.x[:-1] * scale / steep
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:

@@ -61,8 +61,7 @@ class Distribution(NamedTuple):
             )
             numbers = np.exp(numbers) if self.normal is None else numbers
         least = -np.inf if self.min is None else self.min
-        clipped: Floats = np.clip(numbers, least, np.inf if self.max is None else self.max)
-        return clipped
+        return np.clip(numbers, least, np.inf if self.max is None else self.max)
 
 
 def distribution_problems(distribution: Distribution, path: Path) -> Iterator[Problem]:

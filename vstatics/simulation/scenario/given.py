@@ -17,14 +17,8 @@ from vstatics.core.model.shape import UNIT_OF, Measure, Parsed
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.named.arithmetic import calculated
 from vstatics.core.readers.named.si_units import in_any_unit
-from vstatics.simulation.scenario.conditions import StepCondition, read_condition
-from vstatics.simulation.scenario.formula import (
-    OF_MOTION,
-    OF_TORQUES,
-    Formula,
-    Vocabulary,
-    read_formula,
-)
+from vstatics.simulation.scenario.conditions import read_condition
+from vstatics.simulation.scenario.formula import Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.laws import Road
 
 
@@ -78,90 +72,61 @@ class GivenSteps(NamedTuple):
     repeat: bool = False
 
 
-def _curve(
-    text: str, measures: Sequence[Measure], names: Sequence[str], words: Vocabulary
-) -> float | Formula:
-    """Read a number, bare or with a unit, or a formula: `t` in ``3*t`` is time, not tonnes."""
-    try:
-        behind = calculated(text).behind
-    except ValueError:
-        behind = "*"
-    if not behind or behind[0].isalpha() or behind[0] == "°":
-        return in_any_unit(text, measures)
-    try:
-        return read_formula(Excerpt(text, ""), names, words)
-    except ReadError:
-        with suppress(ValueError):
-            return in_any_unit(text, measures)
-        raise
-
-
 def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parsed:
     return Parsed(expected, partial(in_any_unit, measures=measures), 0.0, unit)
 
 
 ANY_MEASURE = get_args(Measure)
-_TORQUE, _SPEED = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
-CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", _TORQUE)
+TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
+CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", TORQUE_UNIT)
 ABSCISSA = _number(
     ["time", "si_speed", "angle", "velocity", "length"], "a time, a speed, an angle or a way"
 )
-SPEED = _number(["si_speed", "velocity"], "a speed", _SPEED)
+SPEED = _number(["si_speed", "velocity"], "a speed", SPEED_UNIT)
 TWIST = _number(["angle", "length"], "an angle in rad, or a length in m", UNIT_OF["angle"])
 ANYTHING = _number(ANY_MEASURE, "a number")
 
 
-def capacity_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a capacity, over time or by a formula of the motion."""
-    measures: Sequence[Measure] = ["si_torque", "pressure"]
-    parse = partial(_curve, measures=measures, names=["t"], words=words.only(*OF_MOTION))
-    return Parsed("a capacity, or a formula of t", parse, 0.0, _TORQUE)
-
-
-def torque_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a torque on a link, over time or by a formula of the motion."""
-    names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
-    parse = partial(_curve, measures=["si_torque", "force"], names=names, words=seen)
-    return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0, _TORQUE)
-
-
-def limit_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a torque limit of a spring, over time or by the motion."""
-    parse = partial(
-        _curve, measures=["si_torque", "force"], names=["t"], words=words.only(*OF_MOTION)
-    )
-    return Parsed("a torque, or a formula of t", parse, 0.0, _TORQUE)
-
-
-def speed_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a speed over time."""
-    return _timed_curve(words, "a speed", ["si_speed", "velocity"], _SPEED)
-
-
-def ratio_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a speed ratio over time."""
-    return _timed_curve(words, "a speed ratio", ["angle"])
-
-
-def _timed_curve(
-    words: Vocabulary, what: str, measures: Sequence[Measure], unit: str = ""
+def curve(
+    expected: str,
+    measures: Sequence[Measure],
+    words: Vocabulary,
+    names: Sequence[str] = ("t",),
+    unit: str = "",
 ) -> Parsed:
-    seen = words.only()._replace(values=())
-    parse = partial(_curve, measures=measures, names=["t"], words=seen)
-    return Parsed(f"{what}, or a formula of t", parse, 0.0, unit)
+    """Return the shape of a number, bare or with a unit, or of a formula.
 
+    Parameters
+    ----------
+    measures : sequence of str
+        Measures of the number.
+    words, names
+        Words and variables that the formula can use.
+    unit : str, optional
+        Unit of bare numbers.
+    """
 
-def value_curve(words: Vocabulary) -> Parsed:
-    """Return the shape of a number, or of a formula of everything but events."""
-    seen = words.only(*OF_MOTION, *OF_TORQUES)
-    parse = partial(_curve, measures=ANY_MEASURE, names=["t"], words=seen)
-    return Parsed("a number, or a formula", parse, 0.0)
+    def parse(text: str) -> float | Formula:
+        try:
+            behind = calculated(text).behind
+        except ValueError:
+            behind = "*"
+        if not behind or behind[0].isalpha() or behind[0] == "°":
+            return in_any_unit(text, measures)
+        try:
+            return read_formula(Excerpt(text, ""), names, words)
+        except ReadError:
+            with suppress(ValueError):
+                return in_any_unit(text, measures)  # `t` in 3*t is the time, not tonnes
+            raise
+
+    return Parsed(expected, parse, 0.0, unit)
 
 
 def condition(words: Vocabulary) -> Parsed:
     """Return the shape of a condition of a step."""
-
-    def parse(text: str) -> StepCondition:
-        return read_condition(Excerpt(text, ""), words)
-
-    return Parsed("a condition, such as `t >= 0.5`", parse, None)
+    return Parsed(
+        "a condition, such as `t >= 0.5`",
+        lambda text: read_condition(Excerpt(text, ""), words),
+        None,
+    )

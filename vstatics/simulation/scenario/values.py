@@ -58,42 +58,38 @@ class ScenarioValues:
     def __init__(self, case: Transmission, spots: Spots) -> None:
         self.case = case
         self.spots = spots
+        self.turning: dict[int, Turning] = dict.fromkeys(case.masses, float)
 
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
         """Return the scenario of a document's values."""
         torques = tuple(self._torques(values.get("torques", {})))
-        turning: dict[int, Turning] = dict.fromkeys(self.case.masses, float)
-        turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
+        self.turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
         return Scenario(
             self.case,
             float(values["duration"]),
-            self._start(values.get("start") or {}, turning),
+            self._start(values.get("start") or {}),
             None if controls is None else dict(self._controls(controls)),
             torques,
             converters_of(values.get("converters", {})) or tuple(self.case.converters),
-            None
-            if shifts is None
-            else tuple(
-                Shift(float(entry["at"]), entry["to"], float(entry["overlap"])) for entry in shifts
-            ),
+            None if shifts is None else tuple(_shift(shift, shift["at"]) for shift in shifts),
             {
-                link: tuple(self._speeds(given, ("targets", link), turning.get(link)))
+                link: self._speeds(given, link, ("targets", link))
                 for link, given in values.get("targets", {}).items()
             },
-            settings={name: float(entry) for name, entry in values.get("set", {}).items()},
+            settings={name: float(value) for name, value in values.get("set", {}).items()},
             states=tuple(self._states(values.get("states", {}))),
-            sequences=tuple(self._sequences(values.get("sequences", {}), turning)),
+            sequences=tuple(self._sequences(values.get("sequences", {}))),
             speeds={
-                link: self._given_speed(entry, ("speeds", link), turning.get(link))
-                for link, entry in values.get("speeds", {}).items()
+                link: self._given_speed(speed, link)
+                for link, speed in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(entry, self._force(number), ("limits", number))
-                for number, entry in values.get("limits", {}).items()
+                number: self._curve(limit, self._force(number), ("limits", number))
+                for number, limit in values.get("limits", {}).items()
             },
             speed_ratios={
-                number: _ratios(entry) for number, entry in values.get("speed_ratios", {}).items()
+                number: _ratios(ratio) for number, ratio in values.get("speed_ratios", {}).items()
             },
         )
 
@@ -148,22 +144,16 @@ class ScenarioValues:
                 math.inf if most is None else float(most),
             )
 
-    def _sequences(
-        self, given: Mapping[str, Any], turning: Mapping[int, Turning]
-    ) -> Iterator[StepSequence]:
-        roads = {self.case.link_name(link): road for link, road in turning.items()}
+    def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
         for number, (name, sequence) in enumerate(given.items(), 1):
             is_long = isinstance(sequence, GivenSteps)
             path: Path = ("sequences", number, *["steps"] * is_long)
             steps = sequence.steps if is_long else sequence
-            done = tuple(
-                self._step(step, (*path, place), roads) for place, step in enumerate(steps, 1)
-            )
+            done = tuple(self._step(step, (*path, place)) for place, step in enumerate(steps, 1))
             yield StepSequence(name, done, is_long and sequence.repeat)
 
-    def _step(
-        self, given: Mapping[str, Any], path: Path, roads: Mapping[str, Turning]
-    ) -> SequenceStep:
+    def _step(self, given: Mapping[str, Any], path: Path) -> SequenceStep:
+        roads = {self.case.link_name(link): turns for link, turns in self.turning.items()}
         within, shift, when = given.get("within"), given.get("shift"), given.get("when")
         try:
             when = when and when.with_wheel_speeds(roads)
@@ -174,7 +164,7 @@ class ScenarioValues:
             math.inf if within is None else float(within),
             float(given["wait"]),
             {name: _as_curve(value) for name, value in (given.get("set") or {}).items()},
-            Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
+            _shift(shift, 0.0) if shift else None,
             {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
         )
 
@@ -185,60 +175,62 @@ class ScenarioValues:
             path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
         }
 
-    def _start(self, values: Mapping[str, Any], turning: Mapping[int, Turning]) -> Start:
-        path, speeds = ("start", "speeds"), values.get("speeds", {})
-        [speed] = self._speeds([values.get("speed", 0.0)], ("start", "speed"), None)
+    def _start(self, values: Mapping[str, Any]) -> Start:
+        names = elastic_names(self.case)
+        straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
         return Start(
             values.get("gear"),
-            speed,
+            self._speed(values.get("speed", 0.0), 0, ("start", "speed")),
             {
-                link: next(self._speeds([speed_of_link], (*path, link), turning.get(link)))
-                for link, speed_of_link in speeds.items()
+                link: self._speed(speed, link, ("start", "speeds", link))
+                for link, speed in values.get("speeds", {}).items()
             },
             tuple(values.get("engaged", ())),
             values.get("settled", False),
-            dict(self._twists(values.get("twists", {}))),
-            dict(self._angles(values.get("angles", {}))),
+            {
+                names[number - 1]: self._number(
+                    twist,
+                    "length" if names[number - 1] in straight else "angle",
+                    ("start", "twists", number),
+                )
+                for number, twist in values.get("twists", {}).items()
+            },
+            {
+                link: self._number(
+                    angle,
+                    "length" if link in self.case.masses else "angle",
+                    ("start", "angles", link),
+                )
+                for link, angle in values.get("angles", {}).items()
+            },
         )
 
-    def _twists(self, given: Mapping[int, float]) -> Iterator[tuple[str, float]]:
-        names = elastic_names(self.case)
-        straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
-        for number, twist in given.items():
-            name = names[number - 1]
-            measure: Measure = "length" if name in straight else "angle"
-            self._check_unit(twist, measure, ("start", "twists", number))
-            yield name, float(twist)
+    def _speed(self, given: Any, link: int, path: Path) -> float:
+        """Return a speed of a link [rad/s], from a velocity by the speed of the wheels."""
+        if getattr(given, "measure", None) == "velocity":
+            if turning := self.turning.get(link):
+                return turning(float(given))
+            message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
+            self.spots.tell(path, f"{message}to a link with a `road`")
+        if link in self.case.masses:
+            return self._number(given, "velocity", path, _STRAIGHT)
+        return float(given)
 
-    def _angles(self, given: Mapping[int, float]) -> Iterator[tuple[int, float]]:
-        for link, angle in given.items():
-            measure: Measure = "length" if link in self.case.masses else "angle"
-            self._check_unit(angle, measure, ("start", "angles", link))
-            yield link, float(angle)
+    def _speeds(self, given: Any, link: int, path: Path) -> tuple[float, ...]:
+        if not isinstance(given, list):
+            return (self._speed(given, link, path),)
+        speeds = enumerate(given, 1)
+        return tuple(self._speed(speed, link, (*path, number)) for number, speed in speeds)
 
-    def _speeds(self, given: Any, path: Path, turning: Turning | None) -> Iterator[float]:
-        """Yield speeds of a link [rad/s]; velocities by the speed of the wheels."""
-        straight = path[-1] in self.case.masses
-        for number, speed in enumerate(given if isinstance(given, list) else [given], 1):
-            place = (*path, number) if isinstance(given, list) else path
-            if getattr(speed, "measure", None) == "velocity":
-                if turning:
-                    yield turning(float(speed))
-                    continue
-                message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
-                self.spots.tell(place, f"{message}to a link with a `road`")
-            if straight:
-                self._check_unit(speed, "velocity", place, _STRAIGHT)
-            yield float(speed)
-
-    def _given_speed(self, given: Any, path: Path, turning: Turning | None) -> Curve:
+    def _given_speed(self, given: Any, link: int) -> Curve:
         """Return a speed over time [rad/s]; velocities by the speed of the wheels."""
+        path = ("speeds", link)
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(next(self._speeds([given or 0.0], path, turning)))
+            return constant(self._speed(given or 0.0, link, path))
         times, speeds = zip(*given, strict=True) if given else ((), ())
-        return Points(_floats(times), tuple(self._speeds(list(speeds), path, turning)))
+        return Points(_floats(times), self._speeds([*speeds], link, path))
 
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
         for number, control in given.items():
@@ -266,18 +258,24 @@ class ScenarioValues:
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            self._check_unit(given, measure, path, why)
-            return constant(given or 0.0)
-        for number, (x, y) in enumerate(given, 1):
-            over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
-            self._check_unit(x, over, (*path, number, 1), f": the points are over {along}")
-            self._check_unit(y, measure, (*path, number, 2), why)
-        return Points(tuple(float(x) for x, _ in given), tuple(float(y) for _, y in given), along)
+            return constant(self._number(given, measure, path, why))
+        over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
+        points = [
+            (
+                self._number(x, over, (*path, number, 1), f": the points are over {along}"),
+                self._number(y, measure, (*path, number, 2), why),
+            )
+            for number, (x, y) in enumerate(given, 1)
+        ]
+        x, y = zip(*points, strict=True) if points else ((), ())
+        return Points(x, y, along)
 
-    def _check_unit(self, value: Any, measure: Measure, path: Path, why: str = "") -> None:
+    def _number(self, value: Any, measure: Measure, path: Path, why: str = "") -> float:
+        """Return a number, and report a unit that does not belong."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")
+        return float(value or 0.0)
 
     def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:
         for link, laws in given.items():
@@ -298,8 +296,7 @@ class ScenarioValues:
         if not isinstance(given, GivenLaw):
             return self._curve(given, measure, path, why)
         if given.resistance is not None:
-            self._check_unit(given.resistance, measure, (*path, "resistance"), why)
-            return Resistance(float(given.resistance))
+            return Resistance(self._number(given.resistance, measure, (*path, "resistance"), why))
         if given.road is not None:
             return _road(given.road)
         along: Any = given.over or "time"
@@ -318,6 +315,10 @@ def _road(given: Road) -> Road:
         rolling = float(rolling)
     others = float(given.drag_area), float(given.slope), wheel.by_torque
     return Road(float(given.mass), wheel.free, rolling, *others)
+
+
+def _shift(given: Mapping[str, Any], at: float) -> Shift:
+    return Shift(float(at), given["to"], float(given["overlap"]))
 
 
 def _as_curve(given: Any) -> Curve:

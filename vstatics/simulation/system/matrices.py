@@ -302,8 +302,7 @@ class MotionSystem:
     @cached_property
     def mass(self) -> Floats:
         """Inertia matrix of the links, shape (links, links) [kg*m^2]."""
-        mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
-        return mass
+        return (self.heavy.T * self.inertias) @ self.heavy
 
     @cached_property
     def straight(self) -> Floats:

@@ -204,8 +204,7 @@ def null(matrix: Floats) -> Floats:
     norms = np.linalg.norm(matrix, axis=1, keepdims=True)
     scaled = matrix / np.where(norms > 0, norms, 1.0)
     _, sizes, right = np.linalg.svd(scaled)
-    basis: Floats = right[_counting(sizes, sizes.max(initial=NOT_ZERO)) :].T
-    return basis
+    return right[_counting(sizes, sizes.max(initial=NOT_ZERO)) :].T
 
 
 def solved(matrix: Floats, values: Floats) -> Floats:
