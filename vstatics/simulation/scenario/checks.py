@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -23,7 +22,12 @@ from vstatics.core.model.torsional_checks import of_converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.suggestions import nearest
-from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
+from vstatics.simulation.scenario.control_checks import (
+    ascending,
+    control_problems,
+    of_range,
+    placed_steps,
+)
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,
@@ -71,7 +75,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     controls.F1.scale: read -1, expected a scale of 0 or more [E640]
     """
     yield from size_problems(scenario)
-    yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
+    yield from of_range(scenario.duration, "a time", ("duration",), above_0=True)
     yield from _of_start(scenario)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
@@ -84,7 +88,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     for path, step in placed_steps(scenario):
         if step.shift is not None:
             yield from _of_gear(step.shift.to, scenario.case, (*path, "shift", "to"))
-            yield from _of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
+            yield from of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
     yield from _of_formulas(scenario)
     yield from _of_speeds(scenario.targets, scenario.case, "targets")
 
@@ -174,21 +178,6 @@ def _of_controls(
             yield from of_times([time for time, _ in control.points], (*path, "dog"))
 
 
-def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """Try a capacity at many times, and yield the first that is not a number."""
-    law = control.law
-    if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
-        return
-    times = np.linspace(0.0, duration, _TRIED_TIMES)
-    values = law.along(times, 0.0, 0.0) * control.scale
-    wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
-    if len(wrong):
-        first = int(wrong[0])
-        wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
-        message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
-        yield Problem("E633", message, path)
-
-
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
     """Yield a problem of a formula that has no value at any time, speed or angle."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
@@ -204,12 +193,20 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
     """Yield the problems of a control or a limit over time."""
     law, scale = control
-    yield from _of_range(scale, "a scale", (*path, "scale"))
-    yield from _tried(control, duration, path)
+    yield from of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Points):
         if law.over != "time":
             yield Problem("E634", f"read points over {law.over}, expected points over time", path)
         yield from of_points(law, path)
+    elif not law.seen and 0 < duration < math.inf:
+        times = np.linspace(0.0, duration, _TRIED_TIMES)
+        values = law.along(times, 0.0, 0.0) * scale
+        wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
+        if len(wrong):
+            first = int(wrong[0])
+            wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
+            message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
+            yield Problem("E633", message, path)
 
 
 def _of_torques(scenario: Scenario) -> Iterator[Problem]:
@@ -220,7 +217,13 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
         path = ("torques", _name(scenario.case, link))
         yield from _of_link(link, scenario.case, path)
         for number, law in enumerate(several, 1):
-            yield from of_law(law, (*path, number) if len(several) > 1 else path)
+            place = (*path, number) if len(several) > 1 else path
+            if isinstance(law, Points):
+                yield from of_points(law, place)
+            elif isinstance(law, Resistance):
+                yield from of_range(law.torque, "a torque", (*place, "resistance"))
+            elif isinstance(law, Road):
+                yield from _of_road(law, (*place, "road"))
 
 
 def _of_limits(scenario: Scenario) -> Iterator[Problem]:
@@ -265,19 +268,12 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
     for number, shift in enumerate(scenario.shifts or (), 1):
         path = ("shifts", number)
         yield from _of_gear(shift.to, scenario.case, (*path, "to"))
-        yield from _of_range(shift.at, "a time", (*path, "at"))
+        yield from of_range(shift.at, "a time", (*path, "at"))
         if 0 <= shift.at < before:
             message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
             yield Problem("E639", message, (*path, "at"))
         before = max(before, shift.at)
-        yield from _of_range(shift.overlap, "a time", (*path, "overlap"))
-
-
-def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
-    """Yield a problem of a number below 0 or infinite."""
-    if not (0 < value < math.inf or (value == 0 and not above_0)):
-        least = "above 0" if above_0 else "of 0 or more"
-        yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
+        yield from of_range(shift.overlap, "a time", (*path, "overlap"))
 
 
 def _of_speeds(
@@ -316,27 +312,14 @@ def _name(case: Transmission, link: int) -> Any:
     return case.link_name(link) if 0 <= link <= case.links else str(link)
 
 
-def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a torque law."""
-    match law:
-        case Formula():
-            pass  # checked together with all other formulas
-        case Points():
-            yield from of_points(law, path)
-        case Resistance():
-            yield from _of_range(law.torque, "a torque", (*path, "resistance"))
-        case Road():
-            yield from _of_road(law, (*path, "road"))
-
-
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
     """Yield the problems of a road: sizes, and a wheel speed without a single velocity."""
     problems = [
-        *_of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
-        *_of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
-        *_of_range(law.by_torque, "a number", (*path, "radius", "by_torque")),
+        *of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
+        *of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
+        *of_range(law.by_torque, "a number", (*path, "radius", "by_torque")),
         *_of_rolling(law.rolling, (*path, "rolling")),
-        *_of_range(law.drag_area, "an area", (*path, "drag_area")),
+        *of_range(law.drag_area, "an area", (*path, "drag_area")),
     ]
     if not -1 <= law.slope <= 1:
         message = f"read {law.slope:g}, expected the sine of an angle, from -1 to 1"
@@ -350,13 +333,13 @@ def _of_road(law: Road, path: Path) -> Iterator[Problem]:
 
 def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
     if not isinstance(rolling, tuple):
-        yield from _of_range(rolling, "a coefficient", path)
+        yield from of_range(rolling, "a coefficient", path)
         return
     before = -math.inf
     for number, (speed, part) in enumerate(rolling, 1):
         here = (*path, "points", number)
-        yield from _of_range(speed, "a speed", (*here, 1))
-        yield from _of_range(part, "a coefficient", (*here, 2))
+        yield from of_range(speed, "a speed", (*here, 1))
+        yield from of_range(part, "a coefficient", (*here, 2))
         if not speed > before:
             message = f"read {speed:g} behind {before:g}, expected speeds that rise"
             yield Problem("E889", message, (*here, 1))
@@ -439,7 +422,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
-    yield from _ascending(points.x, f"points in the order of the {points.over}", path)
+    yield from ascending(points.x, f"points in the order of the {points.over}", path)
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
@@ -447,15 +430,7 @@ def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
     if not times:
         yield Problem("E652", "read no times, expected one at least", path)
     yield from of_finite(times, "a time", path)
-    yield from _ascending(times, "times in their order", path)
-
-
-def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    for number, (before, after) in enumerate(pairwise(values), 2):
-        if after < before:
-            message = f"read {after:g} behind {before:g}, expected {expected}"
-            yield Problem("E653", message, (*path, number))
-            return
+    yield from ascending(times, "times in their order", path)
 
 
 def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:

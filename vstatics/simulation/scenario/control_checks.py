@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from vstatics.core.errors import Path, Problem, quoted, spoken
@@ -52,6 +52,24 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_step(step, scenario, path)
 
 
+def of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
+    """Yield a problem of a number below 0 or infinite."""
+    if not (0 < value < math.inf or (value == 0 and not above_0)):
+        least = "above 0" if above_0 else "of 0 or more"
+        yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
+
+
+def ascending(
+    values: Sequence[float], expected: str, path: Path, *, strictly: bool = False
+) -> Iterator[Problem]:
+    """Yield a problem of the first number that is less than, or equal to, the number before."""
+    for number, (before, after) in enumerate(pairwise(values), 2):
+        if after < before or (strictly and after == before):
+            message = f"read {after:g} behind {before:g}, expected {expected}"
+            yield Problem("E653", message, (*path, number))
+            return
+
+
 def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
     """Yield the steps of all sequences, each with the place in the document."""
     for sequence in scenario.sequences:
@@ -79,12 +97,8 @@ def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
         return
     if not speed.x:
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
-    for number, (before, after) in enumerate(pairwise(speed.x), 2):
-        if after <= before:
-            wanted = "points in the order of the time, without a jump"
-            message = f"read {after:g} behind {before:g}, expected {wanted}"
-            yield Problem("E653", message, (*path, number))
-            break
+    expected = "points in the order of the time, without a jump"
+    yield from ascending(speed.x, expected, path, strictly=True)
     if not all(map(math.isfinite, [*speed.x, *speed.y])):
         yield Problem("E654", "read what is no number, expected numbers", path)
 
@@ -94,8 +108,7 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
         yield Problem("E686", "nothing is done, expected `set`, `shift` or `dog`", path)
     if not step.within > 0:
         yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
-    if not 0 <= step.wait < math.inf:
-        yield Problem("E640", f"read {step.wait:g}, expected a time of 0 or more", (*path, "wait"))
+    yield from of_range(step.wait, "a time", (*path, "wait"))
     known = [*scenario.settings, *(state.name for state in scenario.states)]
     for name in step.settings:
         if name not in known:
@@ -126,15 +139,10 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     for name, table in tables.items():
         path: Path = ("tables", name)
         may_jump = table.variables == 1
-        for number, (before, after) in enumerate(pairwise(table.x), 2):
-            if after < before or (after == before and not may_jump):
-                message = f"read {after:g} behind {before:g}, expected rows in ascending order"
-                yield Problem("E653", message, (*path, *(() if may_jump else ("rows",)), number))
-                break
-        for before, after in pairwise(table.columns):
-            if after <= before:
-                message = f"read {after:g} behind {before:g}, expected columns in ascending order"
-                yield Problem("E653", message, (*path, "columns"))
-                break
+        rows = path if may_jump else (*path, "rows")
+        yield from ascending(table.x, "rows in ascending order", rows, strictly=not may_jump)
+        expected = "columns in ascending order"
+        for problem in ascending(table.columns, expected, path, strictly=True):
+            yield problem._replace(path=(*path, "columns"))
         if not all(map(math.isfinite, [*table.x, *table.columns, *chain(*table.values)])):
             yield Problem("E654", "read what is no number, expected numbers", path)

@@ -121,9 +121,9 @@ def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
     return tree._replace(operands=operands)
 
 
-def is_polynomial(tree: Tree, name: str) -> bool:
-    """Return whether a tree is a piecewise polynomial of a variable, as `corners` requires."""
-    return _polynomial(tree, name, 0.0, []) is not None
+def is_polynomial(tree: Tree) -> bool:
+    """Return whether a tree is a piecewise polynomial of t, as `corners` requires."""
+    return _polynomial(tree, "t", 0.0, []) is not None
 
 
 def _polynomial(
@@ -141,11 +141,15 @@ def _polynomial(
     jumps = tree.name in JUMPS
     met += ((place, bends or (jumps and None in operands)) for place, bends in inner)
     if jumps or tree.name in ENDS:
-        met += ((place, jumps) for place in _meetings(known, len(operands)))
+        compared = [*known, (0.0,)] if len(operands) == 1 else known
+        pairs = combinations(compared, 2)
+        met += ((root, jumps) for pair in pairs for root in _roots(_sum(*pair, -1.0)))
     if len(known) < len(operands):
         return None
     if jumps or not any(len(polynomial) > 1 for polynomial in known):
-        return (_value(tree, [value_at(polynomial, at) for polynomial in known]),)
+        values = [Constant(value_at(polynomial, at)) for polynomial in known]
+        constants = tree._replace(operands=tuple(values))
+        return (float(evaluate(constants, lambda _: np.zeros((1, 1))).item()),)
     if tree.name in BENDS:
         values = [value_at(polynomial, at) for polynomial in known]
         picked: Polynomial = _picked(
@@ -178,12 +182,6 @@ def _of_table(
     return _sum((value,), inner, slope) if slope else (value,)
 
 
-def _value(tree: Applied, values: list[float]) -> float:
-    """Return the value of an operation on numbers."""
-    constants = tree._replace(operands=tuple(map(Constant, values)))
-    return float(evaluate(constants, lambda _: np.zeros((1, 1))).item())
-
-
 def _picked(
     tree: Applied,
     operands: Sequence[Any],
@@ -194,14 +192,6 @@ def _picked(
     if tree.name == "abs":
         return minus(operands[0]) if values[0] < 0 else operands[0]
     return operands[values.index((min if tree.name == "min" else max)(values))]
-
-
-def _meetings(known: list[Polynomial], count: int) -> Iterator[float]:
-    """Yield the places where compared polynomials are equal, or a single polynomial is 0."""
-    if count == 1:
-        known = [*known, (0.0,)]
-    for left, right in combinations(known, 2):
-        yield from _roots(_sum(left, right, -1.0))
 
 
 def _roots(polynomial: Polynomial) -> Iterator[float]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import combinations
 from typing import Any, NamedTuple, TypeAlias
 
@@ -55,6 +56,7 @@ def asked(tree: Tree) -> Iterator[Pairs]:
                 yield [MeetingParts(operand, Constant(x), n > 1) for x, n in Counter(steps).items()]
 
 
+@lru_cache(maxsize=256)
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
     """Find the times at which a formula bends or jumps by functions other than polynomials.
 
@@ -84,7 +86,7 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
                 instants.update(_crossings(first, second, until))
                 continue
             for part in _timed(apart):
-                if not is_polynomial(part, "t") and (turns := slope(part)):
+                if not is_polynomial(part) and (turns := slope(part)):
                     instants.update(_crossings(turns, Constant(0.0), until))
     times = sorted(instants)
     earlier = [0.0, *times]
@@ -105,7 +107,7 @@ def _timed(tree: Any) -> Iterator[Tree]:
 
 
 def _crossings(first: Tree, second: Tree, until: float) -> list[float]:
-    if is_polynomial(applied("-", first, second), "t"):
+    if is_polynomial(applied("-", first, second)):
         return []
     first_values, second_values = compiled_along(first), compiled_along(second)
 

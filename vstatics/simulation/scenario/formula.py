@@ -45,6 +45,7 @@ OF_TORQUES = ("acceleration", "torque", "power")
 """Words of quantities that follow from torques and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
 """Words of events."""
+_OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
 class Vocabulary(NamedTuple):
@@ -158,7 +159,7 @@ class Formula(NamedTuple):
 
     def crossings(self, until: float) -> tuple[float, ...]:
         """Return the times of other bends and jumps, up to a time [s]."""
-        return _crossings(_read(*self).tree, until)
+        return crossings(_read(*self).tree, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
         """Return the places of jumps along `speed` or `angle` at comparisons of polynomials.
@@ -248,8 +249,7 @@ def formula_tree(
     """Return the tree of a formula with allowed names and words only."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
     functions = (*FUNCTIONS, *words.tables)
-    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    language = Language(functions, operands, "t", caret=True, of_names=of_names)
+    language = Language(functions, operands, "t", caret=True, of_names=_OF_NAMES)
     read = parse(source, language._replace(quantity=quantity) if quantity else language)
     tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
@@ -352,7 +352,9 @@ class _Read(NamedTuple):
 
 @lru_cache(maxsize=1024)
 def _read(text: str, tree: Tree | None) -> _Read:
-    tree = tree or _parsed(text)
+    if tree is None:
+        language = Language(FUNCTIONS, "t", "t", caret=True, of_names=_OF_NAMES)
+        tree = _with_speed(parse(Excerpt(text, "formula"), language))
     inside = [part for part in parts(tree) if isinstance(part, TableName)]
     seen = tuple(dict.fromkeys(quantity for part in inside if (quantity := seen_in(part))))
     variables_of_link = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
@@ -370,18 +372,6 @@ def _read(text: str, tree: Tree | None) -> _Read:
         switches,
         tree,
     )
-
-
-@lru_cache(maxsize=256)
-def _crossings(tree: Tree, until: float) -> tuple[float, ...]:
-    return crossings(tree, until)
-
-
-def _parsed(text: str) -> Tree:
-    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    language = Language(FUNCTIONS, "t", "t", caret=True, of_names=of_names)
-    tree: Tree = _with_speed(parse(Excerpt(text, "formula"), language))
-    return tree
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:

@@ -114,7 +114,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     (0.5, 0.0)
     """
     functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
-    plain: Function = _evaluated(tree, functions, seen)
+    plain: Function = _evaluated(tree, functions, seen, is_broad=False)
 
     def function(*known: float) -> float:
         try:
@@ -185,12 +185,6 @@ class _CodeWriter:
         self.names: dict[object, str] = {argument: argument for argument in VARIABLES}
         self.names |= {argument: f"seen_{number}" for number, argument in enumerate(seen)}
 
-    def function(self, tree: Tree) -> ast.Expression:
-        """Return a lambda of the variables, then of the quantities seen elsewhere."""
-        arguments = [ast.arg(name) for name in self.names.values()]
-        signature = ast.arguments([], arguments, None, [], [], None, [])
-        return ast.fix_missing_locations(ast.Expression(ast.Lambda(signature, self.number(tree))))
-
     def number(self, tree: Any) -> ast.expr:
         """Return the expression of the value of a part, as a float."""
         if isinstance(tree, Applied):
@@ -208,19 +202,15 @@ class _CodeWriter:
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
         if tree.name == "**":
-            return self.power(tree, operands)
+            base, exponent = tree.operands
+            if isinstance(base, TableName) and exponent == Constant(2.0):  # a product is faster
+                return ast.BinOp(operands[0], ast.Mult(), self.number(base))
+            return _call("pow", *operands)
         if tree.name in ("min", "max") and len(operands) == 1:
             return operands[0]
         if tree.name in _ARITHMETIC:
             return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
         return _call(str(tree.name), *operands)
-
-    def power(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """Return the expression of a power; a square is a product, which is faster."""
-        base, exponent = tree.operands
-        if isinstance(base, TableName) and exponent == Constant(2.0):
-            return ast.BinOp(operands[0], ast.Mult(), self.number(base))
-        return _call("pow", *operands)
 
     def condition(self, tree: Any) -> ast.expr:
         """Return the expression of the truth of a part."""
@@ -240,14 +230,18 @@ class _CodeWriter:
 def _evaluated(
     tree: Tree,
     functions: Mapping[str, Callable[..., Any]],
-    seen: Sequence[Seen] = (),
+    seen: Sequence[Seen],
     *,
-    is_broad: bool = False,
+    is_broad: bool,
 ) -> Any:
     """Compile a tree to a function of the variables."""
-    whole = _CodeWriter(seen, is_broad=is_broad).function(tree)
+    writer = _CodeWriter(seen, is_broad=is_broad)
+    arguments = [ast.arg(name) for name in writer.names.values()]
+    signature = ast.arguments([], arguments, None, [], [], None, [])
+    body = ast.fix_missing_locations(ast.Expression(ast.Lambda(signature, writer.number(tree))))
+    code = compile(body, "<formula>", "eval")
     builtins = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
-    return eval(compile(whole, "<formula>", "eval"), {**builtins, **functions})  # noqa: S307 (see the top)
+    return eval(code, {**builtins, **functions})  # noqa: S307 (see the top)
 
 
 def _call(name: str, *operands: ast.expr) -> ast.expr:

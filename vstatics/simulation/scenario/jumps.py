@@ -79,7 +79,7 @@ def _of_points(law: Points) -> tuple[list[LawJump], list[LawPiece]]:
     begins, ends = [0], []
     for at, group in groupby(range(len(law.x)), key=law.x.__getitem__):
         first, *repeated = group
-        if repeated and law.over != "time":
+        if repeated:
             jumps.append(LawJump(law.over, constant(at)))
             ends.append(first + 1)
             begins.append(repeated[-1])

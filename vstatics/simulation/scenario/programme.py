@@ -12,7 +12,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, listed
 from vstatics.core.model.parts import Friction, Law, OfLoad, ShiftElement
 from vstatics.core.model.springs import SpringLimit
-from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.operands import Constant
@@ -55,22 +55,18 @@ class Programme(NamedTuple):
     follows: SpringLimit | None = None
     """Limit by the torque of a second spring, with the curve as the base."""
 
-    def seen_at(self, time: float, seen: Sequence[float]) -> float:
-        """Return the capacity of a curve that sees something, clipped at 0 and `largest`."""
-        assert self.look is not None  # noqa: S101 - it is asked of these alone
-        most = math.inf if self.largest is None else self.largest
-        capacity = self.factor * min(max(self.look.at(time, seen), 0.0), most)
-        return capacity * self.rub.at(time, seen) if self.rub else capacity
-
-    def uncut_at(self, time: float, seen: Sequence[float]) -> float:
-        """Return the capacity of a curve that sees something, without clipping."""
-        assert self.look is not None  # noqa: S101 - it is asked of these alone
-        capacity = self.factor * self.look.at(time, seen)
+    def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
+        """Return the capacity of a curve that sees something, by default clipped as the curve."""
+        assert self.look is not None  # noqa: S101 - the curve sees something
+        value = self.look.at(time, seen)
+        if clipped:
+            value = min(max(value, 0.0), math.inf if self.largest is None else self.largest)
+        capacity = self.factor * value
         return capacity * self.rub.at(time, seen) if self.rub else capacity
 
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
         """Return the clipped capacity at many times, with the seen quantities as rows."""
-        assert self.look is not None  # noqa: S101 - it is asked of these alone
+        assert self.look is not None  # noqa: S101 - the curve sees something
         capacity: Floats = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
         return capacity * self.rub.along(times, seen) if self.rub else capacity
 
@@ -163,22 +159,14 @@ def friction_at(friction: Friction | Law | None, slip: float = 0.0) -> float:
     if friction is None:
         return 1.0
     if isinstance(friction, Law):
-        torque: float = friction.at(abs(slip))
-        return torque
+        return float(friction.at(abs(slip)))
     return friction_points(friction).at(abs(slip))
 
 
 def friction_points(friction: Friction | Law) -> Points:
     """Return the coefficient of friction, or the drag, over the slip."""
-    slips, values = zip(*slip_points(friction), strict=True)
+    slips, values = zip(*friction.points, strict=True)
     return Points(slips, values, "speed")
-
-
-def slip_points(friction: Friction | Law | None) -> tuple[tuple[float, float], ...]:
-    """Return the points of a friction or a drag over the slip; empty for a formula."""
-    if friction is None or isinstance(friction, Law):
-        return () if friction is None else friction.points
-    return friction.points
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:
@@ -277,7 +265,10 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
     capacity = math.inf if held is None or anything else held
     points = [(0.0, capacity if engaged else 0.0)]
     for index, (at, name, overlap) in enumerate(scenario.shifts or (), 1):
-        gear = _gear(scenario.case, name, index)
+        try:
+            gear = scenario.case.gears[scenario.case.gear_number(name) - 1]
+        except ValueError as error:
+            raise CaseError("E662", str(error), ("shifts", index, "to")) from None
         target = capacity if number in gear.engaged else 0.0
         now = _at(points, at)
         earlier = [point for point in points if point[0] < at]
@@ -311,10 +302,3 @@ def _at(points: list[tuple[float, float]], time: float) -> float:
         return before[-1][1]
     (t0, v0), (t1, v1) = before[-1], after[0]
     return v0 + (v1 - v0) * (time - t0) / (t1 - t0)
-
-
-def _gear(case: Transmission, name: str, index: int) -> Gear:
-    try:
-        return case.gears[case.gear_number(name) - 1]
-    except ValueError as error:
-        raise CaseError("E662", str(error), ("shifts", index, "to")) from None

@@ -500,12 +500,14 @@ class Equations:
             def limits(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
-                return np.array([limit.uncut_at(then, seen) for *_, limit in self.seen_limits])
+                return np.array(
+                    [limit.seen_at(then, seen, clipped=False) for *_, limit in self.seen_limits]
+                )
 
             now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
             risen = slope_ahead(now, middle, later, step)
             for (index, sign, limit), slope in zip(self.seen_limits, risen, strict=True):
-                is_cut = limit.seen_at(time, at) != limit.uncut_at(time, at)
+                is_cut = limit.seen_at(time, at) != limit.seen_at(time, at, clipped=False)
                 slopes[index] = 0.0 if is_cut else sign * slope
             if np.allclose(slopes, before):
                 break

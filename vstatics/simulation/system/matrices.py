@@ -27,7 +27,7 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import Scenario, formulas
-from vstatics.simulation.scenario.programme import Programme, slip_points
+from vstatics.simulation.scenario.programme import Programme
 
 
 class Switch(NamedTuple):
@@ -85,7 +85,7 @@ class Contact(NamedTuple):
     @property
     def corners(self) -> tuple[float, ...]:
         """Slips at the corners of the friction coefficient [rad/s]; empty for a constant."""
-        points = slip_points(self.friction)
+        points = self.friction.points if self.friction else ()
         return tuple(slip for slip, _ in points) if len(points) > 1 else ()
 
 
