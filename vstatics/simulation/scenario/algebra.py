@@ -102,7 +102,7 @@ def slope(tree: Tree) -> Tree | None:
         return Constant(float(isinstance(tree, TableName) and tree.name == "t"))
     if tree.name in _STEPS or "t" not in variables(tree):
         return Constant(0.0)
-    operands: Sequence[Tree] = tree.operands
+    operands = tree.operands
     slopes = [change for change in map(slope, operands) if change]
     return _combined(tree, operands, slopes) if len(slopes) == len(operands) else None
 
@@ -175,7 +175,7 @@ def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
         return StraightForm(0.0, 0.0, tree)
     if not isinstance(tree, Applied):
         return StraightForm(float("speed" in names), float("angle" in names), Constant(0.0))
-    operands: Sequence[Tree] = tree.operands
+    operands = tree.operands
     first, second = straight(operands[0]), straight(operands[-1])
     left, right = number(operands[0]), number(operands[-1])
     match tree.name:

@@ -26,7 +26,6 @@ from vstatics.simulation.scenario.control_checks import (
     ascending,
     control_problems,
     of_range,
-    placed_steps,
 )
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
@@ -38,7 +37,7 @@ from vstatics.simulation.scenario.formula import (
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start, placed_steps
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
@@ -126,8 +125,11 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
         yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:
-            message = "read `gear` beside `speeds` or `engaged`, expected one or the other"
-            yield Problem("E629", message, ("start",))
+            yield Problem(
+                "E629",
+                "read `gear` beside `speeds` or `engaged`, expected one or the other",
+                ("start",),
+            )
         yield from _of_gear(start.gear, case, ("start", "gear"))
     elif start.speed:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
@@ -149,8 +151,11 @@ def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
             yield Problem("E671", f"read {quoted(name)}, expected the name of a spring{hint}", path)
         yield from of_finite([twist], "a twist", path)
     if start.twists and start.settled:
-        message = "read `twists` beside `settled`, which determines them: expected one of them"
-        yield Problem("E648", message, ("start", "twists"))
+        yield Problem(
+            "E648",
+            "read `twists` beside `settled`, which determines them: expected one of them",
+            ("start", "twists"),
+        )
 
 
 def _of_controls(
@@ -164,14 +169,18 @@ def _of_controls(
         element = case.shift_elements[number - 1]
         path = ("controls", element.name)
         if element.is_freewheel:
-            message = "is a freewheel, which finds by itself whether it holds: it has no control"
-            yield Problem("E631", message, path)
-        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
-            message = (
-                "is a dog clutch, which has no friction: expected when it closes and opens, such "
-                "as {dog: [[1.5, closed], [2, open]]}"
+            yield Problem(
+                "E631",
+                "is a freewheel, which finds by itself whether it holds: it has no control",
+                path,
             )
-            yield Problem("E632", message, path)
+        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
+            yield Problem(
+                "E632",
+                "is a dog clutch, which has no friction: expected when it closes and "
+                "opens, such as {dog: [[1.5, closed], [2, open]]}",
+                path,
+            )
         elif isinstance(control, Capacity):
             yield from _of_capacity(control, duration, path)
         else:
@@ -186,8 +195,11 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
     speeds, angles = 1e3 * np.sin(7.3 * np.arange(_TRIED_TIMES)), np.cos(np.arange(_TRIED_TIMES))
     values = law.along(times, speeds, angles)
     if law.variables and not np.isfinite(values).any():
-        message = f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number"
-        yield Problem("E633", message, path)
+        yield Problem(
+            "E633",
+            f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number",
+            path,
+        )
 
 
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
@@ -204,9 +216,12 @@ def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Pro
         wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
         if len(wrong):
             first = int(wrong[0])
-            wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
-            message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
-            yield Problem("E633", message, path)
+            yield Problem(
+                "E633",
+                f"gives {values[first]:g} at {times[first]:.6g} s, expected a number, "
+                f"{LARGEST_NUMBER:g} at most",
+                path,
+            )
 
 
 def _of_torques(scenario: Scenario) -> Iterator[Problem]:
@@ -242,10 +257,13 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
         if spring.name in [
             other.limit.of for other in springs if isinstance(other.limit, SpringLimit)
         ]:
-            message = f"another limit follows {quoted(spring.name)}, expected none of its own"
-            yield Problem("E546", message, path)
+            yield Problem(
+                "E546",
+                f"another limit follows {quoted(spring.name)}, expected none of its own",
+                path,
+            )
         yield from _of_capacity(Capacity(limit), scenario.duration, path)
-        values: Sequence[float] = limit.y if isinstance(limit, Points) else ()
+        values = limit.y if isinstance(limit, Points) else ()
         for place, value in enumerate(values, 1):
             if value < 0:
                 where = (*path, place, 2) if len(values) > 1 else path
@@ -257,8 +275,9 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
     for converter in converters:
         path = ("converters", converter.name)
         if converter.name in names:
-            message = f"{quoted(converter.name)} is the name of another device of the case"
-            yield Problem("E637", message, path)
+            yield Problem(
+                "E637", f"{quoted(converter.name)} is the name of another device of the case", path
+            )
         names.append(converter.name)
         yield from of_converter(converter, path, case.links)
 
@@ -270,8 +289,11 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_gear(shift.to, scenario.case, (*path, "to"))
         yield from of_range(shift.at, "a time", (*path, "at"))
         if 0 <= shift.at < before:
-            message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
-            yield Problem("E639", message, (*path, "at"))
+            yield Problem(
+                "E639",
+                f"read {shift.at:g} behind {before:g}, expected shifts in their order",
+                (*path, "at"),
+            )
         before = max(before, shift.at)
         yield from of_range(shift.overlap, "a time", (*path, "overlap"))
 
@@ -322,13 +344,21 @@ def _of_road(law: Road, path: Path) -> Iterator[Problem]:
         *of_range(law.drag_area, "an area", (*path, "drag_area")),
     ]
     if not -1 <= law.slope <= 1:
-        message = f"read {law.slope:g}, expected the sine of an angle, from -1 to 1"
-        problems.append(Problem("E645", message, (*path, "slope")))
+        problems.append(
+            Problem(
+                "E645",
+                f"read {law.slope:g}, expected the sine of an angle, from -1 to 1",
+                (*path, "slope"),
+            )
+        )
     yield from problems
     if not problems and law.wheel and not law.wheel.is_single:
-        message = f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no single "
-        place = (*path, "radius", "by_torque")
-        yield Problem("E722", f"{message}velocity: expected less", place)
+        yield Problem(
+            "E722",
+            f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no "
+            "single velocity: expected less",
+            (*path, "radius", "by_torque"),
+        )
 
 
 def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
@@ -341,8 +371,9 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
         yield from of_range(speed, "a speed", (*here, 1))
         yield from of_range(part, "a coefficient", (*here, 2))
         if not speed > before:
-            message = f"read {speed:g} behind {before:g}, expected speeds that rise"
-            yield Problem("E889", message, (*here, 1))
+            yield Problem(
+                "E889", f"read {speed:g} behind {before:g}, expected speeds that rise", (*here, 1)
+            )
         before = speed
     if not rolling:
         yield Problem("E889", "read no point, expected one at least", (*path, "points"))
@@ -350,7 +381,7 @@ def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     """Yield the problems of all formulas, each with the names allowed at the place."""
-    names = [*scenario.settings, *(state.name for state in scenario.states)]
+    names = scenario.value_names
     converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
     for law, variables, path, allowed in _placed_formulas(scenario):
@@ -406,13 +437,16 @@ def of_formula(
         if law.tree is None:  # a formula with a tree was checked when its names were replaced
             formula_tree(Excerpt(law.text, "formula"), names, words)
             if SHORT_SPEED in words.values and "speed" in law.variables:
-                message = (
-                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or number"
+                yield Problem(
+                    "E680",
+                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or "
+                    "number: expected another name of it",
+                    path,
                 )
-                yield Problem("E680", f"{message}: expected another name of it", path)
         if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
-            message = f"read {quoted(law.text)}, which is {value:g}, expected a number"
-            yield Problem("E723", message, path)
+            yield Problem(
+                "E723", f"read {quoted(law.text)}, which is {value:g}, expected a number", path
+            )
     except ReadError as error:
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
 

@@ -125,16 +125,14 @@ def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]
     if not links or not turning.keys() >= {*links}:
         known = f"; links with a `road`: {listed(list(turning))}" if turning else ""
         raise ValueError(f"{read} it next to speed() of a link with a `road`{known}")
-    reached = {turning[link](speed.value) for link in links for speed in speeds[:1]}
-    if len(reached) > 1:
+    if len({turning[link](speed.value) for link in links for speed in speeds[:1]}) > 1:
         raise ValueError(f"{read} it next to links that turn alike, not to {spoken(links)}")
     sides = (_of_wheel(side, turning[links[0]]) for side in tree.operands)
     return tree._replace(operands=tuple(sides))
 
 
 def _signed(side: Tree) -> Tree:
-    is_negative = isinstance(side, Applied) and side.name == "-x"
-    return side.operands[0] if isinstance(side, Applied) and is_negative else side
+    return side.operands[0] if isinstance(side, Applied) and side.name == "-x" else side
 
 
 def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
@@ -170,8 +168,10 @@ def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
     for comparison in StepCondition(formula).comparisons:
         events = [seen.word for seen in comparison.seen if seen.word in OF_EVENTS]
         if events:
-            message = f"{quoted(events[0])} is true or not, expected it without a comparison"
-            raise source.error(message, source.start)
+            raise source.error(
+                f"{quoted(events[0])} is true or not, expected it without a comparison",
+                source.start,
+            )
     return StepCondition(formula)
 
 

@@ -11,7 +11,7 @@ from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
-from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
+from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep, placed_steps
 from vstatics.simulation.scenario.words import name_problems
 
 
@@ -40,7 +40,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_speed(speed, ("speeds", scenario.case.link_name(link)))
     for number, ratio in scenario.speed_ratios.items():
         mechanism = scenario.case.mechanisms[number - 1]
-        place: Path = ("speed_ratios", mechanism.name)
+        place = ("speed_ratios", mechanism.name)
         if mechanism.kind != "variator":
             yield Problem("E678", f"{mechanism.name} is no variator, expected one", place)
         yield from _of_speed(ratio, place)
@@ -65,16 +65,10 @@ def ascending(
     """Yield a problem of the first number that is less than, or equal to, the number before."""
     for number, (before, after) in enumerate(pairwise(values), 2):
         if after < before or (strictly and after == before):
-            message = f"read {after:g} behind {before:g}, expected {expected}"
-            yield Problem("E653", message, (*path, number))
+            yield Problem(
+                "E653", f"read {after:g} behind {before:g}, expected {expected}", (*path, number)
+            )
             return
-
-
-def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """Yield the steps of all sequences, each with the place in the document."""
-    for sequence in scenario.sequences:
-        for number, step in enumerate(sequence.steps, 1):
-            yield ("sequences", sequence.name, number), step
 
 
 def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
@@ -82,8 +76,11 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
         if math.isnan(value) or (name == "start" and math.isinf(value)):
             yield Problem("E654", f"read {value:g}, expected a number", (*path, name))
     if state.least > state.most:
-        message = f"read {state.most:g}, expected at least {state.least:g}, its min"
-        yield Problem("E684", message, (*path, "max"))
+        yield Problem(
+            "E684",
+            f"read {state.most:g}, expected at least {state.least:g}, its min",
+            (*path, "max"),
+        )
     elif message := state.beyond(state.start):
         yield Problem("E684", message, (*path, "start"))
 
@@ -109,13 +106,16 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
     if not step.within > 0:
         yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
     yield from of_range(step.wait, "a time", (*path, "wait"))
-    known = [*scenario.settings, *(state.name for state in scenario.states)]
+    known = scenario.value_names
     for name in step.settings:
         if name not in known:
             hint = nearest(name, known)
             hint = hint or (f"; there are {spoken(known)}" if known else "; there are none")
-            message = f"read {quoted(name)}, expected a name of `set` or a state{hint}"
-            yield Problem("E687", message, (*path, "set", name))
+            yield Problem(
+                "E687",
+                f"read {quoted(name)}, expected a name of `set` or a state{hint}",
+                (*path, "set", name),
+            )
     for state in scenario.states:
         value = step.settings.get(state.name)
         if isinstance(value, Points) and (message := state.beyond(value.y[0])):
@@ -123,8 +123,11 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
     elements = scenario.case.shift_elements
     for number in step.dogs:
         if 0 < number <= len(elements) and elements[number - 1].kind != "dog_clutch":
-            message = f"{elements[number - 1].name} is no dog clutch, expected one"
-            yield Problem("E688", message, (*path, "dog", number))
+            yield Problem(
+                "E688",
+                f"{elements[number - 1].name} is no dog clutch, expected one",
+                (*path, "dog", number),
+            )
 
 
 def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
@@ -137,7 +140,7 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     tables.engine[2]: read 1 behind 2, expected rows in ascending order [E653]
     """
     for name, table in tables.items():
-        path: Path = ("tables", name)
+        path = ("tables", name)
         may_jump = table.variables == 1
         rows = path if may_jump else (*path, "rows")
         yield from ascending(table.x, "rows in ascending order", rows, strictly=not may_jump)

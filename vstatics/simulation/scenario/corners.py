@@ -2,7 +2,7 @@
 
 A comparison, ``abs``, ``sign``, ``min`` or ``max`` of polynomials bends or jumps where the
 polynomials are equal. A piecewise polynomial, such as ``abs(speed)``, is a polynomial between two
-corners, so the search is repeated between the known corners until there are no new ones.
+corners, so the search is repeated between the known corners until it finds nothing new.
 
 ``min(t/0.3, 1)`` bends at 0.3, ``100*(abs(speed) < 300)`` jumps at -300 and 300.
 """
@@ -147,8 +147,8 @@ def _polynomial(
     if len(known) < len(operands):
         return None
     if jumps or not any(len(polynomial) > 1 for polynomial in known):
-        values = [Constant(value_at(polynomial, at)) for polynomial in known]
-        constants = tree._replace(operands=tuple(values))
+        numbers = tuple(Constant(value_at(polynomial, at)) for polynomial in known)
+        constants = tree._replace(operands=numbers)
         return (float(evaluate(constants, lambda _: np.zeros((1, 1))).item()),)
     if tree.name in BENDS:
         values = [value_at(polynomial, at) for polynomial in known]
@@ -160,7 +160,7 @@ def _polynomial(
 
 
 def _of_operand(operand: Any, name: str) -> Polynomial | None:
-    names: dict[str, Polynomial] = {name: (0.0, 1.0), PI: (math.pi,)}
+    names = {name: (0.0, 1.0), PI: (math.pi,)}
     if isinstance(operand, Constant):
         return (operand.value,)
     return None if operand.subscripts else names.get(operand.name)

@@ -78,7 +78,7 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
     >>> [round(time, 9) for time in crossings(tree, 3.2)]
     [0.523598776, 2.617993878, 3.141592654]
     """
-    instants: set[float] = set()
+    instants = set()
     for pairs in met(tree):
         for first, second, _ in pairs:
             apart = applied("-", first, second)

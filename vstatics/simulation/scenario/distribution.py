@@ -51,7 +51,7 @@ class Distribution(NamedTuple):
         """
         if self.uniform is not None:
             first, last = self.uniform
-            numbers: Floats = (1 - parts) * first + parts * last
+            numbers = (1 - parts) * first + parts * last
         else:
             from scipy.special import ndtri
 
@@ -77,8 +77,11 @@ def distribution_problems(distribution: Distribution, path: Path) -> Iterator[Pr
     for key in ("normal", "lognormal"):
         given = getattr(distribution, key)
         if given is not None and given[1] < 0:
-            message = f"read {given[1]:g}, expected a standard deviation of 0 or more"
-            yield Problem("E655", message, (*path, key))
+            yield Problem(
+                "E655",
+                f"read {given[1]:g}, expected a standard deviation of 0 or more",
+                (*path, key),
+            )
     if distribution.normal is not None and distribution.normal[1] >= 0:
         mean = distribution.normal[0]
         if not least <= mean <= largest:
@@ -88,10 +91,16 @@ def distribution_problems(distribution: Distribution, path: Path) -> Iterator[Pr
     if distribution.uniform is not None:
         first, last = distribution.uniform
         if first > last:
-            message = f"read {first:g} to {last:g}, expected the least number first"
-            yield Problem("E657", message, (*path, "uniform"))
+            yield Problem(
+                "E657",
+                f"read {first:g} to {last:g}, expected the least number first",
+                (*path, "uniform"),
+            )
         elif first > largest or last < least:
-            message = f"read {first:g} to {last:g}, of which nothing is from min to max"
-            yield Problem("E658", message, (*path, "uniform"))
+            yield Problem(
+                "E658",
+                f"read {first:g} to {last:g}, of which nothing is from min to max",
+                (*path, "uniform"),
+            )
     if least > largest:
         yield Problem("E659", f"read {largest:g}, expected at least min, {least:g}", (*path, "max"))

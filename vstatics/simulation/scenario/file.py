@@ -55,7 +55,7 @@ class ScenarioFile(NamedTuple):
 
     scenario: Scenario
     name: str
-    """Name in the document; empty if there is no key `name`."""
+    """Name in the document; empty without the key `name`."""
     description: str
     samples: AnyMapping[str, Distribution]
     """Distributions of sampled numbers, by the paths of the numbers."""
@@ -135,13 +135,12 @@ class ScenarioDocument(NamedTuple):
         walk.references.set_others("mechanism", (part.name for part in case.mechanisms))
         walk.references.set_others("spring", (spring.name for spring in case.springs))
         walk.references.set_others("elastic device", elastic_names(case))
-        words = self._words(case)
-        values = walk.read(Spot((), "", self.root), scenario_shape(words))
+        values = walk.read(Spot((), "", self.root), scenario_shape(self._words(case)))
         builder = ScenarioValues(case, spots)
         scenario, samples = builder.scenario(values), builder.samples(values)
         problems = list(scenario_problems(scenario))
         tables, numbers = dict(builder.tables(values.get("tables", {}))), values.get("numbers", {})
-        named = [*scenario.settings, *(state.name for state in scenario.states)]
+        named = scenario.value_names
         problems += name_problems("numbers", [*numbers], named)
         problems += name_problems("tables", [*tables], [*named, *numbers])
         problems += table_problems(tables)
@@ -169,8 +168,7 @@ class ScenarioDocument(NamedTuple):
 
     def _words(self, case: Transmission) -> Vocabulary:
         """Return the vocabulary of the formulas; faults are reported later."""
-        quiet = Found(self.decoded.source)
-        walk = Walk(Spots(quiet))
+        walk = Walk(Spots(Found(self.decoded.source)))
         nodes = {key.text: value for key, value in self.root.entries}
 
         def names(key: str) -> list[str]:
@@ -182,12 +180,11 @@ class ScenarioDocument(NamedTuple):
             for key in named_numbers()
             if isinstance(nodes.get(key.name), Mapping)
         }
-        parts = ScenarioValues(case, walk.spots)
         return vocabulary(
             case,
             numbers={name: float(entry) for name, entry in read.get("numbers", {}).items()},
             values=[*names("set"), *names("states")],
-            tables=dict(parts.tables(read.get("tables", {}))),
+            tables=dict(ScenarioValues(case, walk.spots).tables(read.get("tables", {}))),
             converters=names("converters") or [entry.name for entry in case.converters],
         )
 
@@ -388,18 +385,13 @@ def _own_step(path: Path, spots: Spots) -> Path:
 
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
     """Return the numbers of the names that a key of a scenario speaks of."""
-    if key == "controls":
-        listed = [element.name for element in case.shift_elements]
-    elif key in ("torques", "targets", "start", "speeds"):
-        listed = list(case.link_names)
-    elif key == "speed_ratios":
-        listed = [part.name for part in case.mechanisms]
-    elif key == "twists":
-        listed = list(elastic_names(case))
-    elif key == "limits":
-        listed = [part.name for part in case.springs]
-    elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
-        listed = spots.keys((str(key),))
-    else:
-        return {}
-    return {name: number for number, name in enumerate(listed, 1)}
+    names = {
+        "controls": [element.name for element in case.shift_elements],
+        "speed_ratios": [mechanism.name for mechanism in case.mechanisms],
+        "twists": elastic_names(case),
+        "limits": [spring.name for spring in case.springs],
+        **dict.fromkeys(("torques", "targets", "start", "speeds"), case.link_names),
+    }
+    if key in ("converters", "numbers", "tables", "set", "states", "sequences"):
+        names[key] = spots.keys((str(key),))
+    return {name: number for number, name in enumerate(names.get(key, ()), 1)}

@@ -104,8 +104,7 @@ class Formula(NamedTuple):
         >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
         6.0
         """
-        names = {quantity.of for quantity in self.seen if quantity.word == "value"}
-        if names.isdisjoint(numbers):
+        if {quantity.of for quantity in self.seen if quantity.word == "value"}.isdisjoint(numbers):
             return self
         return self._replace(tree=_with_numbers(self.whole, numbers))
 
@@ -129,7 +128,7 @@ class Formula(NamedTuple):
         ReadError
             If the text is not a formula.
         """
-        return [part.value for part in parts(_read(*self).tree) if isinstance(part, Constant)]
+        return [part.value for part in parts(self.whole) if isinstance(part, Constant)]
 
     @property
     def function(self) -> Function:
@@ -159,7 +158,7 @@ class Formula(NamedTuple):
 
     def crossings(self, until: float) -> tuple[float, ...]:
         """Return the times of other bends and jumps, up to a time [s]."""
-        return crossings(_read(*self).tree, until)
+        return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
         """Return the places of jumps along `speed` or `angle` at comparisons of polynomials.
@@ -167,34 +166,34 @@ class Formula(NamedTuple):
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
         """
-        return tuple(place for place, jumps in corners(_read(*self).tree, name).items() if jumps)
+        return tuple(place for place, jumps in corners(self.whole, name).items() if jumps)
 
     def between(self, name: str, low: float, high: float) -> Formula:
         """Return the formula between two jumps along a variable."""
-        return self._replace(tree=between(_read(*self).tree, name, low, high))
+        return self._replace(tree=between(self.whole, name, low, high))
 
     @property
     def surfaces(self) -> dict[JumpSurface, str]:
         """Surfaces in time, speed and angle with a jump, and the side of the value on each."""
-        return surfaces(_read(*self).tree)
+        return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:
         """Return the formula above a surface, +1, or below the surface, -1."""
-        return self._replace(tree=on_side(_read(*self).tree, surface, side))
+        return self._replace(tree=on_side(self.whole, surface, side))
 
     @property
     def slope(self) -> Formula:
         """Derivative of a formula of t with respect to t; see `has_slope`."""
-        return self._replace(tree=slope(_read(*self).tree))
+        return self._replace(tree=slope(self.whole))
 
     @property
     def has_slope(self) -> bool:
-        """Whether the derivative with respect to t is known."""
-        return slope(_read(*self).tree) is not None
+        """True if the derivative with respect to t is known."""
+        return slope(self.whole) is not None
 
     @property
     def switches(self) -> bool:
-        """Whether the formula compares speeds or angles."""
+        """True if the formula compares speeds or angles."""
         return _read(*self).switches
 
     @property
@@ -248,16 +247,14 @@ def formula_tree(
 ) -> Tree:
     """Return the tree of a formula with allowed names and words only."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
-    functions = (*FUNCTIONS, *words.tables)
-    language = Language(functions, operands, "t", caret=True, of_names=_OF_NAMES)
+    language = Language((*FUNCTIONS, *words.tables), operands, "t", caret=True, of_names=_OF_NAMES)
     read = parse(source, language._replace(quantity=quantity) if quantity else language)
     tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
         if isinstance(part, Applied):
             _check_operands(part, words, source)
         elif isinstance(part, DottedName):
-            message = f"read {quoted(part.written)}, expected {operands}"
-            raise source.error(message, part.at)
+            raise source.error(f"read {quoted(part.written)}, expected {operands}", part.at)
         elif isinstance(part, TableName):
             _check_name(part, names, words, source)
     is_speed = SHORT_SPEED not in (*words.numbers, *words.values)
@@ -288,11 +285,12 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
         wanted = words.tables[name].variables
         if count != wanted:
             many = ("none", "one", "two")
-            message = f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many"
-            raise source.error(message, part.at)
+            raise source.error(
+                f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many",
+                part.at,
+            )
     elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
-        message = f"{name} of {count} parts, expected one, as in {name}(t)"
-        raise source.error(message, part.at)
+        raise source.error(f"{name} of {count} parts, expected one, as in {name}(t)", part.at)
 
 
 def _check_name(
@@ -362,12 +360,11 @@ def _read(text: str, tree: Tree | None) -> _Read:
         isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
         for part in parts(tree)
     )
-    along = compiled_along(tree, seen)
     return _Read(
         variables_of_link,
         seen,
         compiled(tree, seen),
-        along,
+        compiled_along(tree, seen),
         tuple(corners(tree, "t")),
         switches,
         tree,

@@ -85,13 +85,13 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
 FUNCTIONS = tuple(_PLAIN)
 """Functions of numbers; only `min` and `max` take several."""
 
-_ARITHMETIC: Mapping[str, type[ast.operator]] = {
+_ARITHMETIC = {
     "+": ast.Add,
     "-": ast.Sub,
     "*": ast.Mult,
     "/": ast.Div,
 }
-_COMPARISONS: Mapping[str, type[ast.cmpop]] = {
+_COMPARISONS = {
     "<": ast.Lt,
     "<=": ast.LtE,
     ">": ast.Gt,
@@ -99,7 +99,7 @@ _COMPARISONS: Mapping[str, type[ast.cmpop]] = {
     "==": ast.Eq,
     "!=": ast.NotEq,
 }
-_LOGIC: Mapping[str, type[ast.boolop]] = {"and": ast.And, "or": ast.Or}
+_LOGIC = {"and": ast.And, "or": ast.Or}
 
 
 def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
@@ -120,8 +120,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
         try:
             return plain(*known)
         except (ArithmeticError, ValueError):
-            arrays = [np.array([[value]]) for value in known]
-            return _as_arrays(tree, arrays, seen).item()
+            return _as_arrays(tree, [np.array([[value]]) for value in known], seen).item()
 
     return function
 

@@ -45,7 +45,7 @@ class LawJump(NamedTuple):
 
     @property
     def rests(self) -> bool:
-        """Whether the speed of the jump is always 0."""
+        """True if the speed of the jump is always 0."""
         return self.speed == constant(0.0) and not self.by_angle
 
 
@@ -71,10 +71,8 @@ def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]
     """
     if isinstance(law, Formula):
         return _of_formula(law)
-    return ([], [LawPiece(law)]) if law.over == "time" else _of_points(law)
-
-
-def _of_points(law: Points) -> tuple[list[LawJump], list[LawPiece]]:
+    if law.over == "time":
+        return [], [LawPiece(law)]
     jumps: list[LawJump] = []
     begins, ends = [0], []
     for at, group in groupby(range(len(law.x)), key=law.x.__getitem__):

@@ -304,19 +304,6 @@ def named_numbers() -> tuple[KeyShape, ...]:
     )
 
 
-def _state(rate: Parsed) -> ByKey:
-    return ByKey(
-        "State",
-        "A number that changes by itself.",
-        (
-            KeyShape("rate", rate, "Its change with time, by a formula.", required=True),
-            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
-            KeyShape("min", ANYTHING, "It does not fall below."),
-            KeyShape("max", ANYTHING, "It does not rise above."),
-        ),
-    )
-
-
 def _sequence(when: Parsed, value: Parsed) -> ByForm:
     step = ByKey(
         "Step",
@@ -460,7 +447,21 @@ def scenario_shape(words: Vocabulary) -> ByKey:
         *named_numbers(),
         KeyShape(
             "states",
-            ByName("state", _state(value)),
+            ByName(
+                "state",
+                ByKey(
+                    "State",
+                    "A number that changes by itself.",
+                    (
+                        KeyShape(
+                            "rate", value, "Its change with time, by a formula.", required=True
+                        ),
+                        KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
+                        KeyShape("min", ANYTHING, "It does not fall below."),
+                        KeyShape("max", ANYTHING, "It does not rise above."),
+                    ),
+                ),
+            ),
             "Numbers that change by themselves, dx/dt = rate, by their names.",
             examples=({"p": {"rate": "(command - p)/0.06"}},),
         ),

@@ -198,8 +198,7 @@ class Road(NamedTuple):
         torques = [self.weight_torque * part - self.rolling_torque for _, part in self.rolling]
         back = slice(None, 0 if speeds[0] == 0 else None, -1)
         x = (*(-speed for speed in speeds[back]), *speeds)
-        y = (*torques[back], *(0.0 - torque for torque in torques))
-        return Points(x, y, "speed")
+        return Points(x, (*torques[back], *(0.0 - torque for torque in torques)), "speed")
 
     @property
     def climbing_torque(self) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
+from vstatics.core.errors import Path
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
@@ -146,7 +147,7 @@ class StepSequence(NamedTuple):
     name: str
     steps: tuple[SequenceStep, ...]
     repeat: bool = False
-    """Whether the sequence begins again after the last step."""
+    """True for a sequence that begins again after the last step."""
 
 
 class Scenario(NamedTuple):
@@ -208,21 +209,30 @@ class Scenario(NamedTuple):
     limits: Mapping[int, Curve] = MappingProxyType({})
 
     @property
+    def value_names(self) -> list[str]:
+        """Names of settings and states."""
+        return [*self.settings, *(state.name for state in self.states)]
+
+    @property
     def span(self) -> float:
         """Reference duration for coincident instants [s]: the duration, kept within two limits."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
+def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
+    """Yield the steps of all sequences, each with the place in the document."""
+    for sequence in scenario.sequences:
+        for number, step in enumerate(sequence.steps, 1):
+            yield ("sequences", sequence.name, number), step
+
+
 def formulas(scenario: Scenario) -> Iterator[Formula]:
     """Yield all formulas of a scenario."""
-    for control in (scenario.controls or {}).values():
-        if isinstance(control, Capacity) and isinstance(control.law, Formula):
-            yield control.law
-    yield from (law for _, law in scenario.torques if isinstance(law, Formula))
-    yield from (law for law in scenario.limits.values() if isinstance(law, Formula))
-    yield from (state.rate for state in scenario.states if isinstance(state.rate, Formula))
-    for sequence in scenario.sequences:
-        for step in sequence.steps:
-            yield from (value for value in step.settings.values() if isinstance(value, Formula))
-            if step.when is not None:
-                yield from step.when.comparisons
+    laws = [getattr(control, "law", None) for control in (scenario.controls or {}).values()]
+    laws += [law for _, law in scenario.torques]
+    laws += scenario.limits.values()
+    laws += [state.rate for state in scenario.states]
+    for _, step in placed_steps(scenario):
+        laws += step.settings.values()
+        laws += step.when.comparisons if step.when else ()
+    yield from (law for law in laws if isinstance(law, Formula))

@@ -41,7 +41,7 @@ class Programme(NamedTuple):
     factor: float = 1.0
     """Factor of the curve."""
     is_dog: bool = False
-    """Whether the element joins at once, with an unlimited capacity or zero."""
+    """True for an element that joins at once, with an unlimited capacity or zero."""
     largest: float | None = None
     """Capacity in the case, the limit of a control that sees something. [N*m or Pa]"""
     given: Curve | None = None
@@ -67,7 +67,7 @@ class Programme(NamedTuple):
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
         """Return the clipped capacity at many times, with the seen quantities as rows."""
         assert self.look is not None  # noqa: S101 - the curve sees something
-        capacity: Floats = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
+        capacity = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
         return capacity * self.rub.along(times, seen) if self.rub else capacity
 
 
@@ -110,16 +110,12 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
                 problems += error.problems
     if problems:
         raise CaseError(problems)
-    return [*map(_warmed, result, scenario.case.shift_elements)]
-
-
-def _warmed(programme: Programme, element: ShiftElement) -> Programme:
-    """Return a programme with the coefficients of friction by temperature, if any."""
-    table = element.pack.table if element.pack and not programme.is_dog else None
-    if table is None:
-        return programme
-    slips, values = zip(*((row[0], row[1:]) for row in table.rows), strict=True)
-    return programme._replace(table=LookupTable(slips, values, table.columns))
+    for index, element in enumerate(scenario.case.shift_elements):
+        table = element.pack.table if element.pack and not result[index].is_dog else None
+        if table is not None:
+            slips, values = zip(*((row[0], row[1:]) for row in table.rows), strict=True)
+            result[index] = result[index]._replace(table=LookupTable(slips, values, table.columns))
+    return result
 
 
 def newton_metres(number: float | None, case: Transmission) -> float | None:
@@ -140,7 +136,7 @@ def load_torque(case: Transmission) -> float | None:
 
 
 def bare_capacities(case: Transmission) -> Iterator[Problem]:
-    """Yield a note on capacities without a unit, taken in N*m since there is no load."""
+    """Yield a note on capacities without a unit, taken in N*m for lack of a load."""
     bare = [
         number
         for number, element in enumerate(case.shift_elements, 1)
@@ -148,10 +144,12 @@ def bare_capacities(case: Transmission) -> Iterator[Problem]:
     ]
     if bare and not load_torque(case):
         names = listed([case.shift_elements[number - 1].name for number in bare], 6)
-        reason = "the case has no `load` with a torque"
-        message = f"{reason}, so a capacity without a unit is in N*m ({names})"
-        path = ("case", "shift_elements", bare[0], "capacity")
-        yield Problem("N603", message, path)
+        yield Problem(
+            "N603",
+            "the case has no `load` with a torque, so a capacity without a unit is in N*m "
+            f"({names})",
+            ("case", "shift_elements", bare[0], "capacity"),
+        )
 
 
 def friction_at(friction: Friction | Law | None, slip: float = 0.0) -> float:
@@ -230,8 +228,7 @@ def bounded(law: Curve, factor: float = 1.0, largest: float | None = None) -> Pr
     """Return the programme of a clipped control or limit."""
     if isinstance(law, Formula) and law.seen:
         return Programme(law, factor, largest=largest)
-    acts = within(law, math.inf if largest is None else largest)
-    return Programme(acts, factor, given=law)
+    return Programme(within(law, math.inf if largest is None else largest), factor, given=law)
 
 
 def _scaled(control: Capacity) -> Curve:
@@ -278,11 +275,12 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         elif not anything:
             points = [*earlier, (at, now), (moment, target)]
         elif overlap and element.kind != "dog_clutch":
-            message = (
+            raise CaseError(
+                "E661",
                 f"{element.name} has no capacity in the case, so it can't change over "
-                f"{overlap:g} s: give it a `capacity` there, or an overlap of 0"
+                f"{overlap:g} s: give it a `capacity` there, or an overlap of 0",
+                ("shifts", index),
             )
-            raise CaseError("E661", message, ("shifts", index))
         else:
             moment = moment if target else at
             points = [*earlier, (at, now), (moment, now), (moment, target)]

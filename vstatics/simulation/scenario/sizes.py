@@ -33,14 +33,8 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     """
     case = scenario.case
     names = case.link_names
-    for key, part in (
-        ("inertias", case.inertias),
-        ("masses", case.masses),
-        ("springs", case.springs),
-        ("shift_elements", case.shift_elements),
-        ("mechanisms", case.mechanisms),
-    ):
-        yield from _of_numbers(part, ("case", key))
+    for key in ("inertias", "masses", "springs", "shift_elements", "mechanisms"):
+        yield from _of_numbers(getattr(case, key), ("case", key))
     yield from _of_unlike(case)
     start = scenario.start
     yield from _of_numbers(scenario.duration, ("duration",))
@@ -73,8 +67,12 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
         size = abs(read)
         if LARGEST_NUMBER < size < math.inf or 0 < size < least:
             none = "0 or " if size < 1 else ""
-            expected = f"{none}a number from {LEAST_NUMBER:g} to {LARGEST_NUMBER:g}"
-            yield Problem("E663", f"read {read:g}, expected {expected}", path)
+            yield Problem(
+                "E663",
+                f"read {read:g}, expected {none}a number from {LEAST_NUMBER:g} to "
+                f"{LARGEST_NUMBER:g}",
+                path,
+            )
     elif isinstance(part, Points):
         for number, point in enumerate(zip(part.x, part.y, strict=False), 1):
             places = ((*path, number, 1), (*path, number, 2)) if len(part.x) > 1 else (path, path)

@@ -78,14 +78,29 @@ class ScenarioValues:
                 for link, given in values.get("targets", {}).items()
             },
             settings={name: float(value) for name, value in values.get("set", {}).items()},
-            states=tuple(self._states(values.get("states", {}))),
+            states=tuple(
+                ControlState(
+                    name,
+                    _as_curve(state["rate"]),
+                    float(state["start"]),
+                    _limit(state.get("min"), -math.inf),
+                    _limit(state.get("max"), math.inf),
+                )
+                for name, state in values.get("states", {}).items()
+            ),
             sequences=tuple(self._sequences(values.get("sequences", {}))),
             speeds={
                 link: self._given_speed(speed, link)
                 for link, speed in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(limit, self._force(number), ("limits", number))
+                number: self._curve(
+                    limit,
+                    "force"
+                    if any(map(self.case.is_straight, self.case.springs[number - 1 : number]))
+                    else "si_torque",
+                    ("limits", number),
+                )
                 for number, limit in values.get("limits", {}).items()
             },
             speed_ratios={
@@ -115,8 +130,11 @@ class ScenarioValues:
             self.spots.tell(path, "read no rows, expected one at least")
         for number, row in enumerate(rows, 1):
             if len(row) != len(columns) + 1 and (*path, number) not in unreadable:
-                wanted = f"{len(columns) + 1}: x, and a value for each column"
-                self.spots.tell((*path, number), f"read {len(row)} numbers, expected {wanted}")
+                self.spots.tell(
+                    (*path, number),
+                    f"read {len(row)} numbers, expected {len(columns) + 1}: x, and a value "
+                    "for each column",
+                )
         read = [_floats(row) for row in rows if len(row) == len(columns) + 1]
         read = read or [(0.0,) * (len(columns) + 1)]
         return LookupTable(tuple(x for x, *_ in read), tuple(row[1:] for row in read), columns)
@@ -133,17 +151,6 @@ class ScenarioValues:
         self.spots.tell(path, message)
         return LookupTable((0.0,), ((0.0,),))
 
-    def _states(self, given: Mapping[str, Any]) -> Iterator[ControlState]:
-        for name, state in given.items():
-            least, most = state.get("min"), state.get("max")
-            yield ControlState(
-                name,
-                _as_curve(state["rate"]),
-                float(state["start"]),
-                -math.inf if least is None else float(least),
-                math.inf if most is None else float(most),
-            )
-
     def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
         for number, (name, sequence) in enumerate(given.items(), 1):
             is_long = isinstance(sequence, GivenSteps)
@@ -154,14 +161,14 @@ class ScenarioValues:
 
     def _step(self, given: Mapping[str, Any], path: Path) -> SequenceStep:
         roads = {self.case.link_name(link): turns for link, turns in self.turning.items()}
-        within, shift, when = given.get("within"), given.get("shift"), given.get("when")
+        shift, when = given.get("shift"), given.get("when")
         try:
             when = when and when.with_wheel_speeds(roads)
         except ValueError as error:
             self.spots.tell((*path, "when"), str(error))
         return SequenceStep(
             when,
-            math.inf if within is None else float(within),
+            _limit(given.get("within"), math.inf),
             float(given["wait"]),
             {name: _as_curve(value) for name, value in (given.get("set") or {}).items()},
             _shift(shift, 0.0) if shift else None,
@@ -170,7 +177,7 @@ class ScenarioValues:
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
         """Return distributions by the paths of the numbers."""
-        given: Mapping[str, Distribution] = values.get("samples", {})
+        given = values.get("samples", {})
         return {
             path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
         }
@@ -210,8 +217,11 @@ class ScenarioValues:
         if getattr(given, "measure", None) == "velocity":
             if turning := self.turning.get(link):
                 return turning(float(given))
-            message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
-            self.spots.tell(path, f"{message}to a link with a `road`")
+            self.spots.tell(
+                path,
+                "read a velocity, expected a speed in rad/s or rpm; a velocity belongs to "
+                "a link with a `road`",
+            )
         if link in self.case.masses:
             return self._number(given, "velocity", path, _STRAIGHT)
         return float(given)
@@ -248,8 +258,12 @@ class ScenarioValues:
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
         """Return a capacity over time; a pressure where the element has friction."""
         measure: Measure = "pressure" if element.pack else "si_torque"
-        why = f", since {element.name} has {'' if element.pack else 'no '}`friction`"
-        return self._curve(given, measure, path, why)
+        return self._curve(
+            given,
+            measure,
+            path,
+            f", since {element.name} has {'' if element.pack else 'no '}`friction`",
+        )
 
     def _curve(
         self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
@@ -282,12 +296,10 @@ class ScenarioValues:
             several = list(laws)
             for number, law in enumerate(several, 1):
                 listed = self.spots.has(("torques", link, number)) and len(several) > 1
-                path = ("torques", link, number) if listed else ("torques", link)
-                yield link, self._law(law, path)
-
-    def _force(self, spring: int) -> Measure:
-        springs = self.case.springs[spring - 1 : spring]
-        return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
+                yield (
+                    link,
+                    self._law(law, ("torques", link, number) if listed else ("torques", link)),
+                )
 
     def _law(self, given: Any, path: Path) -> TorqueLaw:
         straight = path[1] in self.case.masses
@@ -306,15 +318,19 @@ class ScenarioValues:
 
 def _road(given: Road) -> Road:
     """Return a road in plain numbers."""
-    radius: Any = given.radius
+    radius = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
-    rolling: Any = given.rolling
+    rolling = given.rolling
     if isinstance(rolling, Sequence):
         rolling = tuple((float(speed), float(part)) for speed, part in rolling)
     else:
         rolling = float(rolling)
     others = float(given.drag_area), float(given.slope), wheel.by_torque
     return Road(float(given.mass), wheel.free, rolling, *others)
+
+
+def _limit(given: float | None, unlimited: float) -> float:
+    return unlimited if given is None else float(given)
 
 
 def _shift(given: Mapping[str, Any], at: float) -> Shift:

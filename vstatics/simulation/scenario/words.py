@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from types import MappingProxyType
 
-from vstatics.core.errors import Path, Problem, quoted
+from vstatics.core.errors import Problem, quoted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.grammar import PYTHON
@@ -52,7 +52,7 @@ def vocabulary(
     elements = tuple(element.name for element in case.shift_elements)
     springs = elastic_names(case)
     hot = tuple(element.name for element in case.shift_elements if element.heat_store is not None)
-    rows: dict[str, Collection[str]] = dict.fromkeys(("speed", "angle", "acceleration"), links)
+    rows = dict.fromkeys(("speed", "angle", "acceleration"), links)
     rows |= dict.fromkeys(("slip", *OF_EVENTS), elements)
     rows |= {"twist": springs, "temperature": hot, "torque": (*case.devices, *converters)}
     rows["power"] = (*links, *elements, *springs)
@@ -84,16 +84,22 @@ def name_problems(key: str, names: Collection[str], before: Collection[str]) -> 
     ['numbers.t: `t` is a word of formulas, expected another name [E680]']
     """
     for name in names:
-        path: Path = (key, name)
+        path = (key, name)
         if name.lower() in _TRUTH:
-            message = f"{quoted(name)} is true or false in YAML, expected another name"
-            yield Problem("E681", message, path)
+            yield Problem(
+                "E681", f"{quoted(name)} is true or false in YAML, expected another name", path
+            )
         elif name in _TAKEN:
-            message = f"{quoted(name)} is a word of formulas, expected another name"
-            yield Problem("E680", message, path)
+            yield Problem(
+                "E680", f"{quoted(name)} is a word of formulas, expected another name", path
+            )
         elif not NAME.fullmatch(name):
-            message = f"read {quoted(name)}, expected a name of letters, digits and `_`"
-            yield Problem("E682", message, path)
+            yield Problem(
+                "E682", f"read {quoted(name)}, expected a name of letters, digits and `_`", path
+            )
         elif name in before:
-            message = f"{quoted(name)} is the name of something else already, expected another"
-            yield Problem("E683", message, path)
+            yield Problem(
+                "E683",
+                f"{quoted(name)} is the name of something else already, expected another",
+                path,
+            )
