@@ -52,10 +52,8 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     if not len(chosen):
         return np.zeros((count, 1))
     steep = largest(directions) or 1.0
-    unit_column = np.ones((*chosen.shape, 1))
-    matrices = np.concatenate([directions[chosen] / steep, -unit_column], axis=2)
-    sizes = np.abs(np.linalg.det(matrices))
-    regular = sizes > REGULAR_CORNER
+    matrices = np.concatenate([directions[chosen] / steep, -np.ones((*chosen.shape, 1))], axis=2)
+    regular = np.abs(np.linalg.det(matrices)) > REGULAR_CORNER
     if not regular.any():
         return np.zeros((count, 1))
     solutions = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
@@ -102,6 +100,5 @@ def least(slack: Floats, directions: Floats) -> Floats | None:
     residual = stacked @ weights - goal
     if abs(residual[-1]) < NO_SPLIT:
         return None
-    change: Floats = -residual[:-1] / residual[-1] * scale / steep
-    fits = (slack + directions @ change).min() >= -WITHIN_LIMITS * scale
-    return change if fits else None
+    change = -residual[:-1] / residual[-1] * scale / steep
+    return change if (slack + directions @ change).min() >= -WITHIN_LIMITS * scale else None
