@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import click
@@ -18,14 +18,13 @@ from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known
 from vstatics.simulation.cli.options import SimulateOptions, options
-from vstatics.simulation.cli.scenario_run import expect_fatigue, run_problems
+from vstatics.simulation.cli.scenario_run import expect_fatigue, run_columns, run_problems
 from vstatics.simulation.cli.watched import watched
 
 if TYPE_CHECKING:
     from vstatics.core.tables.grid import Grid
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
-    from vstatics.simulation.scenario.parts import Scenario
 
 MOST_INSTANTS = 1_000_000
 """Most additional instants, the multiples of `--step`."""
@@ -66,7 +65,11 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    _check_method(asked)
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    used = [option for option, given in events.items() if given is not None]
+    refuse(
+        *((asked.method != "events", f"{option} is for the method `events`.") for option in used)
+    )
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
@@ -82,18 +85,23 @@ def simulate(asked: SimulateOptions) -> int:
     read = read.allowing(telling.allow)
     if asked.damage:
         expect_fatigue(read.reading)
-    _check_step(asked.step, read.scenario.duration)
+    step, duration = asked.step, read.scenario.duration
+    if step is not None and duration / step > MOST_INSTANTS:
+        raise click.BadParameter(
+            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}",
+            param_hint="--step",
+        )
     from vstatics.simulation.run import simulate as simulated
 
     try:
-        with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
+        with watched(scenario, duration, asked.limit, quiet=telling.quiet) as watch:
             motion = simulated(
                 read.scenario,
-                step=asked.step,
+                step=step,
                 rtol=asked.rtol,
                 method=asked.method,
                 watch=watch,
-                columns=_columns(asked.sampling.out, read.scenario),
+                columns=run_columns(asked.sampling.out, read.scenario),
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
@@ -109,28 +117,6 @@ def simulate(asked: SimulateOptions) -> int:
     return FAILED if failed else DONE
 
 
-def _columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
-    """Return the additional columns that an option names."""
-    if out is None:
-        return ()
-    from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
-
-    return read_asked(out, scenario)
-
-
-def _check_method(asked: SimulateOptions) -> None:
-    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
-    refuse(
-        *(
-            (
-                given is not None and asked.method != "events",
-                f"{option} is for the method `events`.",
-            )
-            for option, given in events.items()
-        )
-    )
-
-
 def _check_format(asked: SimulateOptions, form: str) -> None:
     refuse(
         (
@@ -142,20 +128,6 @@ def _check_format(asked: SimulateOptions, form: str) -> None:
             "--damage is told in text and JSON: expected -o with .txt or .json.",
         ),
     )
-
-
-def _check_step(step: float | None, duration: float) -> None:
-    """Refuse more instants than a file can sensibly have.
-
-    Raises
-    ------
-    BadParameter
-    """
-    if step is not None and duration / step > MOST_INSTANTS:
-        message = (
-            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}"
-        )
-        raise click.BadParameter(message, param_hint="--step")
 
 
 def show(

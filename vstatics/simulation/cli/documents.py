@@ -81,8 +81,7 @@ def case_of(
     except ReadError as error:
         if case:
             raise
-        reason = f"{file} {error.problems[0].message}"
-        raise document.no_case(reason) from None
+        raise document.no_case(f"{file} {error.problems[0].message}") from None
     if not case:
         document.refuse_foreign(data, name)
     return data, name
@@ -126,8 +125,19 @@ def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem],
     except Exception as error:  # noqa: BLE001 - the other files are still checked
         return file, [unexpected(file, error)], True, None
     failed = any(problem.severity == "error" for problem in problems)
-    shown = None if failed else _scenario_summary(file, read.scenario)
-    return file, problems, failed or options.telling.fails(problems), shown
+    if failed:
+        return file, problems, True, None
+    scenario = read.scenario
+    counts = {
+        "control": len(scenario.controls or ()),
+        "torque": len(scenario.torques),
+        "converter": len(scenario.converters),
+        "shift": len(scenario.shifts or ()),
+    }
+    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
+    inputs = ", ".join(parts) or "nothing happens"
+    summary = Grid(f"{file}: {scenario.duration:g} s, {inputs}", (), ())
+    return file, problems, options.telling.fails(problems), summary
 
 
 def _tried(scenario: Scenario) -> list[Problem]:
@@ -146,17 +156,10 @@ def _tried(scenario: Scenario) -> list[Problem]:
     if pace.needed <= LONG:
         return []
     needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
-    message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
-    return [Problem("N001", message, ("duration",))]
-
-
-def _scenario_summary(file: str, scenario: Scenario) -> Grid:
-    counts = {
-        "control": len(scenario.controls or ()),
-        "torque": len(scenario.torques),
-        "converter": len(scenario.converters),
-        "shift": len(scenario.shifts or ()),
-    }
-    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
-    inputs = ", ".join(parts) or "nothing happens"
-    return Grid(f"{file}: {scenario.duration:g} s, {inputs}", (), ())
+    return [
+        Problem(
+            "N001",
+            f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it",
+            ("duration",),
+        )
+    ]

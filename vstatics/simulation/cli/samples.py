@@ -12,7 +12,7 @@ import numpy as np
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
-from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import CaseAnswer, show
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.files import is_stream
@@ -50,7 +50,14 @@ def run_samples(asked: SimulateOptions) -> int:
     """
     sampling, wanted, telling = asked.sampling, asked.wanted, asked.telling
     sampling.sharing.check(wanted.output)
-    form = _format(wanted)
+    form: Format | None = None
+    if wanted.output is not None and not is_stream(wanted.output):
+        written = wanted.form or format_of(wanted.output, ROWS)
+        if written not in ROWS:
+            raise click.UsageError(
+                f"{wanted.output}: --samples writes {' '.join(known(ROWS))}, expected a suffix"
+            )
+        form = cast("Format", written)
     scenario = files.read_input(asked.scenario)
     subject, problems = read_swept_document(*scenario, telling, asked.case, asked.input_format)
     varied = replace(subject, rtol=asked.rtol, limit=asked.limit)
@@ -83,17 +90,6 @@ def run_samples(asked: SimulateOptions) -> int:
     return FAILED if telling.fails([*problems, *messages]) else DONE
 
 
-def _format(wanted: OutputOptions) -> Format | None:
-    """Return the format of the file of variants, if there is a file."""
-    if wanted.output is None or is_stream(wanted.output):
-        return None
-    form = wanted.form or format_of(wanted.output, ROWS)
-    if form not in ROWS:
-        expected = " ".join(known(ROWS))
-        raise click.UsageError(f"{wanted.output}: --samples writes {expected}, expected a suffix")
-    return cast("Format", form)
-
-
 Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
 """Columns of variants, or an exit status; and messages of the runs."""
 
@@ -111,7 +107,6 @@ def _written(run: SweepRun) -> Collected:
 
 
 def _collected(run: SweepRun) -> Collected:
-    """Run the variants in memory, and return the columns."""
     from vstatics.core.cli.shared.progress import progress
     from vstatics.sweep.chunk import joined
 

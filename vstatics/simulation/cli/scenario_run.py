@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
+    from vstatics.simulation.scenario.parts import Scenario
 
 INSTANTS = 400
 """Least number of instants of a run that is drawn."""
@@ -64,17 +65,22 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     from vstatics.simulation.run import simulate as simulated
 
     scenario = read.scenario
-    columns: Sequence[tuple[str, str]] = ()
-    if out:
-        from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
-
-        columns = read_asked(out, scenario)
+    columns = run_columns(out or None, scenario)
     try:
         motion = simulated(scenario, step=scenario.duration / INSTANTS, columns=columns)
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
     files.show(outcome.telling.printed(run_problems(read, motion)))
     return motion
+
+
+def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
+    """Return the additional columns that an option names."""
+    if out is None:
+        return ()
+    from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
+
+    return read_asked(out, scenario)
 
 
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import signal
 import threading
 import time
@@ -9,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
 from vstatics.core.cli.shared.progress import done_text, telling
-from vstatics.simulation.bounds import Guard, wall_limit
+from vstatics.simulation.bounds import wall_limit
 
 
 class RunWatch:
@@ -32,14 +33,14 @@ class RunWatch:
         self.why = ""
         """Reason to stop the run; empty while the run goes on."""
         self.began = time.monotonic()
-        self._limit: Guard | None = None if limit is None else wall_limit(limit)
+        self._limit = wall_limit(math.inf if limit is None else limit)
 
     def __call__(self, at: float) -> str:
         """Record the time reached, and return the reason to stop there."""
         self.time = at
         if self.interrupted:
             self.why = "the run was stopped by Ctrl-C"
-        elif self._limit is not None:
+        else:
             self.why = self._limit(at)
         return self.why
 

@@ -14,7 +14,7 @@ from functools import partial
 
 from vstatics.core.errors import Problem, ReadError, listed, quoted
 from vstatics.core.readers.expressions.excerpt import Excerpt
-from vstatics.core.readers.expressions.grammar import Tree, parse
+from vstatics.core.readers.expressions.grammar import parse
 from vstatics.core.readers.expressions.operands import TableName
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.asked import ALWAYS, TABLES
@@ -43,7 +43,12 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
         try:
             tree = parse(source, _LANGUAGE)
             if not isinstance(tree, TableName) or tree.name not in (*ALWAYS, *TABLES):
-                raise _no_column(source, tree)
+                read = source.part.strip()
+                hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
+                raise source.error(
+                    f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}",
+                    source.text.index(read, source.start),
+                )
             rows = asked_rows(names.selection(tree), names.rows(tree.name))
             asked += rows if tree.name in TABLES else []
         except ReadError as error:
@@ -57,11 +62,3 @@ def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
     """Return a table with each of the selected rows; the row of a number has an empty name."""
     names = rows or [""] if part.row is None else [rows[part.row]]
     return [(part.table, row) for row in names]
-
-
-def _no_column(source: Excerpt, tree: Tree) -> ReadError:
-    """Return the error of a text that is not an additional column."""
-    read = source.part.strip()
-    hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
-    message = f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}"
-    return source.error(message, source.text.index(read, source.start))

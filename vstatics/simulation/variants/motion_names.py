@@ -59,20 +59,21 @@ class RunNames:
         subscripts = list(read.subscripts)
         if known.kind == "number":
             if subscripts:
-                message = f"`{read.name}` has no rows, expected it without `[`"
-                raise self.source.error(message, subscripts[0].at)
+                raise self.source.error(
+                    f"`{read.name}` has no rows, expected it without `[`", subscripts[0].at
+                )
             return Selection(read.name, gear, None, 0)
         rows = self.rows(read.name)
         if not rows:
-            message = f"there is no {known.kind}, so `{read.name}` is empty"
-            raise self.source.error(message, read.at)
+            raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
         if known.kind == "step" and len(subscripts) == 2:  # its row has both names
             (sequence, at), (step, _) = subscripts
             subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
         if subscripts:
-            message = f"read one part too many, expected {read.name}[{known.kind}]"
-            raise self.source.error(message, subscripts[0].at)
+            raise self.source.error(
+                f"read one part too many, expected {read.name}[{known.kind}]", subscripts[0].at
+            )
         return Selection(read.name, gear, row, len(rows))
 
     def rows(self, table: str) -> Sequence[str]:
@@ -110,8 +111,10 @@ class RunNames:
             return rows_of_name[0]
         count = f"there are {len(rows_of_name)}" if rows_of_name else "there is no"
         known = listed([quoted(row) for row in rows])
-        message = f"{count} {kind} {quoted(name)}, expected one of {known}"
-        raise self.source.error(message + nearest(name, rows), subscript.at)
+        raise self.source.error(
+            f"{count} {kind} {quoted(name)}, expected one of {known}" + nearest(name, rows),
+            subscript.at,
+        )
 
     def _no_table(self, name: str) -> str:
         """Return the message about a name that is not a table."""
@@ -136,8 +139,7 @@ class MotionNames(RunNames):
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
         """Return a number of the scenario or the case: varied, as written, or from teeth."""
-        place = self.source.place(name.at)
-        return self._number(name.written, place)
+        return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
         path = self.subject.target(written, place)

@@ -7,7 +7,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -31,30 +32,18 @@ class MotionTable(NamedTuple):
     of_row: OfRow | None = None
 
 
-def _of_peak(field: Literal["torque", "time"]) -> OfRow:
-    def number(motion: Motion, row: str, _: int) -> float:
-        return float(getattr(motion.peaks.get(row), field, math.nan))
-
-    return number
+def _peak(field: Literal["torque", "time"], motion: Motion, row: str, _: int) -> float:
+    return float(getattr(motion.peaks.get(row), field, math.nan))
 
 
-def _of_energy(field: Literal["heat", "losses", "heat_per_area"], otherwise: float) -> OfRow:
-    def number(motion: Motion, row: str, _: int) -> float:
-        return float(getattr(motion.energy, field).get(row, otherwise))
-
-    return number
+def _energy(field: str, otherwise: float, motion: Motion, row: str, _: int) -> float:
+    return float(getattr(motion.energy, field).get(row, otherwise))
 
 
-def _of_event(kind: EventKind, place: Literal[0, -1]) -> OfRow:
-    """Return the function for the time of the first or the last event of a kind."""
-
-    def number(motion: Motion, row: str, _: int) -> float:
-        times = [
-            event.time for event in motion.events if (event.element, event.event) == (row, kind)
-        ]
-        return times[place] if times else math.nan
-
-    return number
+def _event_time(kind: EventKind, place: Literal[0, -1], motion: Motion, row: str, _: int) -> float:
+    """Return the time of the first or the last event of a kind."""
+    times = [event.time for event in motion.events if (event.element, event.event) == (row, kind)]
+    return times[place] if times else math.nan
 
 
 def _events(motion: Motion, row: str, _: int) -> float:
@@ -71,36 +60,34 @@ def _step(motion: Motion, row: str, _: int) -> float:
     return next(done, math.nan)
 
 
-def _of_target(field: Literal["time", "distance"]) -> OfRow:
-    def number(motion: Motion, _: str, place: int) -> float:
-        reached = motion.reached
-        return float(getattr(reached[place], field)) if place < len(reached) else math.nan
-
-    return number
+def _target(field: Literal["time", "distance"], motion: Motion, _: str, place: int) -> float:
+    return float(getattr(motion.reached[place], field)) if motion.reached[place:] else math.nan
 
 
 TIME = "time"
 """Name of the table of the instants themselves."""
-TABLES: Mapping[str, MotionTable] = {
+TABLES = {
     TIME: MotionTable("number", "s"),
     "speeds": MotionTable("link", "rad/s"),
     "slips": MotionTable("shift element", "rad/s"),
     "torques": MotionTable("device", "N*m"),
     **{name: MotionTable(table.kind, table.unit) for name, table in ASKED.items()},
-    "heat": MotionTable("friction", "J", _of_energy("heat", 0.0)),
-    "heat_per_area": MotionTable("shift element", "J/m^2", _of_energy("heat_per_area", math.nan)),
-    "losses": MotionTable("loss", "J", _of_energy("losses", 0.0)),
-    "peaks": MotionTable("device", "N*m", _of_peak("torque")),
-    "peak_times": MotionTable("device", "s", _of_peak("time")),
-    "locks": MotionTable("friction", "s", _of_event("locks", 0)),
-    "last_locks": MotionTable("friction", "s", _of_event("locks", -1)),
-    "breaks": MotionTable("friction", "s", _of_event("slips", 0)),
-    "reverses": MotionTable("friction", "s", _of_event("reverses", 0)),
-    "impacts": MotionTable("friction", "s", _of_event("impact", 0)),
+    "heat": MotionTable("friction", "J", partial(_energy, "heat", 0.0)),
+    "heat_per_area": MotionTable(
+        "shift element", "J/m^2", partial(_energy, "heat_per_area", math.nan)
+    ),
+    "losses": MotionTable("loss", "J", partial(_energy, "losses", 0.0)),
+    "peaks": MotionTable("device", "N*m", partial(_peak, "torque")),
+    "peak_times": MotionTable("device", "s", partial(_peak, "time")),
+    "locks": MotionTable("friction", "s", partial(_event_time, "locks", 0)),
+    "last_locks": MotionTable("friction", "s", partial(_event_time, "locks", -1)),
+    "breaks": MotionTable("friction", "s", partial(_event_time, "slips", 0)),
+    "reverses": MotionTable("friction", "s", partial(_event_time, "reverses", 0)),
+    "impacts": MotionTable("friction", "s", partial(_event_time, "impact", 0)),
     "events": MotionTable("friction", "", _events),
     "steps": MotionTable("step", "s", _step),
-    "time_to": MotionTable("target", "s", _of_target("time")),
-    "distance_to": MotionTable("target", "m", _of_target("distance")),
+    "time_to": MotionTable("target", "s", partial(_target, "time")),
+    "distance_to": MotionTable("target", "m", partial(_target, "distance")),
     "damage": MotionTable("device with fatigue", "", _damage),
     "work": MotionTable("number", "J"),
     "kinetic": MotionTable("number", "J"),
@@ -140,7 +127,10 @@ class MotionTables:
     def existing(self, name: str) -> Floats:
         """Return a table by name, with NaN for missing values."""
         if name in PART_NUMBERS.values():
-            return self._of_parts(name)
+            [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
+            parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
+            values = [getattr(part, quantity) for part in parts] or [math.nan] * self.mechanisms
+            return np.array(values, float).reshape(1, 1, -1)
         known, motion, names = TABLES[name], self.motion, self.rows(TABLES[name].kind)
         axes = (1, 1) if known.kind == "number" else (1, 1, len(names))
         if motion is None:
@@ -148,20 +138,12 @@ class MotionTables:
         if name == TIME:
             return motion.time[np.newaxis]
         if known.kind == "number":
-            of_run = name not in ASKED
-            along = getattr(motion.energy, name) if of_run else _along_time(motion, name, [""])
-            return np.full(axes, along) if of_run else along[..., 0][np.newaxis]
+            at_end = getattr(motion.energy, name, None)
+            return np.full(axes, at_end) if name not in ASKED else _along_time(motion, name, [""]).T
         if known.of_row is None:
             return _along_time(motion, name, names)[np.newaxis]
         numbers = [known.of_row(motion, row, place) for place, row in enumerate(names)]
         return np.array(numbers).reshape(axes)
-
-    def _of_parts(self, name: str) -> Floats:
-        """Return a quantity of the mechanisms in the case of the run."""
-        [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
-        parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
-        values = [getattr(part, quantity) for part in parts] or [math.nan] * self.mechanisms
-        return np.array(values, float).reshape(1, 1, -1)
 
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:

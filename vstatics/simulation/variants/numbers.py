@@ -156,8 +156,11 @@ class ScenarioNumbers:
         known = written_number(path, self.trees)
         path = path._replace(unit=unit or path.unit)
         if known and known.unit and not path.unit:
-            message = f"{quoted(path.name)} is in {known.unit} in the document, so its values "
-            raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
+            raise refusal(
+                f"{quoted(path.name)} is in {known.unit} in the document, so its values "
+                f"need their unit, such as {known.value:g} {known.unit}",
+                place,
+            )
         return path
 
     def sampled(self, text: str) -> NumberPath:
@@ -208,21 +211,19 @@ class ScenarioNumbers:
             The error of the reader of the documents.
         """
         for path, value in zip(paths, values, strict=True):
-            if written_number(path, self.trees) is None:
-                self._check_new(path, value)
-
-    def _check_new(self, path: NumberPath, value: float) -> None:
-        """Try a new number with the given value and with plain numbers."""
-        first: ReadError | None = None
-        for tried in (value, *_PLAIN):
-            try:
-                self.variant([path], [tried])
-            except ReadError as error:
-                first = first or error
+            if written_number(path, self.trees) is not None:
+                continue
+            first: ReadError | None = None
+            for tried in (value, *_PLAIN):  # the number can be one of several at its place
+                try:
+                    self.variant([path], [tried])
+                except ReadError as error:
+                    first = first or error
+                else:
+                    break
             else:
-                return
-        if first:
-            raise first
+                assert first is not None  # noqa: S101 - every number was refused
+                raise first
 
     def _read(self, root: Node, reading: Reading) -> ScenarioFile:
         from vstatics.simulation.scenario.file import ScenarioDocument

@@ -36,16 +36,20 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     """
     variations = sampled_numbers(subject)
     if not variations:
-        message = "the scenario has no `samples`: distributions by the paths of numbers"
-        raise ReadError([of_file("E703", subject.scenario.file, message)])
+        raise ReadError(
+            [
+                of_file(
+                    "E703",
+                    subject.scenario.file,
+                    "the scenario has no `samples`: distributions by the paths of numbers",
+                )
+            ]
+        )
     method = cast("Method", options.method or "random")
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
-    out = options.out or Text(_of_samples(subject))
-    return with_expressions(subject, replace(options, out=out), drawn)
-
-
-def _of_samples(subject: VariedScenario) -> str:
-    """Return the default columns; peaks without sign, for a mean of sizes."""
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
-    names = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
-    return ",".join("abs(peaks)" if name == "peaks" else name for name in names)
+    names = [name for name, kind in kinds.items() if kind == "number" or subject.rows(kind)]
+    # peaks without sign, for a mean of sizes
+    columns = ["abs(peaks)" if name == "peaks" else name for name in names]
+    out = options.out or Text(",".join(columns))
+    return with_expressions(subject, replace(options, out=out), drawn)

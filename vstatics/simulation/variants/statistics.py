@@ -40,26 +40,19 @@ def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> 
 
 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
-    """Yield a table of the drawn numbers and a table of the results."""
-    for title, part in zip(("Drawn", "Results"), samples, strict=True):
-        if part:
-            yield _grid(title, part, title.lower())
+    """Yield a table of the drawn numbers and a table of the results, with a row for each column.
 
-
-def _grid(title: str, columns: Mapping[str, Statistics], key: str) -> Grid:
-    """Return a table with a row for each column, and with the number of runs if not constant."""
-    runs = {numbers_of_column.variants for numbers_of_column in columns.values()}
-    is_same = len(runs) == 1
+    The number of runs is in the title, or in a column if it varies.
+    """
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
-    rows = []
-    for name, numbers_of_column in columns.items():
-        numbers = (
-            numbers_of_column.mean,
-            numbers_of_column.deviation,
-            *numbers_of_column.quantiles,
-        )
-        rows.append((name, *numbers, "" if is_same else numbers_of_column.variants))
-    if is_same:
-        number = runs.pop()
-        title += f", {number} {plural('run', number)}"
-    return grid_of(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
+    for title, columns in zip(("Drawn", "Results"), samples, strict=True):
+        runs = {column.variants for column in columns.values()}
+        is_same = len(runs) == 1
+        rows = [
+            (name, part.mean, part.deviation, *part.quantiles, "" if is_same else part.variants)
+            for name, part in columns.items()
+        ]
+        head = f"{title}, {max(runs)} {plural('run', max(runs))}" if is_same else title
+        if rows:
+            key = title.lower()
+            yield grid_of(head, ["", *heads, "runs"], rows, key=key, optional=["runs"])

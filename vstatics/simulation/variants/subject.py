@@ -101,8 +101,11 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
                 name = f"{path.keys[1]}.ratio"
                 if path.keys[1] in toothed:
                     raise varied_beside_teeth(name, place)
-                message = f"{name} follows from teeth, and runs have their planets, too: expected"
-                raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
+                raise refusal(
+                    f"{name} follows from teeth, and runs have their planets, too: "
+                    f"expected teeth such as {path.keys[1]}.teeth.sun",
+                    place,
+                )
 
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
         """Check that scipy is installed, and that the documents allow the new numbers."""
