@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from copy import copy
+from copy import copy, deepcopy
 
 import numpy as np
 
@@ -141,7 +141,7 @@ class EventRun:
         """Return an independent copy of the run."""
         copied = copy(self)
         copied.record, copied.commands = self.record.copy(), copy(self.commands)
-        copied.sequences, copied.meetings = self.sequences.copy(), self.meetings.copy()
+        copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:

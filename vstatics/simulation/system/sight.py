@@ -143,30 +143,27 @@ def corners(system: MotionSystem) -> list[Corner]:
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
             compares = met if load.law.seen else asked
             candidates.append((path, load.law, compares(load.law.whole), port, place))
-    for state in system.scenario.states:
-        if isinstance(state.rate, Formula):
-            path = ("states", state.name, "rate")
-            candidates.append((path, state.rate, met(state.rate.whole), 0, -1))
+    candidates += [
+        (("states", state.name, "rate"), state.rate, met(state.rate.whole), 0, -1)
+        for state in system.scenario.states
+        if isinstance(state.rate, Formula)
+    ]
     for path, when in conditions(system):
         candidates += [
             (path, comparison, met(comparison.whole), 0, -1) for comparison in when.comparisons
         ]
     corner_list = [*_rubbing_corners(system), *_vanishing_limits(system)]
-    each = (
-        (path, formula, pairs, rate, angle)
-        for path, formula, group, rate, angle in candidates
-        for pairs in group
-    )
-    for path, formula, pairs, rate, angle in each:
-        first = pairs[0].first
-        if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
-            continue
-        look = looking(system, formula._replace(tree=first), rate, angle)
-        others = (
-            looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
-        )
-        both = [Compared(look, other) for other in others]
-        corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
+    for path, formula, group, rate, angle in candidates:
+        for pairs in group:
+            first = pairs[0].first
+            if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
+                continue
+            look = looking(system, formula._replace(tree=first), rate, angle)
+            others = (
+                looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
+            )
+            both = [Compared(look, other) for other in others]
+            corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
     return corner_list
 
 
