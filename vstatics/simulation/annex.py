@@ -1,4 +1,4 @@
-"""What simulation over time provides to the program."""
+"""Commands, names, documents, pictures and schemas that simulation provides to the program."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, ReportPart, Schema
 

@@ -59,17 +59,12 @@ class Pace:
         self._last = now - self._first, at
         if self._last[0] < 0.5 * self.seconds:
             self._half = self._last
-        return "its pace is known" if self.is_known else ""
-
-    @property
-    def is_known(self) -> bool:
-        """True if the run was stopped after the processor time."""
-        return self._last[0] >= self.seconds
+        return "its pace is known" if self._last[0] >= self.seconds else ""
 
     @property
     def needed(self) -> float:
         """Estimated time of the whole run [s], from the second half of the trial; 0 if finished."""
-        if not self.is_known:
+        if self._last[0] < self.seconds:
             return 0.0
         (began, half), (taken, at) = self._half, self._last
         left = self.duration - at

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from copy import copy
+from copy import copy, deepcopy
 
 import numpy as np
 
@@ -52,20 +52,20 @@ from vstatics.simulation.tolerances import (
     STANDING,
 )
 
-_MOST_AT_ONCE = 60
+_MOST_EVENTS_AT_ONCE = 60
 """Largest number of events within a moment."""
 _LOOSEST = 4096.0
 """Largest factor by which margins are relaxed at repeated events."""
 _MOST_EVENTS = 100_000
 """Largest number of events of a run."""
 _BEHIND = 4.0
-"""Shortest time to the other side of a corner, in units of rounding."""
+"""Shortest time to pass a corner, in units of rounding."""
 _MOST_LARGER = 8
 """Number of increases of value scales after steps became too small."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
-"""Largest number of sequence steps at one instant."""
+"""Largest number of sequence steps at an instant."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
@@ -127,8 +127,10 @@ class EventRun:
             self._look_ahead()
         while self.at.time < until:
             selected = self._settled()
-            equations = selected.margins.equations
-            event = self._to_event(selected, self._end(equations.time))
+            equations = selected.equations
+            breaks = (time for time in self.breaks if time > equations.time)
+            end = min(next(breaks, until), self.sequences.next_time(), until)
+            event = self._to_event(selected, end)
             self._go(equations, instant_of(equations, event.time, event.state))
             self._turn(event)
             self.scales = self.scales._replace(
@@ -139,11 +141,11 @@ class EventRun:
         """Return an independent copy of the run."""
         copied = copy(self)
         copied.record, copied.commands = self.record.copy(), copy(self.commands)
-        copied.sequences, copied.meetings = self.sequences.copy(), self.meetings.copy()
+        copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a step now, without its condition.
+        """Apply a step now, with or without a true condition.
 
         Parameters
         ----------
@@ -163,7 +165,6 @@ class EventRun:
         self.corners = corners(self.system)
 
     def _go(self, equations: Equations, at: Instant) -> None:
-        """Move to an instant at the end of a set of equations."""
         self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
     def _turn(self, event: MarginEnd) -> None:
@@ -181,18 +182,13 @@ class EventRun:
         self.met = [watch.of for watch in event.watches if watch.kind == "slip"]
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
-    def _end(self, time: float) -> float:
-        """Return the end of a smooth piece of inputs [s]."""
-        end = next((break_time for break_time in self.breaks if break_time > time), self.until)
-        return min(end, self.sequences.next_time(), self.until)
-
     def _settled(self) -> Selected:
         """Select the states at the present after all due steps of sequences."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
             selected = self._selected()
-            equations, state = selected.margins.equations, selected.state
+            equations, state = selected.equations, selected.state
             self._record_changes(self.at.time, self.before, equations.states)
             if not (self.sequences.going or self.corners):
                 return selected
@@ -204,18 +200,18 @@ class EventRun:
                 self.record.cuts(self.system, judge.ahead)
                 selected.margins.follow("awaited", self.sequences.awaited(judge))
                 self.watched = [*self._near_corners(judge)]
-                awaited = (margin for _, margin in self.watched)
-                selected.margins.follow("corner", enumerate(awaited))
+                selected.margins.follow("corner", enumerate((margin for _, margin in self.watched)))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))
             self.left = []
             self._do(due, judge.now)
         names = listed([progress.name for progress in self.sequences.going if progress.step], 6)
-        message = (
-            f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at one "
-            f"instant, without end: {names}"
+        raise CaseError(
+            "E697",
+            f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at "
+            f"one instant, without end: {names}",
+            ("sequences",),
         )
-        raise CaseError("E697", message, ("sequences",))
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
         """Yield the corners next to the motion, except bends that count as passed."""
@@ -243,7 +239,6 @@ class EventRun:
         return False
 
     def _do(self, due: SequenceProgress, seen: tuple[float, Sequence[float]]) -> None:
-        """Apply a due step."""
         step = due.step
         assert step is not None  # noqa: S101 - a due sequence has a step
         values = {
@@ -251,9 +246,10 @@ class EventRun:
         }
         for name, value in values.items():
             if not math.isfinite(value):
-                path = (*due.path, "set", name)
                 raise CaseError(
-                    "E677", f"at {seen[0]:.9g} s {name} is {value:g}, expected a number", path
+                    "E677",
+                    f"at {seen[0]:.9g} s {name} is {value:g}, expected a number",
+                    (*due.path, "set", name),
                 )
         self.record.sets(self.at.time, values)
         self.give(step, values)
@@ -279,8 +275,11 @@ class EventRun:
                 why = "switches to and fro faster and faster, so the run does not reach its end"
             else:
                 continue
-            message = f"at {event.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}"
-            raise CaseError("E601", message, corner.path)
+            raise CaseError(
+                "E601",
+                f"at {event.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}",
+                corner.path,
+            )
 
     def _count(self, event: MarginEnd) -> None:
         close = event.time - self.latest <= SAME_INSTANT * self.span
@@ -291,63 +290,62 @@ class EventRun:
         if self.events % _PATIENCE == 0:
             stays = event.time - self.mark < NO_PROGRESS * self.span
             self.mark = event.time
-        if stays or self.at_once > _MOST_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
+        if stays or self.at_once > _MOST_EVENTS_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             watch = event.watches[0]
-            raise CaseError("E601", self._endless(event.time, watch), self._path(watch))
-
-    def _endless(self, time: float, watch: Watch) -> str:
-        name = self._name(watch)
-        if watch.kind in FOLLOWING:
-            return (
-                f"at {time:.9g} s {name} is met without end, so the run comes no further; "
-                f"{_CURE_OF_JUMPS}"
+            name = self._name(watch)
+            message = (
+                f"at {event.time:.9g} s {name} changes without end between sticking and slipping: "
+                "there is no state in which the run can go on; let its torque change steadily with "
+                "the speed, or give its links an inertia or a damper"
             )
-        return (
-            f"at {time:.9g} s {name} changes without end between sticking and slipping: there is "
-            "no state in which the run can go on; let its torque change steadily with the speed, "
-            "or give its links an inertia or a damper"
-        )
+            if watch.kind in FOLLOWING:
+                message = (
+                    f"at {event.time:.9g} s {name} is met without end, so the run comes no "
+                    f"further; {_CURE_OF_JUMPS}"
+                )
+            raise CaseError("E601", message, self._path(watch))
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
         # Rounding decides between simultaneous events, so margins are relaxed.
         slack = min(_LOOSEST, 4.0 ** max(0, self.at_once - 1))
         scales = LargeSizes(self.scales.speed * slack, self.scales.torque * slack)
+        asked = ModesAsked(at, before, scales, self.left, met)
         try:
             try:
-                selected = self.selection.select(at, before, scales, self.left, met)
+                selected = self.selection.select(asked)
             except NoChoice:
-                selected = self.selection.select(at, before, scales, (), met)
+                selected = self.selection.select(asked._replace(left=()))
         except NoChoice:
             raise self._no_state() from None
         except np.linalg.LinAlgError:
-            message = f"at {at.time:.9g} s the equations of motion are singular"
-            raise CaseError("E603", message) from None
+            raise CaseError(
+                "E603", f"at {at.time:.9g} s the equations of motion are singular"
+            ) from None
         if selected.jump is not None:
             self.record.jumps(at.time, selected.jump)
         if len(self.at_limit) > 1:
-            states = selected.margins.equations.states
-            asked = ModesAsked(at, before, scales, [*self.left, states], met)
-            self._note_alternative(asked, states)
+            states = selected.states
+            self._note_alternative(asked._replace(left=[*self.left, states]), states)
         return selected
 
     def _no_state(self) -> CaseError:
-        """Return the error about an instant without an admissible state."""
         at = self.at
         _, choices = self.selection.choices.at(at, self.before, self.scales, self.met)
         named = [(kind, index) for kind, index, _ in choices if kind != "pieces"]
         if corner := self._jump_of(named):
-            message = (
+            return CaseError(
+                "E601",
                 f"at {at.time:.9g} s no state is admissible on either side of the jump of "
-                f"{quoted(corner.text)}; {_CURE_OF_JUMPS}"
+                f"{quoted(corner.text)}; {_CURE_OF_JUMPS}",
+                corner.path,
             )
-            return CaseError("E601", message, corner.path)
         names = [self._name_of(kind, index) for kind, index in named]
-        message = (
-            f"at {at.time:.9g} s there is no admissible state: neither sticking nor slipping "
-            f"fits for {', '.join(names) or 'the speeds as they are'}"
+        return CaseError(
+            "E602",
+            f"at {at.time:.9g} s there is no admissible state: neither sticking nor "
+            f"slipping fits for {', '.join(names) or 'the speeds as they are'}",
         )
-        return CaseError("E602", message)
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
         """Return a formula with a jump met now, or earlier by a choice without admissible state."""
@@ -366,7 +364,7 @@ class EventRun:
             other = self.selection.selected(asked, thorough=False)
         except (NoChoice, CaseError):
             return
-        alternative = other.margins.equations.states
+        alternative = other.states
         broken = [
             {index for index in self.at_limit if candidate.contacts[index] != "stick"}
             for candidate in (states, alternative)
@@ -376,7 +374,7 @@ class EventRun:
 
     def _to_event(self, selected: Selected, end: float) -> MarginEnd:
         """Integrate up to the next event, or to the end of the piece."""
-        equations = selected.margins.equations
+        equations = selected.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ())
         tolerances = self._tolerances(equations)
@@ -388,7 +386,9 @@ class EventRun:
                 self.length = step.end - step.start
                 event = finder.event_in(step) or MarginEnd(step.end, step.last, ())
                 self.record.step(step, event.time, event.state)
-                self._watched()
+                reached = self.record.time
+                if self.watch is not None and reached < self.until and (why := self.watch(reached)):
+                    raise CaseError("E604", f"at {reached:.9g} s {why}")
                 if event.watches:
                     return event
         except TooSmall:
@@ -398,7 +398,7 @@ class EventRun:
         return MarginEnd(end, step.last, ())
 
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the instant right behind a corner that no step passes, if there is one.
+        """Return the instant right behind a corner that no step passes, if any.
 
         A quantity that leaves 0 at the corner is wrong by its full size after a step across the
         corner, even in sign. So the motion is extrapolated linearly to the other side.
@@ -421,17 +421,11 @@ class EventRun:
         both = (awaited.compared.at(time, seen) for _, awaited in self.watched)
         return np.sign([first - second for first, second in both])
 
-    def _watched(self) -> None:
-        """Stop the run if the guard asks for a stop before the end."""
-        time = self.record.time
-        if self.watch is not None and time < self.until and (why := self.watch(time)):
-            raise CaseError("E604", f"at {time:.9g} s {why}")
-
     def _steps(
         self, selected: Selected, end: float, tolerances: StepTolerances
     ) -> Iterator[TimeStep]:
         """Yield steps up to a time, in closed form if possible, or else explicit."""
-        equations, state = selected.margins.equations, selected.state
+        equations, state = selected.equations, selected.state
         time = equations.time
         if equations.has_closed_form:
             try:
@@ -484,11 +478,13 @@ class EventRun:
                 return problem
         for index in equations.ports.switching:
             name = self.system.names[self.system.outside[index].link]
-            message = (
-                f"at {time:.9g} s the torque on {name} switches to and fro without end: a motion "
-                "can slide along what is straight in speed and angle, not along this"
+            return Problem(
+                "E607",
+                f"at {time:.9g} s the torque on {name} switches to and fro without end: a "
+                "motion can slide along what is straight in speed and angle, not along "
+                "this",
+                ("torques", name),
             )
-            return Problem("E607", message, ("torques", name))
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
@@ -560,9 +556,7 @@ class EventRun:
         self.record.joined.clear()
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
-        """Record mechanisms that friction begins to hold still, or that move again."""
-        pairs = zip(before.meshes, states.meshes, strict=True)
-        for index, (earlier, later) in enumerate(pairs):
+        for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
             if earlier in SIGNS_OF_MESHES and later == "stick" and self._holds(index, states):
                 kind: EventKind = "locks"
             elif earlier == "stick" and later in SIGNS_OF_MESHES and self._holds(index, before):
@@ -592,17 +586,17 @@ class EventRun:
     def _path_of(self, kind: Kind, index: int) -> Path:
         """Return the path of a choice in the scenario, or an empty path."""
         scenario, system = self.system.scenario, self.system
-        if kind == "contacts" and system.contacts[index].switch:
-            return "torques", self._name_of(kind, index)
-        if kind in ("contacts", "springs"):
-            device = system.contacts[index] if kind == "contacts" else system.springs[index]
-            key, name = path = control_path(device)
-            given: Collection[int] = scenario.controls or ()
-            parts: Sequence[ShiftElement | Spring] = system.case.shift_elements
-            if key == "limits":
-                given, parts = scenario.limits, system.case.springs
-            return path if name in (parts[number - 1].name for number in given) else ()
-        return ()
+        device = getattr(system, kind)[index] if kind in ("contacts", "springs") else None
+        if device is None:
+            return ()
+        if isinstance(device, Contact) and device.switch:
+            return "torques", device.name
+        key, name = path = control_path(device)
+        given: Collection[int] = scenario.controls or ()
+        parts: Sequence[ShiftElement | Spring] = system.case.shift_elements
+        if key == "limits":
+            given, parts = scenario.limits, system.case.springs
+        return path if name in (parts[number - 1].name for number in given) else ()
 
     def _name_of(self, kind: Kind, index: int) -> str:
         return str(getattr(self.system, kind)[index].name)
@@ -639,7 +633,9 @@ class EventRun:
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            kind = "reverses" if self._has_slipped(device) else "slips"
+            # a device can rest without capacity
+            slips = self.record.largest_slip(device.row) > STANDING * self.scales.speed
+            kind = "reverses" if slips else "slips"
             if kind == "slips" and self._is_slipping(device, time):
                 return
         if kind is not None:
@@ -654,12 +650,7 @@ class EventRun:
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)
-        of_device = (event for event in events if event.element == device.name)
-        last = next(of_device, None)
+        last = next((event for event in events if event.element == device.name), None)
         if last is None:
             return time <= near
         return last.event == "slips" and time - last.time <= near
-
-    def _has_slipped(self, device: Contact | Elastic) -> bool:
-        """Return whether a device slipped since the last event; it can rest without capacity."""
-        return self.record.largest_slip(device.row) > STANDING * self.scales.speed

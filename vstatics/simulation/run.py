@@ -10,7 +10,6 @@ import numpy as np
 
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, Problem
-from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.bounds import Guard
 from vstatics.simulation.course import EventRun
@@ -31,7 +30,6 @@ from vstatics.simulation.scenario.checks import check_scenario
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls, programmes
 from vstatics.simulation.system.devices import motion_system
-from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 _END = ("duration",)
@@ -124,17 +122,23 @@ def begun(
     speeds = start_speeds(system, gear)
     system, messages = with_viscous_damping(system, speeds)
     angles, twists = given_angles(system)
-    twists = _settled(system, speeds) if scenario.start.settled else twists
-    start = start_instant(system, speeds, twists, angles)
-    record = Record(system, start, step, asked)
+    if scenario.start.settled:
+        try:
+            twists = settled_twists(system, speeds)
+        except NoChoice:
+            raise CaseError(
+                "E626",
+                "there is no settled state at t = 0: leave out `settled`",
+                ("start", "settled"),
+            ) from None
+    record = Record(system, start_instant(system, speeds, twists, angles), step, asked)
     notes = (*bare_capacities(scenario.case), *cut_controls(scenario))
-    note_messages = (Message(note.id, note.message) for note in notes)
-    record.messages += [*note_messages, *messages]
+    record.messages += [*(Message(note.id, note.message) for note in notes), *messages]
     return EventRun(record, engaged, rtol, watch)
 
 
 def _to_its_end(run: EventRun) -> Motion:
-    """Run to the end, and return the motion."""
+    """Run to the end, and return the motion; the energy balance must close."""
     record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:
@@ -147,25 +151,14 @@ def _to_its_end(run: EventRun) -> Motion:
         assert stopped is not None  # noqa: S101 - a run without pieces was stopped
         raise CaseError([stopped])
     motion = record.motion(stopped, hurried=hurried)
-    return motion if stopped else _closed(motion, record.turnover)
-
-
-def _settled(system: MotionSystem, speeds: Floats) -> Floats:
-    """Return the twists at t = 0 at which the springs are at rest [rad]."""
-    try:
-        return settled_twists(system, speeds)
-    except NoChoice:
-        message = "there is no settled state at t = 0: leave out `settled`"
-        raise CaseError("E626", message, ("start", "settled")) from None
-
-
-def _closed(motion: Motion, turnover: float) -> Motion:
-    """Return the motion, marked as stopped if the energy balance does not close."""
-    balance = abs(motion.energy.balance)
-    if balance <= max(CLOSED_ENERGY * turnover, NO_ENERGY):
+    turnover, balance = record.turnover, abs(motion.energy.balance)
+    if stopped or balance <= max(CLOSED_ENERGY * turnover, NO_ENERGY):
         return motion
-    message = (
-        f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a smaller "
-        "--rtol may help"
+    return motion._replace(
+        stopped=Problem(
+            "E627",
+            f"the energy does not close: {balance:.3g} J are left of {turnover:.3g} J; a "
+            "smaller --rtol may help",
+            _END,
+        )
     )
-    return motion._replace(stopped=Problem("E627", message, _END))

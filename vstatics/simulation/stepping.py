@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from numbers import Real
 
 import numpy as np
@@ -53,7 +52,7 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     (5.0, ())
     >>> before = run.state
     >>> run.advance(9.75)
-    >>> run.time, [(one.event, round(one.time, 9)) for one in run.events]
+    >>> run.time, [(event.event, round(event.time, 9)) for event in run.events]
     (10.0, [('locks', 0.5)])
     >>> run.state = before
     >>> run.time
@@ -118,7 +117,19 @@ class SteppedRun:
         CaseError
             If a name is unknown, or the run cannot go on. The run then stays in its state.
         """
-        _check(self.state.system.scenario, seconds, settings)
+        scenario = self.state.system.scenario
+        if not (_is_number(seconds) and seconds > 0):
+            raise CaseError("E675", f"advance by {seconds!s} s, expected a number above 0")
+        known = scenario.value_names
+        for name, value in settings.items():
+            if name not in known:
+                hint = nearest(name, known) or f", expected {listed(known) or 'no name'}"
+                raise CaseError("E676", f"the scenario has no {quoted(name)} to set{hint}")
+            if not _is_number(value):
+                raise CaseError("E677", f"{name} is {value!s}, expected a number")
+        for control in scenario.states:
+            if control.name in settings and (beyond := control.beyond(settings[control.name])):
+                raise CaseError("E684", f"{control.name}: {beyond}")
         state = self.state.copy()
         with np.errstate(all="ignore"):
             if settings:
@@ -133,21 +144,6 @@ class _SteppedSpeeds(dict[str, float]):
     def __missing__(self, name: str) -> float:
         hint = nearest(name, self) or f", expected {listed(list(self))}"
         raise CaseError("E679", f"a run has no link {quoted(name)}{hint}")
-
-
-def _check(scenario: Scenario, seconds: float, settings: Mapping[str, float]) -> None:
-    if not (_is_number(seconds) and seconds > 0):
-        raise CaseError("E675", f"advance by {seconds!s} s, expected a number above 0")
-    known = [*scenario.settings, *(state.name for state in scenario.states)]
-    for name, value in settings.items():
-        if name not in known:
-            hint = nearest(name, known) or f", expected {listed(known) or 'no name'}"
-            raise CaseError("E676", f"the scenario has no {quoted(name)} to set{hint}")
-        if not _is_number(value):
-            raise CaseError("E677", f"{name} is {value!s}, expected a number")
-    for state in scenario.states:
-        if state.name in settings and (beyond := state.beyond(settings[state.name])):
-            raise CaseError("E684", f"{state.name}: {beyond}")
 
 
 def _is_number(value: object) -> bool:

@@ -68,7 +68,7 @@ SOON = 1e2
 MET = 1e-3
 """Fraction of the look-ahead within which numbers meet now."""
 SLIDING = 1e-3
-"""Distance from a jump, relative to the compared numbers, of a motion that slides along it."""
+"""Distance from a jump, relative to the compared numbers, of a motion that slides along."""
 NEAR_LIMIT = 1e-3
 """Fraction of the look-ahead within which a state counts as at its limit."""
 EXACT_SIDES = 1e-13
@@ -110,7 +110,7 @@ ROUNDED_MOTION = 1e-12
 MOVING_LINK = 1e-9
 """Speed in a motion below which a link is at rest."""
 DEPENDENT = 1e-12
-"""Ratio of singular values below which they are rounding, in least squares."""
+"""Ratio of singular values that counts as rounding, in least squares."""
 LIGHT_MOTION = 1e-13
 """Ratio to the largest inertia of a motion below which a motion has no inertia."""
 RIGID_SQUARE = 1e-10

@@ -1,8 +1,7 @@
-"""`vstatics simulate`: what a scenario does to a case over time.
+"""Command `vstatics simulate`: simulation of a case over time under a scenario.
 
 `documents` recognises scenarios among the files of all commands, reads them with their cases and
-checks them. `options` says what the command takes; `command` runs the scenario once and shows the
-motion.
-`samples` is for ``--samples``: many runs with drawn numbers, carried out as a sweep is, and their
-statistics.
+checks them. `options` declares the options of the command, and `command` runs the scenario once and
+shows the motion. `samples` is for ``--samples``: many runs with drawn numbers, carried out like a
+sweep, and their statistics.
 """

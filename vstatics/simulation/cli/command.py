@@ -1,9 +1,9 @@
-"""`vstatics simulate`: what happens to a case over time, by a scenario."""
+"""Command `vstatics simulate`: simulation of a case over time under a scenario."""
 
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import click
@@ -19,19 +19,18 @@ from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known
 from vstatics.simulation.cli.options import SimulateOptions, options
-from vstatics.simulation.cli.scenario_run import expect_fatigue, run_problems
+from vstatics.simulation.cli.scenario_run import expect_fatigue, run_columns, run_problems
 from vstatics.simulation.cli.watched import watched
 
 if TYPE_CHECKING:
     from vstatics.core.tables.grid import Grid
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
-    from vstatics.simulation.scenario.parts import Scenario
 
-MOST_STEPS = 1_000_000
-"""So many multiples of a step may be written."""
+MOST_INSTANTS = 1_000_000
+"""Most additional instants, the multiples of `--step`."""
 WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
-"""Formats that have a run over time."""
+"""Output formats with the columns over time."""
 
 
 @click.command()
@@ -67,7 +66,11 @@ def simulate(asked: SimulateOptions) -> int:
     inputs = [scenario, *([case] if case else [])]
     arguments.check_streams(inputs)
     asked.sampling.check(step=asked.step is not None, method=asked.method != "events")
-    _check_method(asked)
+    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
+    used = [option for option, given in events.items() if given is not None]
+    refuse(
+        *((asked.method != "events", f"{option} is for the method `events`.") for option in used)
+    )
     to = one_text(asked.wanted, inputs)
     needs("simulation", "vstatics simulate")
     if asked.sampling.samples is not None:
@@ -83,24 +86,29 @@ def simulate(asked: SimulateOptions) -> int:
     read = read.allowing(telling.allow)
     if asked.damage:
         expect_fatigue(read.reading)
-    _check_step(asked.step, read.scenario.duration)
+    step, duration = asked.step, read.scenario.duration
+    if step is not None and duration / step > MOST_INSTANTS:
+        raise click.BadParameter(
+            f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_INSTANTS:g}",
+            param_hint="--step",
+        )
     from vstatics.simulation.run import simulate as simulated
 
     try:
-        with watched(scenario, read.scenario.duration, asked.limit, quiet=telling.quiet) as watch:
+        with watched(scenario, duration, asked.limit, quiet=telling.quiet) as watch:
             motion = simulated(
                 read.scenario,
-                step=asked.step,
+                step=step,
                 rtol=asked.rtol,
                 method=asked.method,
                 watch=watch,
-                columns=_columns(asked.sampling.out, read.scenario),
+                columns=run_columns(asked.sampling.out, read.scenario),
             )
     except CaseError as error:
         raise ReadError(map(read.locate, error.problems)) from None
-    happened = [*run_problems(read, motion)]
-    problems = [*read.reading.warnings, *happened]
-    notes = [one for one in happened if one.severity == "note"]
+    messages = [*run_problems(read, motion)]
+    problems = [*read.reading.warnings, *messages]
+    notes = [problem for problem in messages if problem.severity == "note"]
     tell(problems, telling, scenario)
     tell(notes, telling._replace(notes=True), scenario)
     show(scenario, to, read, motion, damage=asked.damage)
@@ -110,31 +118,7 @@ def simulate(asked: SimulateOptions) -> int:
     return FAILED if failed else DONE
 
 
-def _columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
-    """Return the additional columns that an option names."""
-    if out is None:
-        return ()
-    from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
-
-    return read_asked(out, scenario)
-
-
-def _check_method(asked: SimulateOptions) -> None:
-    """Refuse what the published method has not."""
-    events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
-    refuse(
-        *(
-            (
-                given is not None and asked.method != "events",
-                f"{option} is for the method `events`.",
-            )
-            for option, given in events.items()
-        )
-    )
-
-
 def _check_format(asked: SimulateOptions, form: str) -> None:
-    """Refuse what a format has no place for."""
     refuse(
         (
             asked.sampling.out is not None and form not in WITH_COLUMNS,
@@ -147,22 +131,10 @@ def _check_format(asked: SimulateOptions, form: str) -> None:
     )
 
 
-def _check_step(step: float | None, duration: float) -> None:
-    """Refuse more instants than anybody reads.
-
-    Raises
-    ------
-    BadParameter
-    """
-    if step is not None and duration / step > MOST_STEPS:
-        message = f"read {step:g} s of {duration:g} s, expected at least {duration / MOST_STEPS:g}"
-        raise click.BadParameter(message, param_hint="--step")
-
-
 def show(
     scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
 ) -> None:
-    """Write a motion in the format that is asked for."""
+    """Write a motion in the wanted format."""
     from vstatics.core.tables.straight import in_both_units
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet

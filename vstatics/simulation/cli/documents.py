@@ -29,9 +29,9 @@ def read_with_case(
     output: str | None = None,
     texts: Mapping[str, bytes] = NO_TEXTS,
 ) -> ScenarioFile:
-    """A scenario of a text, with the case that it names, or that is given.
+    """Read a scenario with the case named in the scenario, or with a given case.
 
-    Texts stand in place of what is in the files of their names.
+    Texts replace the files of the same names.
 
     Raises
     ------
@@ -50,8 +50,8 @@ def read_with_case(
         from vstatics.simulation.variants.numbers import ScenarioNumbers, sampled_numbers
         from vstatics.sweep.variants.subject import Document
 
-        own, of_case = Document(data, name), Document(text, named)
-        sampled_numbers(ScenarioNumbers(own, of_case, case_format=input_format))
+        of_scenario, of_case = Document(data, name), Document(text, named)
+        sampled_numbers(ScenarioNumbers(of_scenario, of_case, case_format=input_format))
     return read
 
 
@@ -61,14 +61,14 @@ def case_of(
     output: str | None = None,
     texts: Mapping[str, bytes] = NO_TEXTS,
 ) -> tuple[bytes, str]:
-    """What the file of the case of a scenario holds, and its name.
+    """Return the bytes and the name of the case of a scenario.
 
     Raises
     ------
     ReadError
-        If it can't be read; at the place where the scenario names it, if that does.
+        If the case cannot be read, with the place at which the scenario names it.
     UsageError
-        If it would be overwritten by the output.
+        If the output would overwrite the case.
     """
     file = case or document.case_file
     if not file:
@@ -81,8 +81,7 @@ def case_of(
     except ReadError as error:
         if case:
             raise
-        why = f"{file} {error.problems[0].message}"
-        raise document.no_case(why) from None
+        raise document.no_case(f"{file} {error.problems[0].message}") from None
     if not case:
         document.refuse_foreign(data, name)
     return data, name
@@ -95,7 +94,7 @@ def read_swept_document(
     case: str | None = None,
     case_format: readers.Format | None = None,
 ) -> tuple[VariedScenario, list[Problem]]:
-    """Read the case of a scenario, that which it names or another, and both together."""
+    """Read a scenario and a case, named or given, as the subject of a sweep."""
     from vstatics.simulation.variants.subject import VariedScenario
     from vstatics.sweep.variants.subject import Document
 
@@ -110,28 +109,39 @@ def read_swept_document(
 
 
 TRIED, LONG = 1.0, 60.0
-"""So long a scenario is tried, and what takes longer by that is told. [s]"""
+"""Processor time of a trial run, and estimated time from which a run gets a note. [s]"""
 
 
 def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
-    """The name of a scenario, its problems and those of its case, whether it fails, what it has."""
+    """Return the name, problems, failure and summary of a scenario."""
     try:
         read = read_with_case(*files.read_input(file), options.input_format)
         read = read.allowing(options.telling.allow)
-        found = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
-        found = not_allowed(found, read.scenario.case.untold)
-        problems = options.telling.told([*read.reading.warnings, *map(read.locate, found)])
+        doubts = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
+        doubts = not_allowed(doubts, read.scenario.case.untold)
+        problems = options.telling.told([*read.reading.warnings, *map(read.locate, doubts)])
     except ReadError as error:
         return file, error.problems, True, None
-    except Exception as error:  # noqa: BLE001 - the other files are to go on
+    except Exception as error:  # noqa: BLE001 - the other files are still checked
         return file, [unexpected(file, error)], True, None
-    failed = any(one.severity == "error" for one in problems)
-    shown = None if failed else _scenario_summary(file, read.scenario)
-    return file, problems, failed or options.telling.fails(problems), shown
+    failed = any(problem.severity == "error" for problem in problems)
+    if failed:
+        return file, problems, True, None
+    scenario = read.scenario
+    counts = {
+        "control": len(scenario.controls or ()),
+        "torque": len(scenario.torques),
+        "converter": len(scenario.converters),
+        "shift": len(scenario.shifts or ()),
+    }
+    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
+    inputs = ", ".join(parts) or "nothing happens"
+    summary = Grid(f"{file}: {scenario.duration:g} s, {inputs}", (), ())
+    return file, problems, options.telling.fails(problems), summary
 
 
 def _tried(scenario: Scenario) -> list[Problem]:
-    """Why it can't begin, or that it takes long; nothing where scipy is not installed."""
+    """Return the reason why a run cannot start or takes long; nothing without scipy."""
     if extras.missing("simulation", "a simulation"):
         return []
     from vstatics.core.cli.shared.estimates import duration_text
@@ -146,18 +156,10 @@ def _tried(scenario: Scenario) -> list[Problem]:
     if pace.needed <= LONG:
         return []
     needed = duration_text(pace.needed) if pace.needed < math.inf else "no end in sight"
-    message = f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it"
-    return [Problem("N001", message, ("duration",))]
-
-
-def _scenario_summary(file: str, scenario: Scenario) -> Grid:
-    """What a scenario has, in a line."""
-    counts = {
-        "control": len(scenario.controls or ()),
-        "torque": len(scenario.torques),
-        "converter": len(scenario.converters),
-        "shift": len(scenario.shifts or ()),
-    }
-    parts = [f"{count} {plural(noun, count)}" for noun, count in counts.items() if count]
-    told = ", ".join(parts) or "nothing happens"
-    return Grid(f"{file}: {scenario.duration:g} s, {told}", (), ())
+    return [
+        Problem(
+            "N001",
+            f"a run takes long ({needed}): `vstatics simulate --limit SECONDS` ends it",
+            ("duration",),
+        )
+    ]

@@ -1,4 +1,4 @@
-"""What `vstatics simulate` takes: a scenario, how it is run once, or many times by samples."""
+"""Options of `vstatics simulate`: scenario, single run, samples and output."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex"
 
 
 class SampleOptions(NamedTuple):
-    """How many runs, and who calculates them."""
+    """Options of samples: number of runs, additional columns and worker processes."""
 
     samples: int | None = None
-    """None: one run, of the scenario as it is."""
+    """Number of runs; a single run of the scenario as written if not given."""
     seed: int | None = None
     out: str | None = None
     sharing: Sharing = Sharing()
 
     def check(self, **of_one_run: bool) -> None:
-        """Refuse what belongs to samples where there are none, and what goes not with them.
+        """Refuse options of samples without samples, and options of a single run with samples.
 
         Parameters
         ----------
         **of_one_run : bool
-            Options that are for one run, and whether they are given.
+            Options of a single run, and whether they are given.
 
         Raises
         ------
         UsageError
         """
-        of_one = [f"--{name}" for name, given in of_one_run.items() if given]
-        if self.samples is not None and of_one:
-            raise click.UsageError(f"{of_one[0]} is for one run, without --samples.")
+        refused = [f"--{name}" for name, given in of_one_run.items() if given]
+        if self.samples is not None and refused:
+            raise click.UsageError(f"{refused[0]} is for one run, without --samples.")
         given = {"seed": self.seed, **self.sharing._asdict()}
         alone = [name for name, value in given.items() if value not in (None, False)]
         if self.samples is None and alone:
@@ -51,7 +51,7 @@ class SampleOptions(NamedTuple):
 
 
 class SimulateOptions(NamedTuple):
-    """A scenario, and how it is run."""
+    """Options of the command."""
 
     scenario: str
     case: str | None
@@ -119,4 +119,4 @@ options = gathered(
     arguments.input_format,
     arguments.telling,
 )
-"""All of them; the command gets `asked`."""
+"""Decorator with all options, which the command receives as `asked`."""

@@ -1,4 +1,4 @@
-"""`vstatics simulate --samples`: many runs with numbers that are drawn, and their statistics."""
+"""Command `vstatics simulate --samples`: many runs with drawn numbers, and their statistics."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
-from vstatics.core.cli.shared.formats import Destination, OutputOptions
+from vstatics.core.cli.shared.formats import Destination
 from vstatics.core.cli.shared.one_case import CaseAnswer, show
 from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.jobs.files import is_stream
@@ -36,21 +36,28 @@ from vstatics.sweep.options import SweepOptions
 from vstatics.sweep.tasks import calculate
 
 ROWS = ("csv", "jsonl", "npz", "parquet")
-"""Formats of the variants themselves, which are read again for the statistics."""
+"""Formats of the variants, which are read again for the statistics."""
 
 
 def run_samples(asked: SimulateOptions) -> int:
-    """Run the variants, write them if that is asked for, and show the statistics.
+    """Run the variants, write them if an output is given, and show the statistics.
 
     Raises
     ------
     ReadError
-        If there can be no such samples.
+        If the scenario has no samples, or if they cannot be run.
     UsageError
     """
     sampling, wanted, telling = asked.sampling, asked.wanted, asked.telling
     sampling.sharing.check(wanted.output)
-    form = _format(wanted)
+    form: Format | None = None
+    if wanted.output is not None and not is_stream(wanted.output):
+        written = wanted.form or format_of(wanted.output, ROWS)
+        if written not in ROWS:
+            raise click.UsageError(
+                f"{wanted.output}: --samples writes {' '.join(known(ROWS))}, expected a suffix"
+            )
+        form = cast("Format", written)
     scenario = files.read_input(asked.scenario)
     subject, problems = read_swept_document(*scenario, telling, asked.case, asked.input_format)
     varied = replace(subject, rtol=asked.rtol, limit=asked.limit)
@@ -58,7 +65,7 @@ def run_samples(asked: SimulateOptions) -> int:
     out = sampling.out
     if asked.damage:
         expect_fatigue(varied.own.reading)
-        out = out and f"{out},damage"  # else it is told without being asked for
+        out = out and f"{out},damage"  # the default columns contain the damage
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
     try:
         build.check_packages(SweepOptions(), form or "csv", sampling.sharing.scheduler)
@@ -71,70 +78,58 @@ def run_samples(asked: SimulateOptions) -> int:
             wanted.style.raw,
             telling,
         )
-        found, told = _written(run) if form else _collected(run)
+        columns, messages = _written(run) if form else _collected(run)
     except CaseError as error:
         raise ReadError(error.problems) from error
-    if isinstance(found, int):
-        return found
-    answer = samples_answer(plan.names, columns_statistics(found))
+    if isinstance(columns, int):
+        return columns
+    answer = samples_answer(plan.names, columns_statistics(columns))
     to = Destination("text", None, wanted.style) if form else wanted.destination([])
     shown = CaseAnswer(lambda: statistics_grids(answer), answer)
     show(varied.file, to, varied.own.name or varied.own.scenario.case.name, shown)
-    return FAILED if telling.fails([*problems, *told]) else DONE
-
-
-def _format(wanted: OutputOptions) -> Format | None:
-    """In which format the variants are written; none if only statistics are shown."""
-    if wanted.output is None or is_stream(wanted.output):
-        return None
-    told = wanted.form or format_of(wanted.output, ROWS)
-    if told not in ROWS:
-        expected = " ".join(known(ROWS))
-        raise click.UsageError(f"{wanted.output}: --samples writes {expected}, expected a suffix")
-    return cast("Format", told)
+    return FAILED if telling.fails([*problems, *messages]) else DONE
 
 
 Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
-"""Columns of variants, or an exit status; and what was said of their runs."""
+"""Columns of variants, or an exit status; and messages of the runs."""
 
 
 def _written(run: SweepRun) -> Collected:
-    """The columns of the variants, which lie in a file then."""
+    """Run the variants into a file, and return the columns of the file."""
     from vstatics.core.readers import sweep_tables
 
-    status, told = carry_out(run)
+    status, messages = carry_out(run)
     if status:
-        return status, told
+        return status, messages
     output = Path(str(run.output))  # without a bound: the command has just written it
     read = sweep_tables.read(output.read_bytes(), str(output))
-    return {name: np.array(numbers) for name, numbers in read.columns.items()}, told
+    return {name: np.array(numbers) for name, numbers in read.columns.items()}, messages
 
 
 def _collected(run: SweepRun) -> Collected:
-    """The columns of the variants in memory."""
     from vstatics.core.cli.shared.progress import progress
     from vstatics.sweep.chunk import joined
 
     plan = run.plan
     count = plan.variants.count
-    called = run.task.workers(run.sharing.processes, run.sharing.scheduler)
+    workers = run.task.workers(run.sharing.processes, run.sharing.scheduler)
     chunks = []
     try:
-        with called, progress(count, "runs", quiet=run.quiet) as advance:
-            for _, chunk in called.each(calculate, range(plan.pieces), ordered=True):
+        with workers, progress(count, "runs", quiet=run.quiet) as advance:
+            for _, chunk in workers.each(calculate, range(plan.pieces), ordered=True):
                 chunks.append(chunk)
                 advance(len(chunk.variants))
     except StoppedError as stopped:
-        files.say(f"stopped after {sum(len(one.variants) for one in chunks)} of {count} runs")
+        files.say(f"stopped after {sum(len(chunk.variants) for chunk in chunks)} of {count} runs")
         return stopped_by(stopped.signal), ()
-    made = joined(chunks)
-    reasons = [f"{number} {status}" for status, number in made.counts.items() if status != "ok"]
+    results = joined(chunks)
+    reasons = [f"{number} {status}" for status, number in results.counts.items() if status != "ok"]
     if reasons:
         files.say(f"{count} runs, of which {' and '.join(reasons)}")
-    told = tell_noticed(run, made.noticed)
-    if not made.counts.get("ok"):
+    messages = tell_noticed(run, results.noticed)
+    if not results.counts.get("ok"):
         files.say("no run has a result")
         tell_reason(plan)
-        return FAILED, told
-    tables = np.concatenate([made.values, made.columns], axis=1)
-    return dict(zip((*plan.names, *plan.headings), tables.T, strict=True)), told
+        return FAILED, messages
+    tables = np.concatenate([results.values, results.columns], axis=1)
+    return dict(zip((*plan.names, *plan.headings), tables.T, strict=True)), messages

@@ -1,4 +1,4 @@
-"""The run of a scenario that stands for its case, for pictures and pages."""
+"""Run of a scenario among the cases of a command, for pictures and pages."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ if TYPE_CHECKING:
     from vstatics.core.statics.results import Results
     from vstatics.simulation.record.motion import Motion
     from vstatics.simulation.scenario.file import ScenarioFile
+    from vstatics.simulation.scenario.parts import Scenario
 
 INSTANTS = 400
-"""Of a run that is drawn, at least."""
+"""Least number of instants of a run that is drawn."""
 
 
 def expect_fatigue(reading: Reading) -> None:
@@ -40,20 +41,20 @@ def expect_fatigue(reading: Reading) -> None:
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
-    """The run of what names its case by a scenario, with enough instants for pictures.
+    """Return the run of a case that came with a scenario, with enough instants for pictures.
 
-    What is to be said of it is printed.
+    Messages of the run are printed.
 
     Parameters
     ----------
     outcome : CalculatedCase
     out : str
-        Columns that it is to have besides, such as ``jerks[out]``.
+        Additional columns, such as ``jerks[out]``.
 
     Raises
     ------
     ReadError
-        If it can't begin, with the places of what keeps it from that; of columns that are not.
+        If the run cannot start, with the places of the faults, or if a column is unknown.
     """
     from vstatics.simulation.scenario.file import ScenarioFile  # needless for help
 
@@ -64,11 +65,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     from vstatics.simulation.run import simulate as simulated
 
     scenario = read.scenario
-    columns: Sequence[tuple[str, str]] = ()
-    if out:
-        from vstatics.simulation.variants.asked import read_asked  # it takes the annex `sweep`
-
-        columns = read_asked(out, scenario)
+    columns = run_columns(out or None, scenario)
     try:
         motion = simulated(scenario, step=scenario.duration / INSTANTS, columns=columns)
     except CaseError as error:
@@ -77,8 +74,17 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
     return motion
 
 
+def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
+    """Return the additional columns that an option names."""
+    if out is None:
+        return ()
+    from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
+
+    return read_asked(out, scenario)
+
+
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
-    """Return results with the name of their scenario, for pictures, and its run as of `run_of`."""
+    """Return results under the name of the scenario, and the run as of `run_of`."""
     motion = run_of(outcome, out)
     if outcome.scenario is None or not outcome.scenario.name:
         return results, motion
@@ -86,7 +92,7 @@ def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Resu
 
 
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
-    """Messages of a run, and why it stopped, at their places."""
+    """Yield the messages of a run and the reason of a stop, with places."""
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text

@@ -1,7 +1,8 @@
-"""A run that is watched: by the clock, by Ctrl-C, and by whoever waits for it."""
+"""Supervision of a run: time limit, Ctrl-C, and progress on the terminal."""
 
 from __future__ import annotations
 
+import math
 import signal
 import threading
 import time
@@ -9,69 +10,69 @@ from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 
 from vstatics.core.cli.shared.progress import done_text, telling
-from vstatics.simulation.bounds import Guard, wall_limit
+from vstatics.simulation.bounds import wall_limit
 
 
 class RunWatch:
-    """What is known of a run while it goes on, and why it is to stop.
+    """Progress of a run, and the reason of a stop.
 
     Parameters
     ----------
     file : str
-        To speak of it.
+        Name of the scenario in the progress line.
     duration : float
-        Of what is simulated. [s]
+        Duration of the scenario. [s]
     limit : float, optional
-        So long the run may take. [s]
+        Wall-clock time after which the run is stopped. [s]
     """
 
     def __init__(self, file: str, duration: float, limit: float | None) -> None:
         self.file, self.duration, self.time = file, duration, 0.0
         self.interrupted = False
-        """Whether Ctrl-C came."""
+        """Whether Ctrl-C was pressed."""
         self.why = ""
-        """Why it stops."""
+        """Reason to stop the run; empty while the run goes on."""
         self.began = time.monotonic()
-        self._limit: Guard | None = None if limit is None else wall_limit(limit)
+        self._limit = wall_limit(math.inf if limit is None else limit)
 
     def __call__(self, at: float) -> str:
-        """Keep how far the run is; why it is to stop there."""
+        """Record the time reached, and return the reason to stop there."""
         self.time = at
         if self.interrupted:
             self.why = "the run was stopped by Ctrl-C"
-        elif self._limit is not None:
+        else:
             self.why = self._limit(at)
         return self.why
 
     def said(self) -> str:
-        """How far the run is, and how long it will take if it goes on so; nothing at its end."""
+        """Return the progress with the estimated remaining time; empty once the run stops."""
         if self.why:
             return ""
-        told = done_text(self.time / self.duration, time.monotonic() - self.began)
-        return f"{self.file}: {told}" + ("" if self.time else ", Ctrl-C or --limit ends it")
+        progress = done_text(self.time / self.duration, time.monotonic() - self.began)
+        return f"{self.file}: {progress}" + ("" if self.time else ", Ctrl-C or --limit ends it")
 
 
 @contextmanager
 def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> Iterator[RunWatch]:
-    """Watch a run: Ctrl-C stops it at the next step, once more at once; progress is told.
+    """Watch a run: Ctrl-C stops the run at the next step, a second time at once.
 
     Parameters
     ----------
     file : str
-        To speak of it.
+        Name of the scenario in the progress line.
     quiet : bool
-        Whether no progress is told.
+        Whether progress is not shown.
     """
     watch = RunWatch(file, duration, limit)
     is_main = threading.current_thread() is threading.main_thread()
     before = signal.getsignal(signal.SIGINT)
 
-    def come(*_: object) -> None:
+    def interrupt(*_: object) -> None:
         watch.interrupted = True
         signal.signal(signal.SIGINT, before)
 
     if is_main:
-        signal.signal(signal.SIGINT, come)
+        signal.signal(signal.SIGINT, interrupt)
     try:
         with nullcontext() if quiet else telling(watch.said):
             yield watch

@@ -45,27 +45,23 @@ class StepCommands:
         if step.shift is not None:
             shifts = self.scenario.shifts or ()
             place = bisect_right([shift.at for shift in shifts], time)
-            new = step.shift._replace(at=time)
-            shifts = (*shifts[:place], new, *shifts[place:])
+            shifts = (*shifts[:place], step.shift._replace(at=time), *shifts[place:])
             self.scenario = self.scenario._replace(shifts=shifts)
+        controls = dict(self.scenario.controls or {})
         for number, closed in step.dogs.items():
-            self._command(number, time, closed=closed)
+            control = controls.get(number)
+            before: tuple[tuple[float, bool], ...] = ((0.0, number in self.engaged),)
+            if isinstance(control, Dog):
+                before = control.points
+            earlier = [point for point in before if point[0] < time]
+            later = [point for point in before if point[0] > time]
+            controls[number] = Dog((*earlier, (time, closed), *later))
+        if step.dogs:
+            self.scenario = self.scenario._replace(controls=controls)
         if step.shift is not None or step.dogs:
             system = with_programmes(system, programmes(self.scenario, self.engaged))
         settings = {name: values.get(name, default) for name, default in system.settings.items()}
         return with_settings(system, settings)
-
-    def _command(self, number: int, time: float, *, closed: bool) -> None:
-        """Command a dog clutch to close or open from a time on."""
-        controls = dict(self.scenario.controls or {})
-        control = controls.get(number)
-        before: tuple[tuple[float, bool], ...] = ((0.0, number in self.engaged),)
-        if isinstance(control, Dog):
-            before = control.points
-        earlier = [point for point in before if point[0] < time]
-        later = [point for point in before if point[0] > time]
-        controls[number] = Dog((*earlier, (time, closed), *later))
-        self.scenario = self.scenario._replace(controls=controls)
 
 
 def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[float]) -> float:

@@ -8,7 +8,7 @@ C' w`` is lost. A freewheel takes an impulse in one direction only.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -52,26 +52,33 @@ def impact(
     given = [contact.row for contact in system.contacts if contact.is_given]
     given += variator_rows(system, at.time)
     small = STANDING * max(1.0, largest(speeds))
-    best: Impact | None = None
-    for count in range(len(wheels), -1, -1):
-        for stopped in combinations(wheels, count):
-            rows = [mesh.row for mesh in system.meshes] + held
-            rows += [system.contacts[index].row for index in stopped]
-            after, impulses = _projected(system, speeds, system.rows(rows), given)
-            first = len(rows) - len(stopped)
-            work = -float(impulses[len(rows) :] @ (system.rows(given) @ speeds))
-            impulses = impulses[: len(rows)]
-            pushed = (impulses[first:] <= STANDING * largest(impulses)).all()
-            free = [index for index in wheels if index not in stopped]
-            overrun = all(system.contacts[index].row @ after >= -small for index in free)
-            if best is None or (pushed and overrun):
-                before = speeds, after, work
-                energies = _energies(system, before, impulses, rigid, joining)
-                best = Impact(after, energies, work)
-            if pushed and overrun:
-                return best
+    best: tuple[Floats, Floats, float] | None = None
+    counts = range(len(wheels), -1, -1)
+    for stopped in chain.from_iterable(combinations(wheels, count) for count in counts):
+        rows = [mesh.row for mesh in system.meshes] + held
+        rows += [system.contacts[index].row for index in stopped]
+        after, impulses = _projected(system, speeds, system.rows(rows), given)
+        first = len(rows) - len(stopped)
+        work = -float(impulses[len(rows) :] @ (system.rows(given) @ speeds))
+        impulses = impulses[: len(rows)]
+        pushed = (impulses[first:] <= STANDING * largest(impulses)).all()
+        free = [index for index in wheels if index not in stopped]
+        overrun = all(system.contacts[index].row @ after >= -small for index in free)
+        if best is None or (pushed and overrun):
+            best = after, impulses, work
+        if pushed and overrun:
+            break
     assert best is not None  # noqa: S101 - there is one choice at least
-    return best
+    after, impulses, work = best
+    # The joining contacts share the lost energy by impulse and slip before.
+    energy = kinetic_energy(system, speeds) - kinetic_energy(system, after) + work
+    shares = [
+        0.5 * float(impulses[len(system.meshes) + place] * (system.contacts[index].row @ speeds))
+        for place, index in enumerate(rigid)
+        if index in joining
+    ]
+    correction = (energy - sum(shares)) / len(shares)
+    return Impact(after, tuple(share + correction for share in shares), work)
 
 
 def _projected(
@@ -88,28 +95,8 @@ def _projected(
     particular = solved(every, np.append(np.zeros(len(rows)), system.rows(given) @ speeds))
     reduced = free.T @ mass @ free
     motions = np.linalg.lstsq(reduced, free.T @ mass @ (speeds - particular), rcond=LIGHT_MOTION)[0]
-    after: Floats = particular + free @ motions
+    after = particular + free @ motions
     return after, solved(every.T, mass @ (speeds - after))
-
-
-def _energies(
-    system: MotionSystem,
-    change: tuple[Floats, Floats, float],
-    impulses: Floats,
-    rigid: Sequence[int],
-    joining: Sequence[int],
-) -> tuple[float, ...]:
-    """Share the lost energy among the joining contacts, by impulse and slip before."""
-    before, after, work = change
-    energy = kinetic_energy(system, before) - kinetic_energy(system, after) + work
-    first = len(system.meshes)
-    shares = [
-        0.5 * float(impulses[first + place] * (system.contacts[index].row @ before))
-        for place, index in enumerate(rigid)
-        if index in joining
-    ]
-    correction = (energy - sum(shares)) / len(shares)
-    return tuple(share + correction for share in shares)
 
 
 def kinetic_energy(system: MotionSystem, speeds: Floats) -> float:

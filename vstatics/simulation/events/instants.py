@@ -85,8 +85,7 @@ def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
     switch = system.contacts[contact].switch
     assert switch is not None  # noqa: S101 - drivers are variators or switches
     angle = float(at.angles[system.layout.angles.index(switch.link)])
-    speed = switch.jump.speed.at(now)
-    return speed + switch.jump.by_angle * angle
+    return switch.jump.speed.at(now) + switch.jump.by_angle * angle
 
 
 def state_of(equations: Equations, at: Instant) -> Floats:
@@ -146,7 +145,8 @@ def start_instant(
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
     """Return all quantities visible to formulas at an instant, except functions of torques."""
     rates = system.port_rows @ at.speeds
-    return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
+    seen: list[float] = np.concatenate([rates, at.twists, at.angles, at.values]).tolist()
+    return seen
 
 
 def break_times(system: MotionSystem, until: float) -> list[float]:
@@ -156,7 +156,7 @@ def break_times(system: MotionSystem, until: float) -> list[float]:
     curves += [state.rate for state in system.scenario.states]
     curves += [contact.switch.jump.at for contact in system.contacts if contact.switch]
     curves += [variator.ratio for variator in system.variators]
-    curves += [when.formula for when in conditions(system)]
+    curves += [when.formula for _, when in conditions(system)]
     times: set[float] = set()
     for curve in curves:
         if isinstance(curve, Formula) and "t" in curve.variables:
@@ -168,16 +168,13 @@ def break_times(system: MotionSystem, until: float) -> list[float]:
 
 def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     """Return large speeds and torques at the start, as scales for rounding."""
-    torque = 1.0
     times = [at.time, *break_times(system, system.scenario.duration)]
     seen = seen_at(system, at)
-    for contact in system.contacts:
-        held = [abs(capacity_at(contact, time, seen=seen)) for time in times]
-        torque = max([torque, *(value for value in held if math.isfinite(value))])
-    for spring in system.springs:
-        limit = abs(programme_at(spring.programme, at.time, seen))
-        torque = max(torque, limit if math.isfinite(limit) else 0.0)
-    for load in system.outside:
-        if isinstance(load.law, Points):
-            torque = max(torque, *map(abs, load.law.y))
-    return LargeSizes(max(1.0, largest(at.speeds)), torque)
+    torques = [
+        abs(capacity_at(contact, time, seen=seen)) for contact in system.contacts for time in times
+    ]
+    torques += [abs(programme_at(spring.programme, at.time, seen)) for spring in system.springs]
+    laws = [load.law for load in system.outside]
+    torques += [abs(torque) for law in laws if isinstance(law, Points) for torque in law.y]
+    large = max(filter(math.isfinite, torques), default=0.0)
+    return LargeSizes(max(1.0, largest(at.speeds)), max(1.0, large))

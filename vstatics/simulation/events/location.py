@@ -30,7 +30,7 @@ _LOW = 0.1
 """Largest ratio of a minimum between instants to the fall before, to examine the minimum."""
 _PLACES = 65
 """Number of points at which a polynomial is evaluated in a gap between two instants."""
-_NEAR: Floats = np.append(2.0 ** np.arange(-32, 0), 1.0)
+_NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Parts of an interval at which a margin that begins at 0 is examined."""
 
 
@@ -49,8 +49,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
     0.41
     """
     places = np.linspace(nodes[gap], nodes[gap + 1], _PLACES)
-    powers = np.linalg.solve(np.vander(nodes), values)
-    near = np.polyval(powers, places)
+    near = np.polyval(np.linalg.solve(np.vander(nodes), values), places)
     lowest = min(max(int(near.argmin()), 1), _PLACES - 2)
     before, at, after = near[lowest - 1 : lowest + 2].tolist()
     bend = before - 2 * at + after
@@ -103,7 +102,11 @@ class Finder:
         if not self.margins.watches:
             return None
         margins = self.margins.along(times, states)
-        self.noise = self._noise_of(margins)
+        sizes = np.abs(margins).max(axis=1, initial=0.0)
+        following = self.following & np.isfinite(sizes)
+        self.noise = np.where(
+            following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least
+        )
         ends = np.flatnonzero((margins < -self.noise[:, None]).any(axis=0))
         begin = step.start, self.margins.at(step.start, step.first)
         first = int(ends[0]) if len(ends) else len(times) - 1
@@ -116,11 +119,6 @@ class Finder:
             return None
         above = (float(times[first - 1]), margins[:, first - 1]) if first else begin
         return self._located(step, above, under)
-
-    def _noise_of(self, margins: Floats) -> Floats:
-        sizes = np.abs(margins).max(axis=1, initial=0.0)
-        following = self.following & np.isfinite(sizes)
-        return np.where(following, np.maximum(self.least, BETWEEN_INSTANTS * sizes), self.least)
 
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
@@ -152,7 +150,7 @@ class Finder:
             part, gap = divmod(number, count)
             place = _lowest(nodes, by_parts[watch, part], gap)
             time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
-            minimum = self.margins.along(np.array([time]), step.between(np.array([time])))[:, 0]
+            minimum = self._between(step, time)
             if (minimum < -self.noise).any():
                 return number, (time, minimum)
         return None
@@ -160,9 +158,12 @@ class Finder:
     def _check_capacities(self, step: TimeStep) -> None:
         for name, law in self.by_formula:
             if not abs(value := law.at(step.end)) <= LARGEST_NUMBER:
-                what = f"at {step.end:.6g} s the control of {name} gives {value:g}"
-                wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
-                raise CaseError("E609", f"{what}, {wanted}", ("controls", name))
+                raise CaseError(
+                    "E609",
+                    f"at {step.end:.6g} s the control of {name} gives {value:g}, expected "
+                    f"a number, {LARGEST_NUMBER:g} at most",
+                    ("controls", name),
+                )
 
     def _check_torques(self, step: TimeStep) -> None:
         if not self.torques:
@@ -170,11 +171,12 @@ class Finder:
         _, torques = self.equations.acting(step.end, step.last)
         for port, name in self.torques:
             if abs(torques[port]) > LARGEST_NUMBER:
-                message = (
-                    f"at {step.end:.6g} s the torque on {name} is {torques[port]:g} N*m, expected "
-                    f"{LARGEST_NUMBER:g} at most"
+                raise CaseError(
+                    "E670",
+                    f"at {step.end:.6g} s the torque on {name} is {torques[port]:g} N*m, "
+                    f"expected {LARGEST_NUMBER:g} at most",
+                    ("torques", name),
                 )
-                raise CaseError("E670", message, ("torques", name))
 
     def _located(
         self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]
@@ -220,17 +222,17 @@ class Finder:
         """Return the time at which a margin falls below 0 by more than rounding, by bisection."""
         first, last = ends
         while first < (middle := first + (last - first) / 2) < last:
-            margins = self.margins.along(np.array([middle]), step.between(np.array([middle])))
-            is_below = margins[index, 0] < -self.noise[index]
+            is_below = self._between(step, middle)[index] < -self.noise[index]
             first, last = (first, middle) if is_below else (middle, last)
         return last
+
+    def _between(self, step: TimeStep, time: float) -> Floats:
+        """Return the margins at a time within a step, by its dense output."""
+        return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Return the zero of a margin between two times."""
         from scipy.optimize import brentq
-
-        def margin(time: float) -> float:
-            return float(self.margins.at(time, step.between(np.array([time]))[:, 0])[index])
 
         times = first + (last - first) * _NODES
         values = self.margins.along(times, step.between(times))[index]
@@ -248,7 +250,15 @@ class Finder:
 
             if near(0.0) > 0 > near(1.0):
                 return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
-        return float(brentq(margin, first, last, xtol=ROOT_TIME * max(1.0, last), rtol=ROOT_TIME))
+        return float(
+            brentq(
+                lambda time: self._between(step, time)[index],
+                first,
+                last,
+                xtol=ROOT_TIME * max(1.0, last),
+                rtol=ROOT_TIME,
+            )
+        )
 
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int

@@ -51,7 +51,7 @@ step can become true (`awaited`), and a formula can bend (`corner`).
 """
 
 
-FOLLOWING: tuple[Watched, ...] = ("state", "awaited", "corner")
+FOLLOWING = ("state", "awaited", "corner")
 """Kinds that follow from sticking and slipping without influence on the choice of states."""
 
 
@@ -98,8 +98,7 @@ class SplitRoom(NamedTuple):
     @property
     def tight(self) -> Booleans:
         """Slacks at the limit in the split that leaves most room."""
-        at_limit: Booleans = self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
-        return at_limit
+        return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
         """Return the room with the opposite torque sign of a mesh."""
@@ -219,13 +218,14 @@ class Margins:
 
     def _springs(self) -> None:
         system, states = self.equations.system, self.equations.states
+        springs = [*enumerate(zip(system.springs, states.springs, strict=True))]
         self.bending: list[int] = []
         self.gripping: list[tuple[int, float]] = []
-        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+        for index, (spring, state) in springs:
             if state == "stick" and _is_limited(spring, self.equations.time):
                 self.bending.append(index)
                 self._watch("limit", index)
-        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+        for index, (spring, state) in springs:
             if state in SIGNS:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
@@ -233,7 +233,7 @@ class Margins:
         """Springs in contact next to their play: index and sign of the torque. Spring and damper
         together have this sign in contact, and the opposite sign after parting.
         """
-        for index, (spring, state) in enumerate(zip(system.springs, states.springs, strict=True)):
+        for index, (spring, state) in springs:
             side = spring.side(self._piece(index)) if spring.can_part else 0.0
             if side:
                 self.touching.append((index, side if state == "stick" else -side))
@@ -254,7 +254,9 @@ class Margins:
             if not load.acts(equations.states.contacts):
                 continue
             by_angle = law.over == "angle"
-            row = self._row_of_angle(load.link) if by_angle else index
+            row = index
+            if by_angle:
+                row = equations.angles.start + equations.layout.angles.index(load.link)
             for corner, side in self._ends(index, law.x):
                 self.corners.append((row, by_angle, corner, side))
         self._frictions()
@@ -268,9 +270,6 @@ class Margins:
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
-
-    def _row_of_angle(self, link: int) -> int:
-        return int(self.equations.angles.start) + self.equations.layout.angles.index(link)
 
     def _frictions(self) -> None:
         """Watch the corners of the friction of slipping contacts."""
@@ -328,8 +327,7 @@ class Margins:
     def limits(self, times: Floats, seen: Floats | None) -> Floats:
         """Return the torque limits of sticking contacts at times, shape (limits, times) [N*m]."""
         if self.straight_limits is not None:
-            limits: Floats = self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
-            return limits
+            return self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
@@ -352,7 +350,7 @@ class Margins:
         """Return all margins at several times, shape (margins, times)."""
         equations = self.equations
         rates, torques = equations.acting_at(times, states)
-        held: Floats = equations.structure.torques @ torques
+        held = equations.structure.torques @ torques
         layout = equations.layout
         times = equations.ports.inside(times)
         seen = equations.seen_at(times, states, rates, torques) if self.sees else None
@@ -495,7 +493,7 @@ class Margins:
 
         All shapes end with the times; `rates` and `torques` are those of the ports.
         """
-        held: Floats = self.equations.structure.torques @ torques
+        held = self.equations.structure.torques @ torques
         if not self.shared:
             return held
         seen = self.equations.seen_at(times, states, rates, torques) if self.sees else None

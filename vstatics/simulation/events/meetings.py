@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections import Counter, deque
-from copy import deepcopy
 from typing import NamedTuple
 
 import numpy as np
@@ -50,10 +49,6 @@ class CornerMeetings:
         self.counts: Counter[CornerPlace] = Counter()
         self.doublings: dict[CornerPlace, list[float]] = {}
         """Times of the meetings with the numbers 1, 2, 4, 8, ... [s]"""
-
-    def copy(self) -> CornerMeetings:
-        """Return an independent copy of the meetings."""
-        return deepcopy(self)
 
     def note(self, place: CornerPlace, time: float) -> None:
         """Note that a corner is met at a time [s]."""

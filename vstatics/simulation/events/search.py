@@ -56,7 +56,10 @@ class ModeSearch:
     def __iter__(self) -> Iterator[States]:
         """Yield the choices of the first trial."""
         yield from self._best(_FIRST_TRIED)
-        yield from self._near(self.guess())
+        if (guess := self.guess()) is not None:  # restricted to the open choices
+            guessed = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
+            self.changed = tuple(sorted(self._changes(guessed).items()))
+            yield self._with(self.changed)
 
     def others(self) -> Iterator[States]:
         """Yield further choices, limited by the time that a trial takes."""
@@ -81,7 +84,7 @@ class ModeSearch:
         """
         changes: dict[int, Any] = {}
         least, spare = len(self.choices) + 1, _IN_VAIN
-        singly: set[Changed] = set()
+        singly = set()
         for _ in range(_MOST_PIVOTS):
             self.changed = tuple(sorted(changes.items()))
             if self.changed in singly:  # a cycle
@@ -98,14 +101,6 @@ class ModeSearch:
                 turned = dict([max(turned.items())])
                 singly.add(self.changed)
             changes = self._changes({**changes, **turned})
-
-    def _near(self, guess: States | None) -> Iterator[States]:
-        """Yield a guess, restricted to the open choices."""
-        if guess is None:
-            return
-        guessed = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
-        self.changed = tuple(sorted(self._changes(guessed).items()))
-        yield self._with(self.changed)
 
     def _changes(self, states: Mapping[int, Any]) -> dict[int, Any]:
         first = [options[0] for _, _, options in self.choices]
@@ -137,7 +132,14 @@ class ModeSearch:
         self.seen.add(changed)
         meshes = sum(self.choices[number][0] == "meshes" for number in changes)
         slipping = len(changes) - meshes + min(meshes, 1)
-        rank = slipping, int(single), _distance(self._with(changed), self.before), len(self.seen)
+        distance = sum(  # number of states that differ from the states before
+            state != other
+            for states, others in zip(
+                self._with(changed)[:3], (self.before or ())[:3], strict=False
+            )
+            for state, other in zip(states, others, strict=True)
+        )
+        rank = slipping, int(single), distance, len(self.seen)
         heappush(self.waiting, (rank, changed))
 
     def _with(self, changed: Changed) -> States:
@@ -175,13 +177,3 @@ KIND_OF: Mapping[str, Kind | None] = {
     "grip": "springs",
 }
 """Kind of the choice that a margin watches."""
-
-
-def _distance(states: States, before: States | None) -> int:
-    if before is None:
-        return 0
-    return sum(
-        state != other
-        for mine, others in zip(states[:3], before[:3], strict=True)
-        for state, other in zip(mine, others, strict=True)
-    )

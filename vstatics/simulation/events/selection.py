@@ -47,15 +47,27 @@ class Selected(NamedTuple):
     state: Floats
     jump: Jump | None = None
 
+    @property
+    def equations(self) -> Equations:
+        """Equations of motion of the choice."""
+        return self.margins.equations
+
+    @property
+    def states(self) -> States:
+        """Sticking and slipping states of the choice."""
+        return self.margins.equations.states
+
 
 class ModesAsked(NamedTuple):
-    """Request for a choice, with the parameters of `ModeSelection.select`."""
+    """Request for a choice from an instant on."""
 
     at: Instant
     before: States | None
     scales: LargeSizes
-    left: Sequence[States]
-    met: Sequence[int]
+    left: Sequence[States] = ()
+    """Choices that were left and cannot be kept."""
+    met: Sequence[int] = ()
+    """Indices of contacts whose slip ends here."""
 
 
 class ModeSelection:
@@ -75,25 +87,8 @@ class ModeSelection:
         selection.choices.system, selection.choices.carrying = system, {}
         return selection
 
-    def select(
-        self,
-        at: Instant,
-        before: States | None,
-        scales: LargeSizes,
-        left: Sequence[States] = (),
-        met: Sequence[int] = (),
-    ) -> Selected:
+    def select(self, asked: ModesAsked) -> Selected:
         """Return the selected choice from an instant on.
-
-        Parameters
-        ----------
-        at : Instant
-        before : States, optional
-        scales : LargeSizes
-        left : sequence of States
-            Choices that were left and cannot be kept.
-        met : sequence of int
-            Indices of contacts whose slip ends here.
 
         Raises
         ------
@@ -101,7 +96,6 @@ class ModeSelection:
         CaseError
             If the speed of a link without inertia is not determined.
         """
-        asked = ModesAsked(at, before, scales, left, met)
         ahead = copy(self)
         for nearer in _NEARER:
             ahead.within = nearer * self.within
@@ -130,13 +124,13 @@ class ModeSelection:
                 fault, candidate, failing = fault or error, None, []
             except np.linalg.LinAlgError:
                 candidate, failing = None, []
-            if candidate is not None and candidate.margins.equations.states not in left:
-                joined = self._joined(candidate.margins.equations.states, choices)
-                if joined == candidate.margins.equations.states:
+            if candidate is not None and candidate.states not in left:
+                joined = self._joined(candidate.states, choices)
+                if joined == candidate.states:
                     return candidate
                 spare = spare or candidate  # differs from the joined choice by rounding only
                 candidate = self._admissible(joined, at, scales)
-                if candidate is not None and candidate.margins.equations.states not in left:
+                if candidate is not None and candidate.states not in left:
                     return candidate
             failing = [watch for watch in failing if self._may_change(watch, states)]
             tried[states] = failing
@@ -248,15 +242,18 @@ class ModeSelection:
 
         Returns the choice if it is admissible, and otherwise the failing watches.
         """
-        tried: set[States] = set()
+        tried = set()
         failing: list[Watch] = []
-        if self._stick_across(states):
-            return None, []
+        acting = [load.when for load in self.system.outside if load.acts(states.contacts)]
+        if any(sum(states.contacts[index] == "stick" for index, _ in when) > 1 for when in acting):
+            return None, []  # a law would stick at two jumps, over speed and angle
         while states not in tried:
             tried.add(states)
             equations = self._equations(states, at)
             state = state_of(equations, at)
-            if self._jumps(equations.structure, at, state, scales):
+            heavy, speeds = self.system.heavy, equations.structure.free @ state[: equations.motions]
+            jump_of_bodies = largest(heavy @ speeds - heavy @ at.speeds)
+            if jump_of_bodies > 100 * STANDING * scales.speed:  # bodies cannot change their speed
                 return None, self._caught(states, at, scales)
             state, jump = consistent(equations, state, scales)
             equations.check_seen(at.time, state)
@@ -268,22 +265,6 @@ class ModeSelection:
             only = all(watch.kind in ("flow", "piece") for watch in failing)
             states = turned(states, [watch for watch in failing if only or watch.kind == "flow"])
         return None, failing
-
-    def _stick_across(self, states: States) -> bool:
-        """Return whether a law sticks at two jumps, over speed and angle."""
-        return any(
-            sum(states.contacts[index] == "stick" for index, _ in load.when) > 1
-            for load in self.system.outside
-            if len(load.when) > 1 and load.acts(states.contacts)
-        )
-
-    def _jumps(
-        self, structure: MotionStructure, at: Instant, state: Floats, scales: LargeSizes
-    ) -> bool:
-        """Return whether a link with inertia would have to change its speed at once."""
-        heavy = self.system.heavy
-        speeds = heavy @ (structure.free @ state[: structure.free.shape[1]])
-        return largest(speeds - heavy @ at.speeds) > 100 * STANDING * scales.speed
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
         """Return watches of slipping contacts and meshes that are chosen to stick."""
@@ -384,7 +365,7 @@ class SelectionAhead(ModeSelection):
             except np.linalg.LinAlgError:
                 return None
             if selected is not None:
-                return selected.margins.equations.states
+                return selected.states
             search.fails(states, failing, None)
         return None
 
@@ -408,8 +389,7 @@ def _moves(slip: Floats, motions: Floats) -> bool:
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
     """Return failed watches, worst first, with splits replaced by the watches at a limit."""
     failed: list[Watch] = []
-    order = np.argsort(sizes, kind="stable")
-    for index in order[: int(np.isfinite(sizes).sum())]:
+    for index in np.argsort(sizes, kind="stable")[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
         failed += margins.tight(time, state) if watch.kind == "split" else [watch]
     return [margins.breaking(watch, time, state) for watch in failed]

@@ -66,11 +66,12 @@ class SequenceProgress:
         if self.true_at is None and self._is_true(step, judge, happened):
             self.true_at = time
         if self.true_at is None and time >= self.since + step.within:
-            message = (
+            raise CaseError(
+                "E696",
                 f"at {time:.9g} s the condition of sequence {self.name} is not true within "
-                f"{step.within:g} s"
+                f"{step.within:g} s",
+                (*self.path, "within"),
             )
-            raise CaseError("E696", message, (*self.path, "within"))
         return self.true_at is not None and time >= self.true_at + step.wait
 
     def _is_true(self, step: SequenceStep, judge: Judge, happened: Happened) -> bool:
@@ -80,8 +81,11 @@ class SequenceProgress:
         awaited = [judge.awaited(comparison) for comparison in step.when.comparisons]
         sides = [comparison.side + "=" * comparison.is_equal for comparison in awaited]
         if "?" in "".join(sides):
-            message = f"at {judge.now.time:.9g} s what {self.name} compares is no number"
-            raise CaseError("E650", message, (*self.path, "when"))
+            raise CaseError(
+                "E650",
+                f"at {judge.now.time:.9g} s what {self.name} compares is no number",
+                (*self.path, "when"),
+            )
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
     def go_on(self, time: float) -> int:

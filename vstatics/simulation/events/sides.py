@@ -73,8 +73,7 @@ class Judge:
     def awaited(self, comparison: Formula) -> Awaited:
         """Return the judgement of a comparison in the condition of a step."""
         if comparison not in self._known:
-            system = self.equations.system
-            self._known[comparison] = self.judged(compared(system, comparison))
+            self._known[comparison] = self.judged(compared(self.equations.system, comparison))
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
@@ -139,20 +138,16 @@ class Judge:
 
     def _large(self, place: int, value: float) -> float:
         """Return a large value of the kind of a seen quantity."""
-        layout, system = self.equations.layout, self.equations.system
-        twists = layout.ports
-        angles = twists + len(system.springs)
-        values = angles + len(layout.angles)
-        derived = values + len(layout.values)
-        if place < twists:
+        layout = self.equations.layout
+        if place < layout.ports:
             large = self._scales.speed
-        elif place < angles:
-            stiffness = system.springs[place - twists].stiffness
+        elif place < layout.seen_angles:
+            stiffness = self.equations.system.springs[place - layout.ports].stiffness
             large = self._scales.torque / stiffness if stiffness else 0.0
-        elif place < values:
+        elif place < layout.seen_values:
             large = 0.0
-        elif place < derived:
-            large = float(self._values[place - values])
+        elif place < layout.seen_derived:
+            large = float(self._values[place - layout.seen_values])
         else:
             large = self._scales.torque
         return max(large, abs(value))

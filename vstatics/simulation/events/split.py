@@ -37,8 +37,7 @@ def widest(slack: Floats, directions: Floats) -> Floats:
     slacks = slack[:, None] + directions @ places
     sizes = slacks.min(axis=0)
     best = int(sizes.argmax())
-    roomiest: Floats = slacks[:, best] if sizes[best] > slack.min() else slack
-    return roomiest
+    return slacks[:, best] if sizes[best] > slack.min() else slack
 
 
 def _corners(slack: Floats, directions: Floats) -> Floats | None:
@@ -53,15 +52,12 @@ def _corners(slack: Floats, directions: Floats) -> Floats | None:
     if not len(chosen):
         return np.zeros((count, 1))
     steep = largest(directions) or 1.0
-    unit_column = np.ones((*chosen.shape, 1))
-    matrices = np.concatenate([directions[chosen] / steep, -unit_column], axis=2)
-    sizes = np.abs(np.linalg.det(matrices))
-    regular = sizes > REGULAR_CORNER
+    matrices = np.concatenate([directions[chosen] / steep, -np.ones((*chosen.shape, 1))], axis=2)
+    regular = np.abs(np.linalg.det(matrices)) > REGULAR_CORNER
     if not regular.any():
         return np.zeros((count, 1))
     solutions = np.linalg.solve(matrices[regular], -slack[chosen[regular]][..., None])
-    places: Floats = solutions[:, :count, 0].T / steep
-    return places
+    return solutions[:, :count, 0].T / steep
 
 
 def _by_programming(slack: Floats, directions: Floats) -> Floats:
@@ -78,8 +74,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
     solution = linprog(goal, A_ub=limits, b_ub=slack / scale, bounds=bounds)
     if not solution.success or solution.x is None:
         return np.zeros(count)
-    place: Floats = solution.x[:-1] * scale / steep
-    return place
+    return solution.x[:-1] * scale / steep
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
@@ -105,6 +100,5 @@ def least(slack: Floats, directions: Floats) -> Floats | None:
     residual = stacked @ weights - goal
     if abs(residual[-1]) < NO_SPLIT:
         return None
-    change: Floats = -residual[:-1] / residual[-1] * scale / steep
-    fits = (slack + directions @ change).min() >= -WITHIN_LIMITS * scale
-    return change if fits else None
+    change = -residual[:-1] / residual[-1] * scale / steep
+    return change if (slack + directions @ change).min() >= -WITHIN_LIMITS * scale else None

@@ -14,7 +14,7 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.instants import seen_at, start_instant
 from vstatics.simulation.events.margins import LargeSizes
-from vstatics.simulation.events.selection import ModeSelection
+from vstatics.simulation.events.selection import ModesAsked, ModeSelection
 from vstatics.simulation.scenario.laws import constant
 from vstatics.simulation.scenario.programme import Programme
 from vstatics.simulation.system.curves import programme_at
@@ -32,23 +32,23 @@ def with_viscous_damping(
     A loss factor eta is equivalent to viscous damping ``eta k/omega`` at one frequency only. The
     lowest natural frequency with all parts sticking that stick at the start is used.
     """
-    names = [spring.name for spring in system.springs if spring.loss_factor]
-    if not names:
+    if not any(spring.loss_factor for spring in system.springs):
         return system, ()
     frequency = _lowest_frequency(system, speeds)
     if not frequency:
-        text = "nothing swings at the start, so loss factors damp nothing"
-        return system, (Message("W601", text),)
+        return system, (
+            Message("W601", "nothing swings at the start, so loss factors damp nothing"),
+        )
     springs = tuple(
         spring._replace(viscous=spring.viscous + spring.loss_factor * spring.stiffness / frequency)
         for spring in system.springs
     )
-    text = (
-        f"loss factors and damping ratios are taken as viscous damping at the lowest natural "
-        f"frequency at the start, {frequency / (2 * math.pi):.4g} Hz"
-    )
     return with_settings(replace(system, springs=springs), system.settings), (
-        Message("N601", text),
+        Message(
+            "N601",
+            "loss factors and damping ratios are taken as viscous damping at the lowest "
+            f"natural frequency at the start, {frequency / (2 * math.pi):.4g} Hz",
+        ),
     )
 
 
@@ -72,8 +72,7 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
         return 0.0
     forms = np.array([spring.row for spring in bent]) @ free
     stiffness = (forms.T * [spring.curve.slope_at(spring.curve.at(0.0)) for spring in bent]) @ forms
-    mass = free.T @ system.mass @ free
-    sizes, axes = np.linalg.eigh(mass)
+    sizes, axes = np.linalg.eigh(free.T @ system.mass @ free)
     heavy = sizes > LIGHT_MOTION * sizes[-1]
     light = axes[:, ~heavy]
     if light.shape[1]:
@@ -105,8 +104,11 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
         torque = max(-limit, min(limit, held.get(index, 0.0)))
         twist = spring.curve.twist_at(torque)
         if twist is None:
-            message = f"{spring.name} carries {torque:g} N*m, which it never has"
-            raise CaseError("E694", f"{message}: leave out `settled`", ("start", "settled"))
+            raise CaseError(
+                "E694",
+                f"{spring.name} carries {torque:g} N*m, which it never has: leave out `settled`",
+                ("start", "settled"),
+            )
         twists[index] = twist
     return twists
 
@@ -124,8 +126,8 @@ def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> 
     other = with_settings(other, system.settings)
     at = start_instant(other, speeds, np.zeros(len(limp)))
     scales = LargeSizes(max(1.0, largest(speeds)), 1.0)
-    selected = ModeSelection(other).select(at, None, scales)
-    equations = selected.margins.equations
+    selected = ModeSelection(other).select(ModesAsked(at, None, scales))
+    equations = selected.equations
     rates, torques = equations.acting(0.0, selected.state)
     columns = (vector[:, None] for vector in (selected.state, rates, torques))
     held = selected.margins.split(np.zeros(1), *columns)[:, 0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -52,8 +52,7 @@ def with_fixed_ratios(scenario: Scenario) -> Scenario:
     Variators that move, or that have the ratio 0, are kept.
     """
     case, name = scenario.case, scenario.start.gear
-    kinds = [mechanism for mechanism in case.mechanisms if mechanism.kind]
-    if not kinds:
+    if not any(mechanism.kind for mechanism in case.mechanisms):
         return scenario
     gear = next((candidate for candidate in case.gears if candidate.name == name), Gear())
     ratios = dict(enumerate(case.gear_ratios(gear), 1))
@@ -109,8 +108,11 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     for link, speed in start.speeds.items():
         known = given.setdefault(link, speed)
         if abs(known - speed) > STANDING * max(1.0, abs(known)):
-            message = f"read {speed:g} rad/s, but `speeds` gives {known:g} rad/s at t = 0"
-            raise CaseError("E674", message, ("start", "speeds", case.link_name(link)))
+            raise CaseError(
+                "E674",
+                f"read {speed:g} rad/s, but `speeds` gives {known:g} rad/s at t = 0",
+                ("start", "speeds", case.link_name(link)),
+            )
     if gear is not None and (start.speed or not scenario.speeds):
         given.setdefault(case.gear_input(gear), start.speed)
     values = [0.0] * len(rows)
@@ -121,7 +123,7 @@ def start_speeds(system: MotionSystem, gear: Gear | None) -> Floats:
     speeds = solved(matrix, wanted) if rows else np.zeros(links)
     scale = max(1.0, largest(wanted))
     if largest(matrix @ speeds - wanted) > STANDING * scale:
-        raise CaseError([_contradiction(system, matrix, wanted, given)])
+        raise CaseError([_contradicting_speed(system, matrix, wanted, given)])
     open_still = null(matrix)
     if open_still.shape[1]:
         speeds = _filled_in(system, speeds, open_still, scale)
@@ -158,7 +160,15 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
     rows = [*(mesh.row for mesh in system.meshes), *(row for _, row, _ in given)]
     values = np.array([*(0.0 for _ in system.meshes), *(value for *_, value in given)])
     matrix = system.rows(rows)
-    _check_angles(matrix, values, [path for path, *_ in given])
+    if contradiction := _contradiction(matrix, values, len(system.meshes)):
+        place, expected = contradiction
+        path, _, angle = given[place]
+        raise CaseError(
+            "E649",
+            f"read {angle:g} rad, but the other angles and twists, and the mechanisms "
+            f"between them, make it {expected:g} rad",
+            ("start", *path),
+        )
     open_still, angles = null(matrix), solved(matrix, values)
     loose = []
     for number, spring in tied.items():
@@ -173,23 +183,25 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
     angles = solved(matrix, values)
     if largest(matrix @ angles - values) > STANDING * max(1.0, largest(values)):
         names = spoken([spring.name for spring in loose])
-        message = f"the twists that are given leave open how {names} share the others: give more"
-        raise CaseError("E726", message, ("start", "twists"))
+        raise CaseError(
+            "E726",
+            f"the twists that are given leave open how {names} share the others: give more",
+            ("start", "twists"),
+        )
     is_open = np.abs(null(matrix)).max(axis=1, initial=0.0) > MOVING_LINK
     return np.where(is_open, 0.0, angles), twists
 
 
-def _check_angles(matrix: Floats, values: Floats, paths: Sequence[tuple[str, str]]) -> None:
-    for count in range(len(values) - len(paths) + 1, len(values) + 1):
+def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
+    """Return the first row that contradicts the rows before, with the value expected there.
+
+    The number of the row counts from the first `certain` rows.
+    """
+    for count in range(certain + 1, len(values) + 1):
         rows, wanted = matrix[:count], values[:count]
         if largest(rows @ solved(rows, wanted) - wanted) > STANDING * max(1.0, largest(wanted)):
-            expected = float(rows[-1] @ solved(rows[:-1], wanted[:-1]))
-            path = paths[count - 1 - len(values)]
-            message = (
-                f"read {wanted[-1]:g} rad, but the other angles and twists, and the mechanisms "
-                f"between them, make it {expected:g} rad"
-            )
-            raise CaseError("E649", message, ("start", *path))
+            return count - 1 - certain, float(rows[-1] @ solved(rows[:-1], wanted[:-1]))
+    return None
 
 
 def fixed_rows(system: MotionSystem) -> list[Floats]:
@@ -205,8 +217,12 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
         rows.append(np.eye(len(system.names))[link - 1])
         if null(system.rows(rows)).shape[1] == before.shape[1]:
             name = system.case.link_name(link)
-            message = f"the train ties {name} to other links whose speed is given, or holds it"
-            raise CaseError("E673", f"{message}: expected one of them", ("speeds", name))
+            raise CaseError(
+                "E673",
+                f"the train ties {name} to other links whose speed is given, or holds it: "
+                "expected one of them",
+                ("speeds", name),
+            )
 
 
 def _backward(
@@ -223,11 +239,12 @@ def _backward(
         slip = float(contact.row @ speeds)
         limited = contact.programme.look is not None or not math.isinf(capacity_at(contact, 0.0))
         if contact.one_way and slip < -STANDING * scale and not limited:
-            message = (
-                f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel holds in "
-                "this direction: expected a slip of 0 or more"
+            yield Problem(
+                "E612",
+                f"{contact.name} slips by {slip:g} rad/s at the start, but a freewheel "
+                "holds in this direction: expected a slip of 0 or more",
+                ("start",),
             )
-            yield Problem("E612", message, ("start",))
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
@@ -242,18 +259,19 @@ def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float)
     bent = rows @ free
     moved = np.abs(bent).max(axis=1, initial=0.0) > MOVING_LINK
     bent, missing = bent[moved], -(rows @ speeds)[moved]
-    left = free @ null(bent) if len(bent) else free
-    loose, idle = split_motions(system.heavy, left)
+    loose, idle = split_motions(system.heavy, free @ null(bent) if len(bent) else free)
     if loose.shape[1]:
-        hint = ": give the speed of one more link, or an element that is engaged"
-        raise _left_open(system, loose, hint)
+        raise _left_open(
+            system, loose, ": give the speed of one more link, or an element that is engaged"
+        )
     part = solved(bent, missing) if len(bent) else np.zeros(free.shape[1])
     if heavy.shape[1] and largest(bent @ part - missing) > STANDING * scale:
-        hint = (
-            ", and springs on both sides turn at different speeds: give the speed of one more link"
+        raise _left_open(
+            system,
+            heavy,
+            ", and springs on both sides turn at different speeds: give the speed of one more link",
         )
-        raise _left_open(system, heavy, hint)
-    filled: Floats = speeds + free @ part
+    filled = speeds + free @ part
     freewheels = system.rows(contact.row for contact in system.contacts if contact.one_way)
     if idle.shape[1] and len(freewheels):
         filled += idle @ solved(freewheels @ idle, -freewheels @ filled)
@@ -266,22 +284,18 @@ def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
     return CaseError("E613", f"the start leaves the speed of {names} open{hint}", ("start",))
 
 
-def _contradiction(
+def _contradicting_speed(
     system: MotionSystem, matrix: Floats, wanted: Floats, given: dict[int, float]
 ) -> Problem:
     """Return a problem for the first given speed that contradicts earlier speeds."""
-    first = len(wanted) - len(given)
-    names = list(given)
-    for count in range(first + 1, len(wanted) + 1):
-        rows, values = matrix[:count], wanted[:count]
-        solution = solved(rows, values)
-        if largest(rows @ solution - values) > STANDING * max(1.0, largest(values)):
-            link = names[count - 1 - first]
-            others = solved(rows[:-1], values[:-1])
-            name = system.case.link_name(link)
-            message = (
-                f"read a speed of {given[link]:g} rad/s of {name}, but the other speeds and what "
-                f"is engaged give it {others[link - 1]:g}"
-            )
-            return Problem("E614", message, ("start", "speeds", link))
-    return Problem("E615", "the speeds contradict each other", ("start",))
+    contradiction = _contradiction(matrix, wanted, len(wanted) - len(given))
+    if contradiction is None:
+        return Problem("E615", "the speeds contradict each other", ("start",))
+    place, expected = contradiction
+    link, speed = [*given.items()][place]
+    return Problem(
+        "E614",
+        f"read a speed of {speed:g} rad/s of {system.case.link_name(link)}, but the other "
+        f"speeds and what is engaged give it {expected:g}",
+        ("start", "speeds", link),
+    )

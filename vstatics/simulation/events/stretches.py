@@ -154,7 +154,7 @@ _GAUSS = 8
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
 NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
 """Gauss points of a part of a stretch and the end, as fractions of the length."""
-_BY_ORDER: Floats = (
+_BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
 """Matrix from powers at the Gauss points of a part to coefficients of the work over time."""
@@ -181,7 +181,8 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
     to_series[:, : degree + 1] = np.linalg.pinv(values).T
     to_values = np.zeros((DEGREE + 1, len(places)))
     to_values[: degree + 1] = values.T
-    return to_series, _powers() / _scales(count), to_values
+    scales = np.append(1.0, np.cumprod(count / np.arange(1, DEGREE + 1)))
+    return to_series, _powers() / scales, to_values
 
 
 @lru_cache(maxsize=1)
@@ -194,19 +195,12 @@ def _powers() -> Floats:
     return powers
 
 
-def _scales(count: int) -> Floats:
-    orders = np.arange(1, DEGREE + 1)
-    return np.append(1.0, np.cumprod(count / orders))
-
-
 _RADIANS = 3.0
 """Angle through which the fastest motion turns in a part of a stretch. [rad]"""
 _MOST_HALVINGS = 256
 """Largest number of parts of a stretch, a power of 2."""
 _GONE = 40.0
 """Number of time constants after which a motion has decayed."""
-_MOST_NUMBERS = 4_000_000
-"""Largest number of matrix entries that are calculated at once."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
 _SMOOTH = 4
@@ -321,7 +315,7 @@ class Closed:
         matrix = self.affine.change.by_state
         self.balance = self._balanced()
         self._balance_values(matrix)
-        self.matrix: Floats = self.balance[:, None] * matrix / self.balance
+        self.matrix = self.balance[:, None] * matrix / self.balance
         self.rates: Complex | None = None
         self.exponentials: dict[float, tuple[Exponential, float]] = {}
 
@@ -412,10 +406,8 @@ class Closed:
         if self.rates is None:
             if self.size > _FEW and not gone:  # eigenvalues would dominate the calculation time
                 return _largest_rate(self.matrix)
-            matrix = self.affine.change.by_state
-            self.rates = np.asarray(np.linalg.eigvals(matrix), complex)
-        alive = np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE]
-        return float(alive.max(initial=0.0))
+            self.rates = np.asarray(np.linalg.eigvals(self.affine.change.by_state), complex)
+        return float(np.abs(self.rates)[np.abs(self.rates.real) * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
         """Return the exponential of x, time, 1 and nonlinear torques, with the unit of all but x.
@@ -466,30 +458,23 @@ class Closed:
                 return None
             given = now @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
-            if self._keep(given, limit):
+            bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
+            if bends.any():  # torques that bend from now on keep all orders
+                self.kept[bends] = True
+                self.exponentials.clear()
                 before = None
             given[~self.kept] = 0.0
             if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
-                fits = largest(given @ to_values - now) <= 4 * limit
-                fits = fits and self._fits_at_start(parts.begin, state, given, limit)
-                return self._followed(parts, state, given, to_powers) if fits else None
+                if largest(given @ to_values - now) > 4 * limit:
+                    return None
+                first = np.power(-1.0, np.arange(_ORDERS))[:, None]
+                begin = self._bent(np.array([parts.begin]), state[: self.size, None], given, first)
+                if largest(given @ first - begin) > _MOST_AT_START * limit:
+                    return None
+                return self._followed(parts, state, given, to_powers)
             before = now
         return None
-
-    def _fits_at_start(self, time: float, state: Floats, given: Floats, limit: float) -> bool:
-        """Return whether torques begin on the fitted polynomials."""
-        first: Floats = np.power(-1.0, np.arange(_ORDERS))[:, None]
-        now = self._bent(np.array([time]), state[: self.size, None], given, first)
-        return bool(largest(given @ first - now) <= _MOST_AT_START * limit)
-
-    def _keep(self, given: Floats, limit: float) -> bool:
-        """Keep all orders of newly bending torques; return whether there are any."""
-        bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
-        if bends.any():
-            self.kept[bends] = True
-            self.exponentials.clear()
-        return bool(bends.any())
 
     def _followed(
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats

@@ -15,7 +15,7 @@ from vstatics.simulation.tolerances import NO_PROGRESS
 if TYPE_CHECKING:
     from scipy.integrate import DOP853
 
-_NODES: Floats = np.arange(1, 9) / 8
+_NODES = np.arange(1, 9) / 8
 """Instants of a step at which margins are evaluated, as parts of the length."""
 Between = Callable[[Floats], Floats]
 """Dense output: times within a step, shape (n,), to states, shape (size, n)."""

@@ -9,7 +9,7 @@ import numpy as np
 from vstatics.core.errors import Path, Problem
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
-from vstatics.simulation.system.matrices import Contact, Elastic
+from vstatics.simulation.system.matrices import Elastic
 from vstatics.simulation.tolerances import LARGEST_NUMBER
 
 
@@ -29,8 +29,12 @@ def unbounded(equations: Equations, begin: float, time: float, state: Floats) ->
     state = moved if np.isfinite(moved).all() else state
     for what, value, path in _values(equations, time, equations.changes.seen_at(time, state)):
         if not abs(value) <= LARGEST_NUMBER:
-            wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
-            return Problem("E700", f"at {time:.6g} s {what} is {value:g}, {wanted}", path)
+            return Problem(
+                "E700",
+                f"at {time:.6g} s {what} is {value:g}, expected a number, "
+                f"{LARGEST_NUMBER:g} at most",
+                path,
+            )
     return None
 
 
@@ -38,8 +42,7 @@ def _values(
     equations: Equations, time: float, seen: Sequence[float]
 ) -> Iterator[tuple[str, float, Path]]:
     system = equations.system
-    devices: list[Contact | Elastic] = [*system.contacts, *system.springs]
-    for device in devices:
+    for device in system.may_slip:
         look, key = device.programme.look, "limits" if isinstance(device, Elastic) else "controls"
         if look is not None:
             yield f"the {key[:-1]} of {device.name}", look.at(time, seen), (key, device.name)

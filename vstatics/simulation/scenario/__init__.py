@@ -1,9 +1,9 @@
-"""What happens to a case over time, as it is written down.
+"""Scenario of a simulation: the inputs of a case over time, read from YAML or JSON and checked.
 
-`parts` is a scenario. `file` reads one: `keys` declares what may stand there, `given` what it is
-before the case says what numbers measure, `values` the parts after. `laws` are torques over time,
-speed or angle, `formula` those that are formulas, `formula_code` their functions of floats,
-`corners` where these bend or jump; `jumps` splits a law that does. `programme` is the capacity of
-each shift element over time, `distribution` what samples are drawn from. `checks` tells what is
-wrong before anything is calculated, `sizes` which numbers nothing has.
+`parts` is the data model of a scenario. `file` reads a document: `keys` declares its keys, `given`
+its values while their units are open, and `values` the parts once the case has settled the units.
+`laws` are torques over time, speed or angle; `formula` reads formulas, `formula_code` compiles
+them, `corners` finds their bends and jumps, and `jumps` splits a law at its jumps. `programme` is
+the capacity of each shift element over time, `distribution` the distribution of a sampled number.
+`checks` refuses impossible scenarios before the calculation, `sizes` numbers of impossible size.
 """

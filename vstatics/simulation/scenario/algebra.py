@@ -1,4 +1,4 @@
-"""What is calculated with trees of formulas: sums, products, slopes over time, straight forms."""
+"""Calculations with trees of formulas: sums, products, slopes over time, straight forms."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _STEPS = frozenset(("<", "<=", ">", ">=", "==", "!=", "and", "or", "not", "sign"
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
-    """All parts of a tree."""
+    """Yield all parts of a tree, outer parts first."""
     waiting = [tree]
     while waiting:
         part = waiting.pop()
@@ -25,41 +25,41 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def variables(tree: Tree) -> frozenset[str]:
-    """Which names stand in a tree, but pi; of what is seen elsewhere its word and its name."""
-    names = (one for one in parts(tree) if isinstance(one, TableName) and one.name != PI)
-    return frozenset(one.name + "".join(row.written for row in one.subscripts) for one in names)
+    """Return the names in a tree except pi, subscripts included."""
+    names = (name for name in parts(tree) if isinstance(name, TableName) and name.name != PI)
+    return frozenset(name.name + "".join(row.written for row in name.subscripts) for name in names)
 
 
 def number(tree: Tree) -> float | None:
-    """The value of a tree without variables."""
+    """Return the value of a tree without variables, else None."""
     return None if variables(tree) else compiled(tree)(0.0, 0.0, 0.0)
 
 
 def applied(name: str, *operands: Tree) -> Tree:
-    """An operation, wherever it stands: equal ones are the same tree."""
+    """Build an operation without a place in a text, so that equal operations are equal trees."""
     return Applied(name, operands, 0, 0)
 
 
 def bare(tree: Any) -> Tree:
-    """A tree without the places in its text."""
+    """Return a tree without the places of the parts in the text."""
     if isinstance(tree, Applied):
         return applied(tree.name, *map(bare, tree.operands))
     if isinstance(tree, TableName):
-        rows = tuple(one._replace(at=0) for one in tree.subscripts)
+        rows = tuple(row._replace(at=0) for row in tree.subscripts)
         tree = TableName(tree.name, rows, 0)
     whole: Tree = tree
     return whole
 
 
 def plus(first: Tree, second: Tree) -> Tree:
-    """A sum."""
+    """Return the sum of two trees."""
     if Constant(0.0) in (first, second):
         return second if first == Constant(0.0) else first
     return applied("+", first, second)
 
 
 def times(first: Tree, second: Tree) -> Tree:
-    """A product."""
+    """Return the product of two trees."""
     if Constant(0.0) in (first, second):
         return Constant(0.0)
     if Constant(1.0) in (first, second):
@@ -72,7 +72,7 @@ def times(first: Tree, second: Tree) -> Tree:
 
 
 def minus(tree: Tree) -> Tree:
-    """Of a tree."""
+    """Return the negative of a tree."""
     return times(Constant(-1.0), tree)
 
 
@@ -84,11 +84,11 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
     "sin": lambda inner, _: applied("cos", inner),
     "cos": lambda inner, _: minus(applied("sin", inner)),
 }
-"""Slopes of functions, by what they are of and by their values."""
+"""Derivatives of functions, from the argument and the value of the function."""
 
 
 def slope(tree: Tree) -> Tree | None:
-    """The change of a tree of t with t; None where no tree tells it, as of ``2^t``.
+    """Return the derivative of a tree with respect to t; None without a formula, as of ``2^t``.
 
     Examples
     --------
@@ -102,72 +102,72 @@ def slope(tree: Tree) -> Tree | None:
         return Constant(float(isinstance(tree, TableName) and tree.name == "t"))
     if tree.name in _STEPS or "t" not in variables(tree):
         return Constant(0.0)
-    operands: Sequence[Tree] = tree.operands
-    slopes = [one for one in map(slope, operands) if one]
+    operands = tree.operands
+    slopes = [change for change in map(slope, operands) if change]
     return _combined(tree, operands, slopes) if len(slopes) == len(operands) else None
 
 
 def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -> Tree | None:  # noqa: PLR0911 - a table
-    """The slope of an operation by those of its operands."""
-    first, second, one, other = operands[0], operands[-1], slopes[0], slopes[-1]
+    """Return the derivative of an operation from the derivatives of the operands."""
+    first, second, change, last_change = operands[0], operands[-1], slopes[0], slopes[-1]
     match tree.name:
         case "-x":
-            return minus(one)
+            return minus(change)
         case "+":
-            return plus(one, other)
+            return plus(change, last_change)
         case "-":
-            return plus(one, minus(other))
+            return plus(change, minus(last_change))
         case "*":
-            return plus(times(one, second), times(first, other))
+            return plus(times(change, second), times(first, last_change))
         case "/":
-            return applied("/", plus(one, minus(times(tree, other))), second)
+            return applied("/", plus(change, minus(times(tree, last_change))), second)
         case "**":
             power = number(second)
             if power is None:
                 return None
-            less = applied("**", first, Constant(power - 1))
-            return times(one, times(Constant(power), less))
+            lowered = applied("**", first, Constant(power - 1))
+            return times(change, times(Constant(power), lowered))
         case "min" | "max":
             return reduce(partial(_picked, tree.name), zip(operands, slopes, strict=True))[1]
     outer = _OUTER.get(tree.name)
-    return times(one, outer(first, tree)) if outer else None
+    return times(change, outer(first, tree)) if outer else None
 
 
-def _picked(name: str, one: tuple[Tree, Tree], other: tuple[Tree, Tree]) -> tuple[Tree, Tree]:
-    """Of `min` or `max` of two, each with its slope."""
-    is_first = applied("<" if name == "min" else ">", one[0], other[0])
-    change = plus(one[1], minus(other[1]))
-    return applied(name, one[0], other[0]), plus(other[1], times(is_first, change))
+def _picked(name: str, left: tuple[Tree, Tree], right: tuple[Tree, Tree]) -> tuple[Tree, Tree]:
+    """Return `min` or `max` of two operands, each with the derivative."""
+    is_first = applied("<" if name == "min" else ">", left[0], right[0])
+    change = plus(left[1], minus(right[1]))
+    return applied(name, left[0], right[0]), plus(right[1], times(is_first, change))
 
 
 class StraightForm(NamedTuple):
-    """``a speed + b angle + g(t)``."""
+    """Straight form ``a speed + b angle + g(t)``."""
 
     speed: float
     angle: float
-    rest: Tree
+    offset: Tree
 
     def plus(self, other: StraightForm, factor: float = 1.0) -> StraightForm:
-        """The sum with another one, multiplied."""
-        more = other.times(factor)
-        rest = plus(self.rest, more.rest)
-        return StraightForm(self.speed + more.speed, self.angle + more.angle, rest)
+        """Return the sum with a second form, multiplied by a factor."""
+        addend = other.times(factor)
+        offset = plus(self.offset, addend.offset)
+        return StraightForm(self.speed + addend.speed, self.angle + addend.angle, offset)
 
     def times(self, factor: float) -> StraightForm:
-        """Its product with a number."""
-        rest = times(Constant(factor), self.rest)
-        return StraightForm(self.speed * factor, self.angle * factor, rest)
+        """Return the product with a number."""
+        offset = times(Constant(factor), self.offset)
+        return StraightForm(self.speed * factor, self.angle * factor, offset)
 
 
 def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
-    """A tree as a straight form, if it is one.
+    """Return a tree that is linear in speed and angle as a straight form, else None.
 
     Examples
     --------
     >>> from vstatics.core.readers.expressions.excerpt import Excerpt
     >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> form = straight(parse(Excerpt("5 - 2*(speed - 3*angle)", ""), Language([], "t", "t")))
-    >>> form.speed, form.angle, number(form.rest)
+    >>> form.speed, form.angle, number(form.offset)
     (-2.0, 6.0, 5.0)
     """
     names = variables(tree)
@@ -175,7 +175,7 @@ def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
         return StraightForm(0.0, 0.0, tree)
     if not isinstance(tree, Applied):
         return StraightForm(float("speed" in names), float("angle" in names), Constant(0.0))
-    operands: Sequence[Tree] = tree.operands
+    operands = tree.operands
     first, second = straight(operands[0]), straight(operands[-1])
     left, right = number(operands[0]), number(operands[-1])
     match tree.name:

@@ -1,15 +1,14 @@
-"""What a scenario, its laws, points and formulas must fulfil before anything is calculated.
+"""Checks of a scenario, its laws, points and formulas before the calculation.
 
-Names stand in the paths: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of
-several laws, ``("shifts", 1, "to")``, numbers from 1. What only a calculation tells, such as start
-speeds that contradict each other, is told there.
+Paths contain names: ``("controls", "FH")``, ``("torques", "out", 2)`` for the second of several
+laws, ``("shifts", 1, "to")``, numbers from 1. Problems that only a calculation finds, such as
+contradictory start speeds, are reported there.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -23,7 +22,11 @@ from vstatics.core.model.torsional_checks import of_converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.suggestions import nearest
-from vstatics.simulation.scenario.control_checks import control_problems, placed_steps
+from vstatics.simulation.scenario.control_checks import (
+    ascending,
+    control_problems,
+    of_range,
+)
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
     OF_MOTION,
@@ -34,7 +37,7 @@ from vstatics.simulation.scenario.formula import (
     formula_tree,
 )
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start
+from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start, placed_steps
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
@@ -44,19 +47,19 @@ _TRIED_TIMES = 1001
 
 
 def check_scenario(scenario: Scenario) -> None:
-    """Refuse a scenario that cannot be.
+    """Refuse an impossible scenario.
 
     Raises
     ------
     CaseError
         With every problem.
     """
-    if found := list(scenario_problems(scenario)):
-        raise CaseError(found)
+    if problems := list(scenario_problems(scenario)):
+        raise CaseError(problems)
 
 
 def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
-    """All that is wrong with a scenario.
+    """Yield all problems of a scenario.
 
     Examples
     --------
@@ -71,7 +74,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     controls.F1.scale: read -1, expected a scale of 0 or more [E640]
     """
     yield from size_problems(scenario)
-    yield from _of_range(scenario.duration, "a time", ("duration",), above_0=True)
+    yield from of_range(scenario.duration, "a time", ("duration",), above_0=True)
     yield from _of_start(scenario)
     yield from _of_controls(scenario.controls or {}, scenario.case, scenario.duration)
     yield from _of_torques(scenario)
@@ -84,13 +87,13 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
     for path, step in placed_steps(scenario):
         if step.shift is not None:
             yield from _of_gear(step.shift.to, scenario.case, (*path, "shift", "to"))
-            yield from _of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
+            yield from of_range(step.shift.overlap, "a time", (*path, "shift", "overlap"))
     yield from _of_formulas(scenario)
     yield from _of_speeds(scenario.targets, scenario.case, "targets")
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """What is doubtful: capacities without a unit, controls above them, shifts behind the end..."""
+    """Yield warnings and notes, such as of capacities without a unit and shifts after the end."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
@@ -122,8 +125,11 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
         yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:
-            message = "read `gear` beside `speeds` or `engaged`, expected one or the other"
-            yield Problem("E629", message, ("start",))
+            yield Problem(
+                "E629",
+                "read `gear` beside `speeds` or `engaged`, expected one or the other",
+                ("start",),
+            )
         yield from _of_gear(start.gear, case, ("start", "gear"))
     elif start.speed:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))
@@ -136,7 +142,7 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
-    """Problems of twists at the start: not elastic, not finite, or given with `settled`."""
+    """Yield problems of twists at the start: not elastic, not finite, or given with `settled`."""
     names = elastic_names(case)
     for name, twist in start.twists.items():
         path = ("start", "twists", name)
@@ -145,8 +151,11 @@ def _of_twists(start: Start, case: Transmission) -> Iterator[Problem]:
             yield Problem("E671", f"read {quoted(name)}, expected the name of a spring{hint}", path)
         yield from of_finite([twist], "a twist", path)
     if start.twists and start.settled:
-        message = "read `twists` beside `settled`, which determines them: expected one of them"
-        yield Problem("E648", message, ("start", "twists"))
+        yield Problem(
+            "E648",
+            "read `twists` beside `settled`, which determines them: expected one of them",
+            ("start", "twists"),
+        )
 
 
 def _of_controls(
@@ -160,56 +169,59 @@ def _of_controls(
         element = case.shift_elements[number - 1]
         path = ("controls", element.name)
         if element.is_freewheel:
-            message = "is a freewheel, which finds by itself whether it holds: it has no control"
-            yield Problem("E631", message, path)
-        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
-            message = (
-                "is a dog clutch, which has no friction: expected when it closes and opens, such "
-                "as {dog: [[1.5, closed], [2, open]]}"
+            yield Problem(
+                "E631",
+                "is a freewheel, which finds by itself whether it holds: it has no control",
+                path,
             )
-            yield Problem("E632", message, path)
+        elif isinstance(control, Capacity) and element.kind == "dog_clutch":
+            yield Problem(
+                "E632",
+                "is a dog clutch, which has no friction: expected when it closes and "
+                "opens, such as {dog: [[1.5, closed], [2, open]]}",
+                path,
+            )
         elif isinstance(control, Capacity):
             yield from _of_capacity(control, duration, path)
         else:
             yield from of_times([time for time, _ in control.points], (*path, "dog"))
 
 
-def _tried(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """A formula of the time at many times: whether it ever gives no number."""
-    law = control.law
-    if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
-        return
-    times = np.linspace(0.0, duration, _TRIED_TIMES)
-    values = law.along(times, 0.0, 0.0) * control.scale
-    wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
-    if len(wrong):
-        first = int(wrong[0])
-        wanted = f"expected a number, {LARGEST_NUMBER:g} at most"
-        message = f"gives {values[first]:g} at {times[first]:.6g} s, {wanted}"
-        yield Problem("E633", message, path)
-
-
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """A formula of the time, or of the motion of its link, that never has a value."""
+    """Yield a problem of a formula that has no value at any time, speed or angle."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     speeds, angles = 1e3 * np.sin(7.3 * np.arange(_TRIED_TIMES)), np.cos(np.arange(_TRIED_TIMES))
     values = law.along(times, speeds, angles)
     if law.variables and not np.isfinite(values).any():
-        message = f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number"
-        yield Problem("E633", message, path)
+        yield Problem(
+            "E633",
+            f"gives {values[1]:g} at {times[1]:.6g} s as at all times, expected a number",
+            path,
+        )
 
 
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """A control or a limit: numbers over time."""
+    """Yield the problems of a control or a limit over time."""
     law, scale = control
-    yield from _of_range(scale, "a scale", (*path, "scale"))
-    yield from _tried(control, duration, path)
+    yield from of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Points):
         if law.over != "time":
             yield Problem("E634", f"read points over {law.over}, expected points over time", path)
         yield from of_points(law, path)
+    elif not law.seen and 0 < duration < math.inf:
+        times = np.linspace(0.0, duration, _TRIED_TIMES)
+        values = law.along(times, 0.0, 0.0) * scale
+        wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
+        if len(wrong):
+            first = int(wrong[0])
+            yield Problem(
+                "E633",
+                f"gives {values[first]:g} at {times[first]:.6g} s, expected a number, "
+                f"{LARGEST_NUMBER:g} at most",
+                path,
+            )
 
 
 def _of_torques(scenario: Scenario) -> Iterator[Problem]:
@@ -220,11 +232,17 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
         path = ("torques", _name(scenario.case, link))
         yield from _of_link(link, scenario.case, path)
         for number, law in enumerate(several, 1):
-            yield from of_law(law, (*path, number) if len(several) > 1 else path)
+            place = (*path, number) if len(several) > 1 else path
+            if isinstance(law, Points):
+                yield from of_points(law, place)
+            elif isinstance(law, Resistance):
+                yield from of_range(law.torque, "a torque", (*place, "resistance"))
+            elif isinstance(law, Road):
+                yield from _of_road(law, (*place, "road"))
 
 
 def _of_limits(scenario: Scenario) -> Iterator[Problem]:
-    """Of limits of springs: of one that there is and that may have one, of 0 or more."""
+    """Yield the problems of torque limits of springs: unknown spring, second limit, below 0."""
     springs = scenario.case.springs
     for number, limit in scenario.limits.items():
         if not 0 < number <= len(springs):
@@ -234,13 +252,18 @@ def _of_limits(scenario: Scenario) -> Iterator[Problem]:
         path = ("limits", springs[number - 1].name)
         spring = springs[number - 1]
         if spring.points or spring.strut:
-            own = "points" if spring.points else "strut"
-            yield Problem("E693", f"read a limit beside `{own}`, expected none", path)
-        if spring.name in [one.limit.of for one in springs if isinstance(one.limit, SpringLimit)]:
-            message = f"another limit follows {quoted(spring.name)}, expected none of its own"
-            yield Problem("E546", message, path)
+            key = "points" if spring.points else "strut"
+            yield Problem("E693", f"read a limit beside `{key}`, expected none", path)
+        if spring.name in [
+            other.limit.of for other in springs if isinstance(other.limit, SpringLimit)
+        ]:
+            yield Problem(
+                "E546",
+                f"another limit follows {quoted(spring.name)}, expected none of its own",
+                path,
+            )
         yield from _of_capacity(Capacity(limit), scenario.duration, path)
-        values: Sequence[float] = limit.y if isinstance(limit, Points) else ()
+        values = limit.y if isinstance(limit, Points) else ()
         for place, value in enumerate(values, 1):
             if value < 0:
                 where = (*path, place, 2) if len(values) > 1 else path
@@ -252,8 +275,9 @@ def _of_converters(converters: Sequence[Converter], case: Transmission) -> Itera
     for converter in converters:
         path = ("converters", converter.name)
         if converter.name in names:
-            message = f"{quoted(converter.name)} is the name of another device of the case"
-            yield Problem("E637", message, path)
+            yield Problem(
+                "E637", f"{quoted(converter.name)} is the name of another device of the case", path
+            )
         names.append(converter.name)
         yield from of_converter(converter, path, case.links)
 
@@ -263,19 +287,15 @@ def _of_shifts(scenario: Scenario) -> Iterator[Problem]:
     for number, shift in enumerate(scenario.shifts or (), 1):
         path = ("shifts", number)
         yield from _of_gear(shift.to, scenario.case, (*path, "to"))
-        yield from _of_range(shift.at, "a time", (*path, "at"))
+        yield from of_range(shift.at, "a time", (*path, "at"))
         if 0 <= shift.at < before:
-            message = f"read {shift.at:g} behind {before:g}, expected shifts in their order"
-            yield Problem("E639", message, (*path, "at"))
+            yield Problem(
+                "E639",
+                f"read {shift.at:g} behind {before:g}, expected shifts in their order",
+                (*path, "at"),
+            )
         before = max(before, shift.at)
-        yield from _of_range(shift.overlap, "a time", (*path, "overlap"))
-
-
-def _of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
-    """Of a number that may not be below 0 nor infinite."""
-    if not (0 < value < math.inf or (value == 0 and not above_0)):
-        least = "above 0" if above_0 else "of 0 or more"
-        yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
+        yield from of_range(shift.overlap, "a time", (*path, "overlap"))
 
 
 def _of_speeds(
@@ -314,64 +334,59 @@ def _name(case: Transmission, link: int) -> Any:
     return case.link_name(link) if 0 <= link <= case.links else str(link)
 
 
-def of_law(law: TorqueLaw, path: Path) -> Iterator[Problem]:
-    """Of a torque: numbers that can be, points in order, known names."""
-    match law:
-        case Formula():
-            pass  # with all others
-        case Points():
-            yield from of_points(law, path)
-        case Resistance():
-            yield from _of_range(law.torque, "a torque", (*path, "resistance"))
-        case Road():
-            yield from _of_road(law, (*path, "road"))
-
-
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
-    """Sizes that can be; and a speed of the wheels has one velocity."""
+    """Yield the problems of a road: sizes, and a wheel speed without a single velocity."""
     problems = [
-        *_of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
-        *_of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
-        *_of_range(law.by_torque, "a number", (*path, "radius", "by_torque")),
+        *of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
+        *of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
+        *of_range(law.by_torque, "a number", (*path, "radius", "by_torque")),
         *_of_rolling(law.rolling, (*path, "rolling")),
-        *_of_range(law.drag_area, "an area", (*path, "drag_area")),
+        *of_range(law.drag_area, "an area", (*path, "drag_area")),
     ]
     if not -1 <= law.slope <= 1:
-        message = f"read {law.slope:g}, expected the sine of an angle, from -1 to 1"
-        problems.append(Problem("E645", message, (*path, "slope")))
+        problems.append(
+            Problem(
+                "E645",
+                f"read {law.slope:g}, expected the sine of an angle, from -1 to 1",
+                (*path, "slope"),
+            )
+        )
     yield from problems
     if not problems and law.wheel and not law.wheel.is_single:
-        message = f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no single "
-        place = (*path, "radius", "by_torque")
-        yield Problem("E722", f"{message}velocity: expected less", place)
+        yield Problem(
+            "E722",
+            f"read {law.by_torque:g} m/(N*m), with which a speed of the wheels has no "
+            "single velocity: expected less",
+            (*path, "radius", "by_torque"),
+        )
 
 
 def _of_rolling(rolling: float | SpeedPoints, path: Path) -> Iterator[Problem]:
-    """A coefficient, or points over the speed."""
     if not isinstance(rolling, tuple):
-        yield from _of_range(rolling, "a coefficient", path)
+        yield from of_range(rolling, "a coefficient", path)
         return
     before = -math.inf
     for number, (speed, part) in enumerate(rolling, 1):
         here = (*path, "points", number)
-        yield from _of_range(speed, "a speed", (*here, 1))
-        yield from _of_range(part, "a coefficient", (*here, 2))
+        yield from of_range(speed, "a speed", (*here, 1))
+        yield from of_range(part, "a coefficient", (*here, 2))
         if not speed > before:
-            message = f"read {speed:g} behind {before:g}, expected speeds that rise"
-            yield Problem("E889", message, (*here, 1))
+            yield Problem(
+                "E889", f"read {speed:g} behind {before:g}, expected speeds that rise", (*here, 1)
+            )
         before = speed
     if not rolling:
         yield Problem("E889", "read no point, expected one at least", (*path, "points"))
 
 
 def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
-    """Of formulas, each with the names that it may have where it stands."""
-    names = [*scenario.settings, *(state.name for state in scenario.states)]
-    converters = [one.name for one in scenario.converters]
+    """Yield the problems of all formulas, each with the names allowed at the place."""
+    names = scenario.value_names
+    converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
-    for law, own, path, which in _placed_formulas(scenario):
-        known = words.only(*which) if which else Vocabulary()
-        problems = list(of_formula(law, own, path, known))
+    for law, variables, path, allowed in _placed_formulas(scenario):
+        known = words.only(*allowed) if allowed else Vocabulary()
+        problems = list(of_formula(law, variables, path, known))
         yield from problems
         if not problems and path[0] not in ("controls", "limits"):  # these must always be numbers
             yield from _never_a_number(law, scenario.duration, path)
@@ -381,9 +396,9 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """What may be a formula, its own variables, its place, and the words that it may have."""
+    """Yield possible formulas with variables, place and allowed words."""
     case, elements = scenario.case, scenario.case.shift_elements
-    more = (*OF_MOTION, *OF_TORQUES)
+    seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
         if 0 < number <= len(elements):
             path: Path = ("controls", elements[number - 1].name)
@@ -392,16 +407,16 @@ def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
         yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
     yield from _placed_curves(scenario)
     for state in scenario.states:
-        yield state.rate, ["t"], ("states", state.name, "rate"), more
+        yield state.rate, ["t"], ("states", state.name, "rate"), seen
     for path, step in placed_steps(scenario):
         if step.when:
-            yield step.when.formula, ["t"], (*path, "when"), (*more, *OF_EVENTS)
+            yield step.when.formula, ["t"], (*path, "when"), (*seen, *OF_EVENTS)
         for name, value in step.settings.items():
-            yield value, ["t"], (*path, "set", name), more
+            yield value, ["t"], (*path, "set", name), seen
 
 
 def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
-    """The same of limits, and of speeds and ratios that are given."""
+    """Yield limits, given speeds and given ratios in the form of `_placed_formulas`."""
     case = scenario.case
     for number, limit in scenario.limits.items():
         if 0 < number <= len(case.springs):
@@ -415,50 +430,45 @@ def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
 def of_formula(
     law: object, names: Sequence[str], path: Path, words: Vocabulary
 ) -> Iterator[Problem]:
-    """One that can be read, with known names alone, and is a number where it is a constant."""
+    """Yield the problems of a formula: unreadable, unknown names, a constant without a value."""
     if not isinstance(law, Formula):
         return
     try:
-        if law.tree is None:  # else read with its names, which it no longer has
+        if law.tree is None:  # a formula with a tree was checked when its names were replaced
             formula_tree(Excerpt(law.text, "formula"), names, words)
             if SHORT_SPEED in words.values and "speed" in law.variables:
-                message = (
-                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or number"
+                yield Problem(
+                    "E680",
+                    f"`{SHORT_SPEED}` is the speed in {quoted(law.text)}, and a state or "
+                    "number: expected another name of it",
+                    path,
                 )
-                yield Problem("E680", f"{message}: expected another name of it", path)
         if not (law.seen or law.variables) and not math.isfinite(value := law.at(0.0)):
-            message = f"read {quoted(law.text)}, which is {value:g}, expected a number"
-            yield Problem("E723", message, path)
+            yield Problem(
+                "E723", f"read {quoted(law.text)}, which is {value:g}, expected a number", path
+            )
     except ReadError as error:
         yield from (problem._replace(path=path, place=None) for problem in error.problems)
 
 
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
-    """As many values as abscissas, finite and in order."""
+    """Yield the problems of points: as many values as abscissas, finite and in order."""
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
     yield from of_finite([*points.x, *points.y], "a number", path)
-    yield from _ascending(points.x, f"points in the order of the {points.over}", path)
+    yield from ascending(points.x, f"points in the order of the {points.over}", path)
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    """One time at least, finite and in order."""
+    """Yield the problems of times: at least one, finite and in order."""
     if not times:
         yield Problem("E652", "read no times, expected one at least", path)
     yield from of_finite(times, "a time", path)
-    yield from _ascending(times, "times in their order", path)
-
-
-def _ascending(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    for number, (one, other) in enumerate(pairwise(values), 2):
-        if other < one:
-            message = f"read {other:g} behind {one:g}, expected {expected}"
-            yield Problem("E653", message, (*path, number))
-            return
+    yield from ascending(times, "times in their order", path)
 
 
 def of_finite(values: Sequence[float], expected: str, path: Path) -> Iterator[Problem]:
-    """The first of some numbers that is infinite or does not exist."""
+    """Yield a problem of the first number that is infinite or NaN."""
     for value in values:
         if not math.isfinite(value):
             yield Problem("E654", f"read {value:g}, expected {expected} that is finite", path)

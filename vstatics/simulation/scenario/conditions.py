@@ -1,4 +1,4 @@
-"""When a step of a sequence is due: a condition of what is seen, and of what has happened."""
+"""Conditions of the steps of a sequence, by the motion and by events."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary,
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
 
 _SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0="}
-"""Of what is compared, the signs of left less right with which it is true; `!=` is not `==`."""
+"""Signs of left minus right with which a comparison is true; `!=` is the negation of `==`."""
 
 
 class StepCondition(NamedTuple):
@@ -26,7 +26,7 @@ class StepCondition(NamedTuple):
     Examples
     --------
     >>> slow = StepCondition(Formula("slip('C') < 20 and not locks('C')"))
-    >>> [one.seen for one in slow.comparisons]
+    >>> [comparison.seen for comparison in slow.comparisons]
     [(Seen(word='slip', of='C'),)]
     >>> slow.holds(["-"], lambda event: False), slow.holds(["+"], lambda event: False)
     (True, False)
@@ -36,23 +36,23 @@ class StepCondition(NamedTuple):
 
     @property
     def comparisons(self) -> tuple[Formula, ...]:
-        """The differences that are compared, from the left to the right."""
+        """Differences that are compared, from left to right."""
         parts = (part for part in _parts(self.formula.whole) if isinstance(part, Applied))
         compared = (part._replace(name="-") for part in parts if _compares(part))
-        return tuple(self.formula._replace(tree=one) for one in compared)
+        return tuple(self.formula._replace(tree=difference) for difference in compared)
 
     def holds(self, sides: Sequence[str], happened: Callable[[Seen], bool]) -> bool:
-        """Whether it is true.
+        """Return whether the condition is true.
 
         Parameters
         ----------
         sides : sequence of str
-            The sign of each comparison's difference, `0` where it is and stays 0, with `=` where it
-            is 0 at the instant: then `==` is true.
+            Sign of the difference of each comparison: `0` where it is and stays 0, with `=` where
+            it is 0 at the instant, so that `==` is true.
         happened : callable
-            Whether an event has happened, such as ``locks('C')``.
+            Function that returns whether an event has happened, such as ``locks('C')``.
         """
-        left = iter(sides)
+        remaining = iter(sides)
 
         def true(part: Any, passing: bool = True) -> bool:  # noqa: FBT001, FBT002 - it recurs
             if isinstance(part, TableName):
@@ -63,26 +63,27 @@ class StepCondition(NamedTuple):
             if part.name == "!=":
                 return not true(part._replace(name="=="), not passing)
             if _compares(part):
-                signs = next(left) if passing else next(left).removesuffix("=")
+                signs = next(remaining) if passing else next(remaining).removesuffix("=")
                 return not {*signs}.isdisjoint(_SIDES[part.name])
-            parts = [true(one, passing) for one in part.operands]  # all: each takes its sides
+            # every part is evaluated, since each takes its sides from the iterator
+            parts = [true(operand, passing) for operand in part.operands]
             return all(parts) if part.name == "and" else any(parts)
 
         return true(self.formula.whole)
 
     def with_wheel_speeds(self, turning: Mapping[str, Callable[[float], float]]) -> StepCondition:
-        """Return the condition with speeds of wheels instead of those of their vehicles.
+        """Return the condition with speeds of wheels instead of vehicle speeds.
 
         Parameters
         ----------
         turning : mapping of str to callable
-            By the names of links with a road: the speed of the link at a speed of the vehicle.
-            [rad/s, m/s]
+            Name of a link with a road -> its speed as a function of the velocity of the vehicle.
+            [m/s -> rad/s]
 
         Raises
         ------
         ValueError
-            If the speed of a vehicle is compared with anything but such a link.
+            If the velocity of a vehicle is compared with anything but such a link.
 
         Examples
         --------
@@ -98,7 +99,6 @@ class StepCondition(NamedTuple):
 
 
 def _speed(written: str, at: int) -> Constant | None:
-    """A speed with its unit: in rad/s, or in m/s as that of a vehicle."""
     with suppress(ValueError):
         return Velocity.of(measured(written, "velocity"), written, at)
     with suppress(ValueError):
@@ -107,7 +107,7 @@ def _speed(written: str, at: int) -> Constant | None:
 
 
 def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]]) -> Any:
-    """A tree of joined comparisons with speeds of wheels."""
+    """Return joined comparisons with speeds of wheels instead of velocities."""
     if not isinstance(tree, Applied):
         return tree
     if not _compares(tree):
@@ -117,28 +117,26 @@ def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]
     if not speeds:
         return tree
     read = f"read {quoted(speeds[0].written)}, the speed of a vehicle, expected"
-    direct = [_signed(side) for side in tree.operands]
-    if any(speed not in direct for speed in speeds):
+    alone = [_signed(side) for side in tree.operands]
+    if any(speed not in alone for speed in speeds):
         raise ValueError(f"{read} it alone on one side of a comparison")
     seen = (seen_in(part) for part in parts(tree) if isinstance(part, TableName))
-    links = [one.of for one in seen if one is not None and one.word == "speed"]
+    links = [word.of for word in seen if word is not None and word.word == "speed"]
     if not links or not turning.keys() >= {*links}:
         known = f"; links with a `road`: {listed(list(turning))}" if turning else ""
         raise ValueError(f"{read} it next to speed() of a link with a `road`{known}")
-    reached = {turning[link](speed.value) for link in links for speed in speeds[:1]}
-    if len(reached) > 1:
+    if len({turning[link](speed.value) for link in links for speed in speeds[:1]}) > 1:
         raise ValueError(f"{read} it next to links that turn alike, not to {spoken(links)}")
     sides = (_of_wheel(side, turning[links[0]]) for side in tree.operands)
     return tree._replace(operands=tuple(sides))
 
 
 def _signed(side: Tree) -> Tree:
-    is_negative = isinstance(side, Applied) and side.name == "-x"
-    return side.operands[0] if isinstance(side, Applied) and is_negative else side
+    return side.operands[0] if isinstance(side, Applied) and side.name == "-x" else side
 
 
 def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
-    """A side of a comparison, which may be the speed of a vehicle with a sign."""
+    """Return a side of a comparison, with a wheel speed for a velocity of either sign."""
     if isinstance(side, Velocity):
         return Constant(turning(side.value))
     if isinstance(side, Applied) and isinstance(_signed(side), Velocity):
@@ -147,12 +145,12 @@ def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
 
 
 def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
-    """Read a condition.
+    """Read a condition of a step.
 
     Raises
     ------
     ReadError
-        With the place of what is wrong.
+        If the text is not a condition, with the place of the fault.
 
     Examples
     --------
@@ -168,10 +166,12 @@ def read_condition(source: Excerpt, words: Vocabulary) -> StepCondition:
             at = getattr(part, "at", source.start)
             raise source.error("expected a condition, such as `t >= 0.5`", at)
     for comparison in StepCondition(formula).comparisons:
-        inside = [one.word for one in comparison.seen if one.word in OF_EVENTS]
-        if inside:
-            message = f"{quoted(inside[0])} is true or not, expected it without a comparison"
-            raise source.error(message, source.start)
+        events = [seen.word for seen in comparison.seen if seen.word in OF_EVENTS]
+        if events:
+            raise source.error(
+                f"{quoted(events[0])} is true or not, expected it without a comparison",
+                source.start,
+            )
     return StepCondition(formula)
 
 
@@ -183,8 +183,8 @@ def _compares(part: Tree) -> bool:
 
 
 def _parts(tree: Tree) -> Iterator[Tree]:
-    """What is joined, and what joins it, from the left to the right."""
+    """Yield the joined conditions and the operators that join them, from left to right."""
     yield tree
     if isinstance(tree, Applied) and tree.name in _JOINS:
-        for one in tree.operands:
-            yield from _parts(one)
+        for operand in tree.operands:
+            yield from _parts(operand)

@@ -1,9 +1,9 @@
-"""What the numbers, tables, states and sequences of a scenario must fulfil."""
+"""Checks of the numbers, tables, states and sequences of a scenario."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 from vstatics.core.errors import Path, Problem, quoted, spoken
@@ -11,12 +11,12 @@ from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
-from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep
+from vstatics.simulation.scenario.parts import ControlState, Scenario, SequenceStep, placed_steps
 from vstatics.simulation.scenario.words import name_problems
 
 
 def control_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Of the numbers that change, of states and sequences.
+    """Yield the problems of settings, states, given speeds and ratios, and sequences.
 
     Examples
     --------
@@ -28,7 +28,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
     ...     print(problem)
     states.p.start: read 3, expected at most 2, its max [E684]
     """
-    settings, states = scenario.settings, [one.name for one in scenario.states]
+    settings, states = scenario.settings, [state.name for state in scenario.states]
     yield from name_problems("set", [*settings], ())
     yield from name_problems("states", states, [*settings])
     for name, value in settings.items():
@@ -40,7 +40,7 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_speed(speed, ("speeds", scenario.case.link_name(link)))
     for number, ratio in scenario.speed_ratios.items():
         mechanism = scenario.case.mechanisms[number - 1]
-        place: Path = ("speed_ratios", mechanism.name)
+        place = ("speed_ratios", mechanism.name)
         if mechanism.kind != "variator":
             yield Problem("E678", f"{mechanism.name} is no variator, expected one", place)
         yield from _of_speed(ratio, place)
@@ -52,11 +52,23 @@ def control_problems(scenario: Scenario) -> Iterator[Problem]:
         yield from _of_step(step, scenario, path)
 
 
-def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """The steps of all sequences, each with its place."""
-    for sequence in scenario.sequences:
-        for number, step in enumerate(sequence.steps, 1):
-            yield ("sequences", sequence.name, number), step
+def of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> Iterator[Problem]:
+    """Yield a problem of a number below 0 or infinite."""
+    if not (0 < value < math.inf or (value == 0 and not above_0)):
+        least = "above 0" if above_0 else "of 0 or more"
+        yield Problem("E640", f"read {value:g}, expected {what} {least}", path)
+
+
+def ascending(
+    values: Sequence[float], expected: str, path: Path, *, strictly: bool = False
+) -> Iterator[Problem]:
+    """Yield a problem of the first number that is less than, or equal to, the number before."""
+    for number, (before, after) in enumerate(pairwise(values), 2):
+        if after < before or (strictly and after == before):
+            yield Problem(
+                "E653", f"read {after:g} behind {before:g}, expected {expected}", (*path, number)
+            )
+            return
 
 
 def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
@@ -64,27 +76,26 @@ def _of_state(state: ControlState, path: Path) -> Iterator[Problem]:
         if math.isnan(value) or (name == "start" and math.isinf(value)):
             yield Problem("E654", f"read {value:g}, expected a number", (*path, name))
     if state.least > state.most:
-        message = f"read {state.most:g}, expected at least {state.least:g}, its min"
-        yield Problem("E684", message, (*path, "max"))
+        yield Problem(
+            "E684",
+            f"read {state.most:g}, expected at least {state.least:g}, its min",
+            (*path, "max"),
+        )
     elif message := state.beyond(state.start):
         yield Problem("E684", message, (*path, "start"))
 
 
 def _of_speed(speed: Curve, path: Path) -> Iterator[Problem]:
-    """Of a speed that is given: it changes without a jump, and how it does is known."""
+    """Yield the problems of a given speed, which must be continuous with a known slope."""
     if isinstance(speed, Formula):
         if any(speed.jumps("t")) or not speed.has_slope:
-            why = "jumps" if speed.has_slope else "has no slope that can be told"
-            yield Problem("E689", f"the speed {why}, expected one that changes steadily", path)
+            fault = "jumps" if speed.has_slope else "has no slope that can be told"
+            yield Problem("E689", f"the speed {fault}, expected one that changes steadily", path)
         return
     if not speed.x:
         yield Problem("E651", "expected points, one at least, each of two numbers", path)
-    for number, (one, other) in enumerate(pairwise(speed.x), 2):
-        if other <= one:
-            wanted = "points in the order of the time, without a jump"
-            message = f"read {other:g} behind {one:g}, expected {wanted}"
-            yield Problem("E653", message, (*path, number))
-            break
+    expected = "points in the order of the time, without a jump"
+    yield from ascending(speed.x, expected, path, strictly=True)
     if not all(map(math.isfinite, [*speed.x, *speed.y])):
         yield Problem("E654", "read what is no number, expected numbers", path)
 
@@ -94,15 +105,17 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
         yield Problem("E686", "nothing is done, expected `set`, `shift` or `dog`", path)
     if not step.within > 0:
         yield Problem("E640", f"read {step.within:g}, expected a time above 0", (*path, "within"))
-    if not 0 <= step.wait < math.inf:
-        yield Problem("E640", f"read {step.wait:g}, expected a time of 0 or more", (*path, "wait"))
-    known = [*scenario.settings, *(one.name for one in scenario.states)]
+    yield from of_range(step.wait, "a time", (*path, "wait"))
+    known = scenario.value_names
     for name in step.settings:
         if name not in known:
             hint = nearest(name, known)
             hint = hint or (f"; there are {spoken(known)}" if known else "; there are none")
-            message = f"read {quoted(name)}, expected a name of `set` or a state{hint}"
-            yield Problem("E687", message, (*path, "set", name))
+            yield Problem(
+                "E687",
+                f"read {quoted(name)}, expected a name of `set` or a state{hint}",
+                (*path, "set", name),
+            )
     for state in scenario.states:
         value = step.settings.get(state.name)
         if isinstance(value, Points) and (message := state.beyond(value.y[0])):
@@ -110,12 +123,15 @@ def _of_step(step: SequenceStep, scenario: Scenario, path: Path) -> Iterator[Pro
     elements = scenario.case.shift_elements
     for number in step.dogs:
         if 0 < number <= len(elements) and elements[number - 1].kind != "dog_clutch":
-            message = f"{elements[number - 1].name} is no dog clutch, expected one"
-            yield Problem("E688", message, (*path, "dog", number))
+            yield Problem(
+                "E688",
+                f"{elements[number - 1].name} is no dog clutch, expected one",
+                (*path, "dog", number),
+            )
 
 
 def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
-    """Of tables: rows and columns that ascend, numbers.
+    """Yield the problems of tables: rows and columns must ascend, values be finite.
 
     Examples
     --------
@@ -124,17 +140,12 @@ def table_problems(tables: Mapping[str, LookupTable]) -> Iterator[Problem]:
     tables.engine[2]: read 1 behind 2, expected rows in ascending order [E653]
     """
     for name, table in tables.items():
-        path: Path = ("tables", name)
-        twice = table.variables == 1
-        for number, (one, other) in enumerate(pairwise(table.x), 2):
-            if other < one or (other == one and not twice):
-                message = f"read {other:g} behind {one:g}, expected rows in ascending order"
-                yield Problem("E653", message, (*path, *(() if twice else ("rows",)), number))
-                break
-        for one, other in pairwise(table.columns):
-            if other <= one:
-                message = f"read {other:g} behind {one:g}, expected columns in ascending order"
-                yield Problem("E653", message, (*path, "columns"))
-                break
+        path = ("tables", name)
+        may_jump = table.variables == 1
+        rows = path if may_jump else (*path, "rows")
+        yield from ascending(table.x, "rows in ascending order", rows, strictly=not may_jump)
+        expected = "columns in ascending order"
+        for problem in ascending(table.columns, expected, path, strictly=True):
+            yield problem._replace(path=(*path, "columns"))
         if not all(map(math.isfinite, [*table.x, *table.columns, *chain(*table.values)])):
             yield Problem("E654", "read what is no number, expected numbers", path)

@@ -1,12 +1,13 @@
-"""What formulas compare, and when it meets where it follows from the time, but by no polynomial.
+"""Comparisons in formulas, and the times of those that are not polynomials of the time.
 
-Polynomials are the matter of `corners`.
+Module `corners` treats polynomials.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import combinations
 from typing import Any, NamedTuple, TypeAlias
 
@@ -24,20 +25,20 @@ from vstatics.simulation.tolerances import EXACT_SIDES, SAME_INSTANT
 
 
 class MeetingParts(NamedTuple):
-    """Two parts of a formula that are compared with each other."""
+    """Pair of parts that a formula compares."""
 
     first: Tree
     second: Tree
     jumps: bool = False
-    """Whether the formula may jump where both are equal; else it bends there."""
+    """Whether the formula can jump where both parts are equal; otherwise a bend."""
 
 
 Pairs: TypeAlias = list[MeetingParts]
-"""One part of a formula, compared with several others in ascending order."""
+"""Pairs of a part of a formula with several parts in ascending order."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
-    """What is compared in a formula, and what tables are asked with."""
+    """Yield the parts that a formula compares, and the arguments of tables with the steps."""
     for part in parts(tree):
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
@@ -47,7 +48,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
 
 
 def asked(tree: Tree) -> Iterator[Pairs]:
-    """What tables are asked with, beside their steps in order."""
+    """Yield the arguments of tables, each paired with the steps of the table in order."""
     for part in parts(tree):
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table
@@ -55,11 +56,12 @@ def asked(tree: Tree) -> Iterator[Pairs]:
                 yield [MeetingParts(operand, Constant(x), n > 1) for x, n in Counter(steps).items()]
 
 
+@lru_cache(maxsize=256)
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
-    """Times at which a formula bends or jumps by what is no polynomial of the time.
+    """Find the times at which a formula bends or jumps by functions other than polynomials.
 
-    What is compared with a motion counts where it turns: a motion that is followed from one such
-    time to the next meets it in between.
+    A function of the time that is compared with a motion counts where its slope changes sign, so a
+    motion that is integrated from one such time to the next meets the function in between.
 
     Parameters
     ----------
@@ -76,41 +78,42 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
     >>> [round(time, 9) for time in crossings(tree, 3.2)]
     [0.523598776, 2.617993878, 3.141592654]
     """
-    found: set[float] = set()
+    instants = set()
     for pairs in met(tree):
         for first, second, _ in pairs:
             apart = applied("-", first, second)
             if variables(apart) == {"t"}:
-                found.update(_crossings(first, second, until))
+                instants.update(_crossings(first, second, until))
                 continue
-            for one in _timed(apart):
-                if not is_polynomial(one, "t") and (turns := slope(one)):
-                    found.update(_crossings(turns, Constant(0.0), until))
-    times = sorted(found)
-    ahead = [0.0, *times]
+            for part in _timed(apart):
+                if not is_polynomial(part) and (turns := slope(part)):
+                    instants.update(_crossings(turns, Constant(0.0), until))
+    times = sorted(instants)
+    earlier = [0.0, *times]
     close = SAME_INSTANT * until
-    return tuple(time for time, last in zip(times, ahead, strict=False) if time - last > close)
+    return tuple(
+        time for time, previous in zip(times, earlier, strict=False) if time - previous > close
+    )
 
 
 def _timed(tree: Any) -> Iterator[Tree]:
-    """The largest parts that depend on nothing but the time."""
+    """Yield the largest parts that depend on nothing but the time."""
     names = variables(tree)
     if names == {"t"}:
         yield tree
     elif "t" in names:
-        for one in tree.operands:
-            yield from _timed(one)
+        for operand in tree.operands:
+            yield from _timed(operand)
 
 
 def _crossings(first: Tree, second: Tree, until: float) -> list[float]:
-    """Where one is on another side of the other, if `corners` does not tell that."""
-    if is_polynomial(applied("-", first, second), "t"):
+    if is_polynomial(applied("-", first, second)):
         return []
-    one, other = compiled_along(first), compiled_along(second)
+    first_values, second_values = compiled_along(first), compiled_along(second)
 
-    def apart(times: Floats) -> tuple[Floats, Floats]:
-        values, others = one(times, 0.0, 0.0), other(times, 0.0, 0.0)
-        return values - others, EXACT_SIDES * np.fmax(np.abs(values), np.abs(others))
+    def apart(at: Floats) -> tuple[Floats, Floats]:
+        values, compared = first_values(at, 0.0, 0.0), second_values(at, 0.0, 0.0)
+        return values - compared, EXACT_SIDES * np.fmax(np.abs(values), np.abs(compared))
 
-    found: list[float] = changes_of_side(apart, 0.0, until).tolist()
-    return found
+    times: list[float] = changes_of_side(apart, 0.0, until).tolist()
+    return times

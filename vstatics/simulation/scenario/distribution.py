@@ -1,4 +1,4 @@
-"""From what a number of a scenario is drawn."""
+"""Distributions from which numbers of a scenario are drawn."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.simulation.tolerances import LEAST_PROBABILITY
 
 
 class Distribution(NamedTuple):
-    """A normal distribution, a lognormal or a uniform one.
+    """Normal, lognormal or uniform distribution of a number.
 
     Parameters
     ----------
@@ -23,9 +23,9 @@ class Distribution(NamedTuple):
     lognormal : (float, float), optional
         Mean and standard deviation of the natural logarithm.
     uniform : (float, float), optional
-        The least number and the largest.
+        Smallest and largest number.
     min, max : float, optional
-        Numbers beyond are these: an engine does not turn faster than its governor lets it.
+        Limits at which numbers are clipped, such as the governed speed of an engine.
     """
 
     normal: tuple[float, float] | None = None
@@ -35,12 +35,12 @@ class Distribution(NamedTuple):
     max: float | None = None
 
     def quantiles(self, parts: Floats) -> Floats:
-        """The numbers below which a part of all lies.
+        """Return the quantiles of the distribution at probabilities.
 
         Parameters
         ----------
         parts : ndarray
-            From 0 to 1.
+            Probabilities, from 0 to 1.
 
         Examples
         --------
@@ -51,7 +51,7 @@ class Distribution(NamedTuple):
         """
         if self.uniform is not None:
             first, last = self.uniform
-            numbers: Floats = (1 - parts) * first + parts * last
+            numbers = (1 - parts) * first + parts * last
         else:
             from scipy.special import ndtri
 
@@ -61,38 +61,46 @@ class Distribution(NamedTuple):
             )
             numbers = np.exp(numbers) if self.normal is None else numbers
         least = -np.inf if self.min is None else self.min
-        clipped: Floats = np.clip(numbers, least, np.inf if self.max is None else self.max)
-        return clipped
+        return np.clip(numbers, least, np.inf if self.max is None else self.max)
 
 
-def distribution_problems(one: Distribution, path: Path) -> Iterator[Problem]:
-    """What is wrong with a distribution.
+def distribution_problems(distribution: Distribution, path: Path) -> Iterator[Problem]:
+    """Yield the problems of a distribution.
 
     Examples
     --------
     >>> print(*distribution_problems(Distribution(normal=(0.7, -0.1)), ()))
     normal: read -0.1, expected a standard deviation of 0 or more [E655]
     """
-    least = -math.inf if one.min is None else one.min
-    largest = math.inf if one.max is None else one.max
+    least = -math.inf if distribution.min is None else distribution.min
+    largest = math.inf if distribution.max is None else distribution.max
     for key in ("normal", "lognormal"):
-        given = getattr(one, key)
+        given = getattr(distribution, key)
         if given is not None and given[1] < 0:
-            message = f"read {given[1]:g}, expected a standard deviation of 0 or more"
-            yield Problem("E655", message, (*path, key))
-    if one.normal is not None and one.normal[1] >= 0:
-        mean = one.normal[0]
+            yield Problem(
+                "E655",
+                f"read {given[1]:g}, expected a standard deviation of 0 or more",
+                (*path, key),
+            )
+    if distribution.normal is not None and distribution.normal[1] >= 0:
+        mean = distribution.normal[0]
         if not least <= mean <= largest:
             yield Problem(
                 "E656", f"read a mean of {mean:g}, expected one from min to max", (*path, "normal")
             )
-    if one.uniform is not None:
-        first, last = one.uniform
+    if distribution.uniform is not None:
+        first, last = distribution.uniform
         if first > last:
-            message = f"read {first:g} to {last:g}, expected the least number first"
-            yield Problem("E657", message, (*path, "uniform"))
+            yield Problem(
+                "E657",
+                f"read {first:g} to {last:g}, expected the least number first",
+                (*path, "uniform"),
+            )
         elif first > largest or last < least:
-            message = f"read {first:g} to {last:g}, of which nothing is from min to max"
-            yield Problem("E658", message, (*path, "uniform"))
+            yield Problem(
+                "E658",
+                f"read {first:g} to {last:g}, of which nothing is from min to max",
+                (*path, "uniform"),
+            )
     if least > largest:
         yield Problem("E659", f"read {largest:g}, expected at least min, {least:g}", (*path, "max"))

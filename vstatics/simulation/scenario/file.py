@@ -1,7 +1,7 @@
-"""A scenario in YAML or JSON: bytes -> `ScenarioDocument` -> with its case `ScenarioFile`.
+"""Scenario in YAML or JSON: bytes -> `ScenarioDocument` -> with its case `ScenarioFile`.
 
-A scenario names the file of its case, which whoever opens files reads in between: the document
-says which one (`case_file`), and takes the case (`with_case`).
+A scenario names the file of its case (`case_file`). The caller, who opens all files, reads the case
+and hands it over (`with_case`).
 """
 
 from __future__ import annotations
@@ -51,158 +51,159 @@ _OTHERS = {
 
 
 class ScenarioFile(NamedTuple):
-    """A scenario that was read, and where its parts stand."""
+    """Scenario that was read, and the places of all parts in the document."""
 
     scenario: Scenario
     name: str
-    """As it says itself; else empty."""
+    """Name in the document; empty without the key `name`."""
     description: str
     samples: AnyMapping[str, Distribution]
-    """By the paths of numbers."""
+    """Distributions of sampled numbers, by the paths of the numbers."""
     reading: Reading
-    """Of the case."""
+    """Reading of the case."""
     spots: Spots
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
-        """The same with more messages that are not told."""
+        """Return the file with more suppressed messages."""
         reading = self.reading.allowing(ids)
         return self._replace(reading=reading, scenario=self.scenario._replace(case=reading.case))
 
     def locate(self, problem: Problem) -> Problem:
-        """Give a problem of the scenario, or of its case, its place."""
+        """Return a problem of the scenario or the case with the place in the document."""
         return located(problem, self.spots, self.reading)
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Speeds of the input at the start, and of torques over its speed [rpm]."""
+        """Speeds of the input at the start, and of torque laws over the speed [rpm]."""
         entry, start = self.scenario.case.input, self.scenario.start
-        found = [start.speed, start.speeds.get(entry, 0.0)]
+        speeds = [start.speed, start.speeds.get(entry, 0.0)]
         for link, law in self.scenario.torques:
             if link == entry and getattr(law, "over", "") == "speed":
-                found += law.x  # type: ignore[union-attr]
-        return tuple(abs(speed) / RAD_PER_RPM for speed in found if speed)
+                speeds += law.x  # type: ignore[union-attr]
+        return tuple(abs(speed) / RAD_PER_RPM for speed in speeds if speed)
 
 
 class ScenarioDocument(NamedTuple):
-    """A scenario as a tree of nodes, before its case is known."""
+    """Scenario as a tree of nodes, before the case is known."""
 
     root: Mapping
-    found: DocumentText
+    decoded: DocumentText
 
     @property
     def case_file(self) -> str:
-        """The file of the case, by the folder of the scenario; empty if it names none."""
+        """File of the case, with the folder of the scenario; empty if not named."""
         node = self._case_node
         if not isinstance(node, Scalar) or is_null(node) or not node.text:
             return ""
-        folder = os.path.dirname(self.found.source.file)  # noqa: PTH120 (pathlib costs time)
+        folder = os.path.dirname(self.decoded.source.file)  # noqa: PTH120 (pathlib costs time)
         return os.path.join(folder, node.text)  # noqa: PTH118
 
     @property
     def _case_node(self) -> Node | None:
         return next((value for key, value in self.root.entries if key.text == "case"), None)
 
-    def no_case(self, why: str) -> ReadError:
-        """The error that the file of the case cannot be read, at the place where it is named."""
+    def no_case(self, reason: str) -> ReadError:
+        """Return the error that the case is unreadable, at the place of the key `case`."""
         node = self._case_node or self.root
-        place = self.found.source.place(node.line, node.column)
-        return ReadError([Problem("E660", why, ("case",), place)])
+        place = self.decoded.source.place(node.line, node.column)
+        return ReadError([Problem("E660", reason, ("case",), place)])
 
     def refuse_foreign(self, data: bytes, name: str) -> None:
-        """Refuse what the file it names holds if that is no case; it may be anybody's.
+        """Refuse a file that is not a case, of which a message must not show the content.
 
         Raises
         ------
         ReadError
-            That tells nothing of the file.
+            Without anything from the file, which can be a private file of another program.
         """
         if is_foreign(data, name):
             raise self.no_case(f"{name} is no case: it has none of its keys")
 
     def with_case(self, reading: Reading) -> ScenarioFile:
-        """The scenario of a case.
+        """Return the scenario with the case.
 
         Raises
         ------
         ReadError
             With every problem and its place.
         """
-        spots = Spots(self.found)
+        spots = Spots(self.decoded)
         walk = Walk(spots)
         case = reading.case
         walk.references.set_link_names(case.link_names[: case.own_links])
-        walk.references.set_numbers(
-            "shift element", (element.name for element in case.shift_elements)
-        )
-        walk.references.set_numbers("mechanism", (one.name for one in case.mechanisms))
-        walk.references.set_numbers("spring", (one.name for one in case.springs))
+        elements = (element.name for element in case.shift_elements)
+        walk.references.set_numbers("shift element", elements)
+        walk.references.set_numbers("mechanism", (part.name for part in case.mechanisms))
+        walk.references.set_numbers("spring", (spring.name for spring in case.springs))
         walk.references.set_numbers("elastic device", elastic_names(case))
-        words = self._words(case)
-        values = walk.read(Spot((), "", self.root), scenario_shape(words))
-        made = ScenarioValues(case, spots)
-        scenario, samples = made.scenario(values), made.samples(values)
+        values = walk.read(Spot((), "", self.root), scenario_shape(self._words(case)))
+        builder = ScenarioValues(case, spots)
+        scenario, samples = builder.scenario(values), builder.samples(values)
         problems = list(scenario_problems(scenario))
-        tables, numbers = dict(made.tables(values.get("tables", {}))), values.get("numbers", {})
-        named = [*scenario.settings, *(state.name for state in scenario.states)]
+        tables, numbers = dict(builder.tables(values.get("tables", {}))), values.get("numbers", {})
+        named = scenario.value_names
         problems += name_problems("numbers", [*numbers], named)
         problems += name_problems("tables", [*tables], [*named, *numbers])
         problems += table_problems(tables)
-        for number, one in enumerate(samples.values(), 1):
-            problems += distribution_problems(one, ("samples", number))
+        for number, distribution in enumerate(samples.values(), 1):
+            problems += distribution_problems(distribution, ("samples", number))
         is_certain = certain(spots.unreadable)
-        found = [
-            *self.found.problems,
+        located_problems = [
+            *self.decoded.problems,
             *(
-                located(one, spots, reading)
-                for one in problems
-                if is_certain(_own_path(one.path, case, spots))
+                located(problem, spots, reading)
+                for problem in problems
+                if is_certain(_own_path(problem.path, case, spots))
             ),
         ]
-        if found:
-            raise ReadError(sorted(found, key=lambda one: one.place[1:3] if one.place else ()))
+        if located_problems:
+            raise ReadError(
+                sorted(
+                    located_problems,
+                    key=lambda problem: problem.place[1:3] if problem.place else (),
+                )
+            )
         return ScenarioFile(
             scenario, values.get("name", ""), values.get("description", ""), samples, reading, spots
         )
 
     def _words(self, case: Transmission) -> Vocabulary:
-        """What its formulas may speak of, as far as it can be read: faults are told later."""
-        quiet = DocumentText(self.found.source)
-        walk = Walk(Spots(quiet))
+        """Return the vocabulary of the formulas; faults are reported later."""
+        walk = Walk(Spots(DocumentText(self.decoded.source)))
         nodes = {key.text: value for key, value in self.root.entries}
 
         def names(key: str) -> list[str]:
             node = nodes.get(key)
-            return [one.text for one, _ in node.entries] if isinstance(node, Mapping) else []
+            return [entry.text for entry, _ in node.entries] if isinstance(node, Mapping) else []
 
         read = {
             key.name: walk.read(Spot((key.name,), key.name, nodes[key.name]), key.shape)
             for key in named_numbers()
             if isinstance(nodes.get(key.name), Mapping)
         }
-        made = ScenarioValues(case, walk.spots)
         return vocabulary(
             case,
-            numbers={name: float(one) for name, one in read.get("numbers", {}).items()},
+            numbers={name: float(entry) for name, entry in read.get("numbers", {}).items()},
             values=[*names("set"), *names("states")],
-            tables=dict(made.tables(read.get("tables", {}))),
-            converters=names("converters") or [one.name for one in case.converters],
+            tables=dict(ScenarioValues(case, walk.spots).tables(read.get("tables", {}))),
+            converters=names("converters") or [entry.name for entry in case.converters],
         )
 
 
 def read_scenario(data: bytes, file: str) -> ScenarioDocument:
-    """Read a scenario as far as can be without its case.
+    """Read a scenario as far as is possible without the case.
 
     Parameters
     ----------
     data : bytes
         YAML, or JSON.
     file : str
-        Its name, for messages, and for the file of its case.
+        Name of the document, for messages, and for the file of its case.
 
     Raises
     ------
     ReadError
-        If it is no document, or a case.
+        If the data are not a document, or a case.
 
     Examples
     --------
@@ -211,23 +212,23 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     """
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
-    found = decode(data, file, "a scenario")
-    root = yaml_tree(found)
+    decoded = decode(data, file, "a scenario")
+    root = yaml_tree(decoded)
     if not isinstance(root, Mapping):
-        found.stop(f"read {what(root)}, expected {EXPECTED}", root.line, root.column)
-    if told := _OTHERS.get(kind_of(root) or ""):
-        found.stop(told, root.line, root.column)
-    return ScenarioDocument(root, found)
+        decoded.stop(f"read {what(root)}, expected {EXPECTED}", root.line, root.column)
+    if message := _OTHERS.get(kind_of(root) or ""):
+        decoded.stop(message, root.line, root.column)
+    return ScenarioDocument(root, decoded)
 
 
 def load_scenario_file(source: FileOrStream, case: FileOrStream | None = None) -> ScenarioFile:
-    """Read the file of a scenario and that of its case.
+    """Read the files of a scenario and a case.
 
     Parameters
     ----------
     source : path-like or stream
     case : path-like or stream, optional
-        A case in place of that which the scenario names.
+        Case to use instead of the case that the scenario names.
 
     Raises
     ------
@@ -246,14 +247,14 @@ def load_scenario_file(source: FileOrStream, case: FileOrStream | None = None) -
 
 
 def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[bytes, str]:
-    """The case that a scenario names, or another that is given, and its name.
+    """Return the bytes and the name of the case of a scenario, or of a given case.
 
     Raises
     ------
     ReadError
-        If the scenario names none, or one that cannot be opened, with the place.
+        If the scenario names no case, or a file that cannot be opened, with the place.
     OSError
-        If the one that is given cannot be opened.
+        If the given case cannot be opened.
     """
     name = case or document.case_file
     if not name:
@@ -272,12 +273,12 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
 
 
 def load_document(file: str) -> Scenario:
-    """Read a scenario that comes with the program, and its case."""
+    """Return a scenario that comes with the program, including the case."""
     return load_scenario_file(file).scenario
 
 
 def document_problems(data: bytes, file: str) -> list[Problem]:
-    """Return warnings and notes about a scenario and its case.
+    """Return warnings and notes about a scenario and the case.
 
     Raises
     ------
@@ -285,27 +286,27 @@ def document_problems(data: bytes, file: str) -> list[Problem]:
         With every error and its place.
     """
     document = read_scenario(data, file)
-    read = document.with_case(readers.read(*case_bytes(document)))
-    found = not_allowed(scenario_doubts(read.scenario), read.scenario.case.untold)
-    return [*read.reading.warnings, *map(read.locate, found)]
+    file_read = document.with_case(readers.read(*case_bytes(document)))
+    doubts = not_allowed(scenario_doubts(file_read.scenario), file_read.scenario.case.untold)
+    return [*file_read.reading.warnings, *map(file_read.locate, doubts)]
 
 
 @refusing()
 def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Scenario:
-    """Read a scenario in YAML or JSON, and its case.
+    """Read a scenario in YAML or JSON, and the case.
 
     Parameters
     ----------
     source : path-like or stream
-        A file, whose `case` and tables are files of their own and opened wherever they are; or
-        something opened. Of a stream without a name no file is opened: give the case.
+        File, whose `case` and tables are opened wherever they are, or open stream. From a stream
+        without a name no other file is opened: give the case.
     case : path-like or stream, optional
-        A case in place of that which the scenario names.
+        Case to use instead of the case that the scenario names.
 
     Returns
     -------
     Scenario
-        With its case; all numbers in SI.
+        Scenario with its case; all numbers in SI.
 
     Raises
     ------
@@ -330,63 +331,68 @@ def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Sce
 
 
 def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
-    """A problem at its place: in the scenario, or, where its path begins with `case`, there."""
+    """Return a problem with the place in the scenario, or in the case for a path with `case`."""
     if problem.place is not None:
         return problem
     whole = spots.place(())._replace(line=0, column=0, text="")
     if not problem.path:
         return problem._replace(place=whole)
     if problem.path[0] == "case":
-        of_case = reading.locate(problem._replace(path=problem.path[1:]))
-        if of_case.place is not None:
-            return of_case
+        in_case = reading.locate(problem._replace(path=problem.path[1:]))
+        if in_case.place is not None:
+            return in_case
         place = spots.place(("case",)) if spots.has(("case",)) else whole
-        return of_case._replace(place=place)
+        return in_case._replace(place=place)
     path = _own_path(problem.path, reading.case, spots)
     return spots.locate(problem._replace(path=path))._replace(path=problem.path)
 
 
 def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
-    """A path with names of links, elements and converters -> that of the reader, with numbers."""
+    """Convert a path with names of links, elements and converters to a path with numbers."""
     named = 2 if path[0] == "start" and path[1:2] != ("engaged",) else 1
     if len(path) <= named:
         return path
     names = _names(path[1] if path[:2] == ("start", "twists") else path[0], case, spots)
-    start, name, rest = path[:named], path[named], path[named + 1 :]
-    own = (*start, names.get(str(name), name))
-    if path[0] == "sequences" and rest:
-        return _own_step((*own, *rest), spots)
-    for number, part in enumerate(rest):
-        between = spots.has((*own, "points")) and isinstance(part, int) and number < len(rest)
-        own = (*own, "points", part) if between and not spots.has((*own, part)) else (*own, part)
-    return own
+    start, name, remainder = path[:named], path[named], path[named + 1 :]
+    converted = (*start, names.get(str(name), name))
+    if path[0] == "sequences" and remainder:
+        return _own_step((*converted, *remainder), spots)
+    for number, part in enumerate(remainder):
+        between = (
+            spots.has((*converted, "points")) and isinstance(part, int) and number < len(remainder)
+        )
+        converted = (
+            (*converted, "points", part)
+            if between and not spots.has((*converted, part))
+            else (*converted, part)
+        )
+    return converted
 
 
 def _own_step(path: Path, spots: Spots) -> Path:
-    """A path in a step of a sequence, which may stand under `steps`; what it sets by numbers."""
-    at, rest = path[:2], path[2:]
-    at = (*at, "steps") if spots.has((*at, "steps")) else at
-    at, rest = (*at, rest[0]), rest[1:]
-    if rest[:1] == ("set",) and len(rest) == 2:
-        keys = spots.keys((*at, "set"))
-        return (*at, "set", keys.index(str(rest[1])) + 1) if rest[1] in keys else (*at, "set")
-    return (*at, *rest)
+    """Convert a path in a step of a sequence, whose list can be under `steps`."""
+    step, remainder = path[:2], path[2:]
+    step = (*step, "steps") if spots.has((*step, "steps")) else step
+    step, remainder = (*step, remainder[0]), remainder[1:]
+    if remainder[:1] == ("set",) and len(remainder) == 2:
+        keys = spots.keys((*step, "set"))
+        return (
+            (*step, "set", keys.index(str(remainder[1])) + 1)
+            if remainder[1] in keys
+            else (*step, "set")
+        )
+    return (*step, *remainder)
 
 
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
-    """Numbers by name of what a key of a scenario speaks of."""
-    if key == "controls":
-        listed = [element.name for element in case.shift_elements]
-    elif key in ("torques", "targets", "start", "speeds"):
-        listed = list(case.link_names)
-    elif key == "speed_ratios":
-        listed = [one.name for one in case.mechanisms]
-    elif key == "twists":
-        listed = list(elastic_names(case))
-    elif key == "limits":
-        listed = [one.name for one in case.springs]
-    elif key in ("converters", "numbers", "tables", "set", "states", "sequences"):
-        listed = spots.keys((str(key),))
-    else:
-        return {}
-    return {name: number for number, name in enumerate(listed, 1)}
+    """Return the numbers of the names that a key of a scenario speaks of."""
+    names = {
+        "controls": [element.name for element in case.shift_elements],
+        "speed_ratios": [mechanism.name for mechanism in case.mechanisms],
+        "twists": elastic_names(case),
+        "limits": [spring.name for spring in case.springs],
+        **dict.fromkeys(("torques", "targets", "start", "speeds"), case.link_names),
+    }
+    if key in ("converters", "numbers", "tables", "set", "states", "sequences"):
+        names[key] = spots.keys((str(key),))
+    return {name: number for number, name in enumerate(names.get(key, ()), 1)}

@@ -1,8 +1,8 @@
-"""A formula of the time, and of the speed and angle of a link.
+"""Formulas of the time, and of the speed and angle of a link.
 
-The language is that of a sweep (`readers.expressions`), with ``^`` beside ``**``, and with
-functions of a number. A text becomes a tree, and the tree a function (`formula_code`); where it
-bends or jumps is told by `corners`.
+The language is the language of a sweep (`readers.expressions`) with ``^`` as another sign of
+``**``, and with functions of numbers. A text becomes a tree, and the tree a function
+(`formula_code`); `corners` finds its bends and jumps.
 """
 
 from __future__ import annotations
@@ -36,39 +36,40 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""What a number with a unit means, by what is written and where; None if it is not known."""
+"""Meaning of a number with a unit, from text and place; None for an unknown unit."""
 SHORT_SPEED = "w"
-"""Another name of the speed of the link itself, as in formulas of a case, here with its sign."""
+"""Short name of the speed of the link itself, as in formulas of a case, here with sign."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
-"""Words of what a motion is, which any formula may see."""
+"""Words of the state of motion, which any formula can use."""
 OF_TORQUES = ("acceleration", "torque", "power")
-"""Words of what follows from torques: a torque that saw them would have no beginning."""
+"""Words of quantities that follow from torques and so cannot determine a torque."""
 OF_EVENTS = ("locks", "slips")
-"""Words of what has happened."""
+"""Words of events."""
+_OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
 class Vocabulary(NamedTuple):
-    """What the formulas of a scenario may speak of, besides the time and their own link."""
+    """Names that the formulas of a scenario can use in addition to t, speed and angle."""
 
     rows: Mapping[str, Collection[str]] = MappingProxyType({})
-    """The names of links, elements and devices that a word can be of."""
+    """Names of links, shift elements and devices that can follow a word, as in `slip('C')`."""
     numbers: Mapping[str, float] = MappingProxyType({})
     values: Collection[str] = ()
     """Names of states, and of numbers that sequences change."""
     tables: Mapping[str, LookupTable] = MappingProxyType({})
 
     def only(self, *words: str) -> Vocabulary:
-        """The same with only these words of rows."""
-        return self._replace(rows={one: self.rows[one] for one in words if one in self.rows})
+        """Return the vocabulary with only some words of rows."""
+        return self._replace(rows={word: self.rows[word] for word in words if word in self.rows})
 
 
 NO_WORDS = Vocabulary()
 
 
 class Formula(NamedTuple):
-    """A formula of t [s], and of speed (or w) [rad/s] and angle [rad] of the link itself.
+    """Formula of t [s], and of speed (or w) [rad/s] and angle [rad] of a link.
 
-    It may see the whole box, too: speeds, slips, twists, states (`seen`).
+    A formula can also depend on the whole transmission: speeds, slips, twists, states (`seen`).
 
     Examples
     --------
@@ -81,11 +82,11 @@ class Formula(NamedTuple):
 
     text: str
     tree: Tree | None = None
-    """What of it is calculated, where not all: between jumps, with numbers for names, its slope."""
+    """Tree instead of the text: between jumps, with numbers for names, or the derivative."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
-        """What it sees besides the time and its own link, in the order of its function.
+        """Quantities of the transmission in the formula, in the order of `function`.
 
         >>> Formula("100*(slip('C') > 2) + p").seen
         (Seen(word='slip', of='C'), Seen(word='value', of='p'))
@@ -94,111 +95,110 @@ class Formula(NamedTuple):
 
     @property
     def whole(self) -> Tree:
-        """Its operations, one inside another."""
+        """Tree of operations."""
         return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:
-        """The same with values of some of its names.
+        """Return the formula with numbers instead of some names.
 
         >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
         6.0
         """
-        names = {one.of for one in self.seen if one.word == "value"}
-        if names.isdisjoint(numbers):
+        if {quantity.of for quantity in self.seen if quantity.word == "value"}.isdisjoint(numbers):
             return self
         return self._replace(tree=_with_numbers(self.whole, numbers))
 
     @property
     def variables(self) -> frozenset[str]:
-        """Which of t, speed and angle it has.
+        """Variables of the formula: a subset of t, speed and angle.
 
         Raises
         ------
         ReadError
-            If the text is no formula.
+            If the text is not a formula.
         """
         return _read(*self).variables
 
     @property
     def constants(self) -> list[float]:
-        """The numbers that stand in it.
+        """Numbers in the text of the formula.
 
         Raises
         ------
         ReadError
-            If the text is no formula.
+            If the text is not a formula.
         """
-        return [one.value for one in parts(_read(*self).tree) if isinstance(one, Constant)]
+        return [part.value for part in parts(self.whole) if isinstance(part, Constant)]
 
     @property
     def function(self) -> Function:
-        """Its value by t, speed and angle, then by what it sees; NaN or infinite: it has none.
+        """Function of t, speed, angle and `seen`; NaN or infinite where undefined.
 
         Raises
         ------
         ReadError
-            If the text is no formula.
+            If the text is not a formula.
         """
         return _read(*self).function
 
     def at(self, time: float) -> float:
-        """Its value at a time [s] where nothing else moves."""
+        """Return the value at a time [s] while all else is at rest."""
         return self.function(time, 0.0, 0.0)
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Times at which it bends or jumps, as far as it compares straight lines in time [s].
+        """Times of bends and jumps at comparisons of polynomials of the time [s].
 
         Raises
         ------
         ReadError
-            If the text is no formula.
+            If the text is not a formula.
         """
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """The same times of what is no polynomial of the time, up to one [s]."""
-        return _crossings(_read(*self).tree, until)
+        """Return the times of other bends and jumps, up to a time [s]."""
+        return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
-        """Where it jumps along `speed` or `angle`, as far as it compares straight lines in it.
+        """Return the places of jumps along `speed` or `angle` at comparisons of polynomials.
 
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
         """
-        return tuple(at for at, jumps in corners(_read(*self).tree, name).items() if jumps)
+        return tuple(place for place, jumps in corners(self.whole, name).items() if jumps)
 
     def between(self, name: str, low: float, high: float) -> Formula:
-        """What it is between two jumps along a variable."""
-        return self._replace(tree=between(_read(*self).tree, name, low, high))
+        """Return the formula between two jumps along a variable."""
+        return self._replace(tree=between(self.whole, name, low, high))
 
     @property
     def surfaces(self) -> dict[JumpSurface, str]:
-        """Where else it switches, by time or angle, each with the side it itself counts to."""
-        return surfaces(_read(*self).tree)
+        """Surfaces in time, speed and angle with a jump, and the side of the value on each."""
+        return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:
-        """What it is above a surface, +1, or below, -1."""
-        return self._replace(tree=on_side(_read(*self).tree, surface, side))
+        """Return the formula above a surface, +1, or below the surface, -1."""
+        return self._replace(tree=on_side(self.whole, surface, side))
 
     @property
     def slope(self) -> Formula:
-        """Its change with time, of a formula of t of which that is known."""
-        return self._replace(tree=slope(_read(*self).tree))
+        """Derivative of a formula of t with respect to t; see `has_slope`."""
+        return self._replace(tree=slope(self.whole))
 
     @property
     def has_slope(self) -> bool:
-        """Whether its change with time is known."""
-        return slope(_read(*self).tree) is not None
+        """True if the derivative with respect to t is known."""
+        return slope(self.whole) is not None
 
     @property
     def switches(self) -> bool:
-        """Whether it compares speeds or angles."""
+        """True if the formula compares speeds or angles."""
         return _read(*self).switches
 
     @property
     def along(self) -> Callable[..., Floats]:
-        """Its values at many times, by these, then as of `function`, arrays or numbers."""
+        """Values at many times: a function of the times, then as `function`, arrays or numbers."""
         return _read(*self).along
 
 
@@ -215,16 +215,16 @@ def read_formula(
     ----------
     source : Excerpt
     names : collection of str
-        What it may have of t, speed and angle.
+        Allowed variables out of t, speed and angle.
     words : Vocabulary
-        What else.
+        Other allowed names.
     quantity : callable, optional
-        What numbers with units mean.
+        Meaning of numbers with units.
 
     Raises
     ------
     ReadError
-        With the place of what is wrong.
+        If the text is not a formula, with the place of the fault.
 
     Examples
     --------
@@ -245,19 +245,16 @@ def read_formula(
 def formula_tree(
     source: Excerpt, names: Collection[str], words: Vocabulary, *, quantity: Quantity | None = None
 ) -> Tree:
-    """The tree of a formula in which only these names and words stand."""
+    """Return the tree of a formula with allowed names and words only."""
     operands = f"a number, {spoken(names, 'or')}, or a function such as {', '.join(FUNCTIONS)}"
-    functions = (*FUNCTIONS, *words.tables)
-    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    language = Language(functions, operands, "t", caret=True, of_names=of_names)
+    language = Language((*FUNCTIONS, *words.tables), operands, "t", caret=True, of_names=_OF_NAMES)
     read = parse(source, language._replace(quantity=quantity) if quantity else language)
     tree: Tree = _with_tables(read, words.tables)
     for part in parts(tree):
         if isinstance(part, Applied):
             _check_operands(part, words, source)
         elif isinstance(part, DottedName):
-            message = f"read {quoted(part.written)}, expected {operands}"
-            raise source.error(message, part.at)
+            raise source.error(f"read {quoted(part.written)}, expected {operands}", part.at)
         elif isinstance(part, TableName):
             _check_name(part, names, words, source)
     is_speed = SHORT_SPEED not in (*words.numbers, *words.values)
@@ -272,27 +269,28 @@ def _with_speed(tree: Any) -> Any:
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
-    """The tree with calls that know their tables."""
+    """Return the tree with calls that carry the tables."""
     if not isinstance(tree, Applied):
         return tree
     name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
     return tree._replace(
-        name=name, operands=tuple(_with_tables(one, tables) for one in tree.operands)
+        name=name, operands=tuple(_with_tables(operand, tables) for operand in tree.operands)
     )
 
 
 def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
-    """As many operands as a function or a table has."""
+    """Refuse a function or a table with a wrong number of operands."""
     count, name = len(part.operands), part.name
     if name in words.tables:
         wanted = words.tables[name].variables
         if count != wanted:
             many = ("none", "one", "two")
-            message = f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many"
-            raise source.error(message, part.at)
+            raise source.error(
+                f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many",
+                part.at,
+            )
     elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
-        message = f"{name} of {count} parts, expected one, as in {name}(t)"
-        raise source.error(message, part.at)
+        raise source.error(f"{name} of {count} parts, expected one, as in {name}(t)", part.at)
 
 
 def _check_name(
@@ -325,7 +323,7 @@ def _check_name(
 
 
 def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
-    """That a word is of something that there is."""
+    """Refuse a word of a link, shift element or device that does not exist."""
     [row] = part.subscripts
     seen = seen_in(part)
     assert seen is not None  # noqa: S101 - it has a row
@@ -339,7 +337,7 @@ def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
 
 
 class _Read(NamedTuple):
-    """What is known of a text."""
+    """Properties derived from the text or tree of a formula."""
 
     variables: frozenset[str]
     seen: tuple[Seen, ...]
@@ -352,34 +350,31 @@ class _Read(NamedTuple):
 
 @lru_cache(maxsize=1024)
 def _read(text: str, tree: Tree | None) -> _Read:
-    tree = tree or _parsed(text)
+    if tree is None:
+        language = Language(FUNCTIONS, "t", "t", caret=True, of_names=_OF_NAMES)
+        tree = _with_speed(parse(Excerpt(text, "formula"), language))
     inside = [part for part in parts(tree) if isinstance(part, TableName)]
-    seen = tuple(dict.fromkeys(one for part in inside if (one := seen_in(part))))
-    own = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
+    seen = tuple(dict.fromkeys(quantity for part in inside if (quantity := seen_in(part))))
+    variables_of_link = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
     switches = any(
         isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
         for part in parts(tree)
     )
-    along = compiled_along(tree, seen)
-    return _Read(own, seen, compiled(tree, seen), along, tuple(corners(tree, "t")), switches, tree)
-
-
-@lru_cache(maxsize=256)
-def _crossings(tree: Tree, until: float) -> tuple[float, ...]:
-    return crossings(tree, until)
-
-
-def _parsed(text: str) -> Tree:
-    of_names = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
-    language = Language(FUNCTIONS, "t", "t", caret=True, of_names=of_names)
-    tree: Tree = _with_speed(parse(Excerpt(text, "formula"), language))
-    return tree
+    return _Read(
+        variables_of_link,
+        seen,
+        compiled(tree, seen),
+        compiled_along(tree, seen),
+        tuple(corners(tree, "t")),
+        switches,
+        tree,
+    )
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
-    """The tree with values in place of names."""
+    """Return the tree with values instead of names."""
     if isinstance(tree, Applied):
-        operands = tuple(_with_numbers(one, numbers) for one in tree.operands)
+        operands = tuple(_with_numbers(operand, numbers) for operand in tree.operands)
         return tree._replace(operands=operands)
     if isinstance(tree, TableName) and not tree.subscripts and tree.name in numbers:
         return Constant(numbers[tree.name])

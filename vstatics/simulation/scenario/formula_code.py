@@ -1,8 +1,8 @@
-"""The tree of a formula -> a function of plain floats.
+"""Compilation of the tree of a formula to a function of plain floats.
 
-A syntax tree of Python is made part by part, from what the grammar let through: nothing of the
-text itself is ever run. Where a float has no result (``1/0``, ``exp(1000)``) the formula is
-calculated again with arrays, as in a sweep: these have one, infinite or NaN.
+The Python syntax tree is built part by part from the checked tree of the formula, so the text
+itself is never executed. Where a float has no result (``1/0``, ``exp(1000)``) the formula is
+calculated again with arrays, as in a sweep, and the result is infinite or NaN.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from vstatics.simulation.scenario.table_call import TableCall
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
-"""By t, speed and angle, then by what else is seen."""
+"""Function of t, speed and angle, then of the quantities that are seen elsewhere."""
 
 
 class Seen(NamedTuple):
-    """What a formula sees besides the time and its own link."""
+    """Quantity in a formula other than the time and the motion of the link itself."""
 
     word: str
-    """`speed`, `slip`, ...; of a number that changes `value`."""
+    """Word, such as `speed` or `slip`; `value` for a state or setting."""
     of: str
-    """The name of a link, an element, a device, a number."""
+    """Name of a link, a shift element, a device, a state or a setting."""
 
 
 def seen_in(part: TableName) -> Seen | None:
-    """What a name stands for, if it is seen elsewhere than on the own link."""
+    """Return the quantity that a name means, unless the name is a variable of the link itself."""
     if part.subscripts:
         return Seen(part.name, part.subscripts[0].written[1:-1])
     return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
@@ -50,7 +50,7 @@ def _sign(value: float) -> float:
 
 
 def _truth(value: float) -> bool:
-    """As in a sweep: true unless it is 0, infinite or does not exist."""
+    """Return whether a number counts as true, as in a sweep: finite and not 0."""
     return value != 0 and math.isfinite(value)
 
 
@@ -83,15 +83,15 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "not_": np.logical_not,
 }
 FUNCTIONS = tuple(_PLAIN)
-"""Of numbers; `min` and `max` of several."""
+"""Functions of numbers; only `min` and `max` take several."""
 
-_ARITHMETIC: Mapping[str, type[ast.operator]] = {
+_ARITHMETIC = {
     "+": ast.Add,
     "-": ast.Sub,
     "*": ast.Mult,
     "/": ast.Div,
 }
-_COMPARISONS: Mapping[str, type[ast.cmpop]] = {
+_COMPARISONS = {
     "<": ast.Lt,
     "<=": ast.LtE,
     ">": ast.Gt,
@@ -99,11 +99,11 @@ _COMPARISONS: Mapping[str, type[ast.cmpop]] = {
     "==": ast.Eq,
     "!=": ast.NotEq,
 }
-_LOGIC: Mapping[str, type[ast.boolop]] = {"and": ast.And, "or": ast.Or}
+_LOGIC = {"and": ast.And, "or": ast.Or}
 
 
 def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
-    """The function of a tree: of `VARIABLES`, then of what else is seen.
+    """Return the function of a tree: of `VARIABLES`, then of the quantities seen elsewhere.
 
     Examples
     --------
@@ -114,20 +114,19 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     (0.5, 0.0)
     """
     functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
-    plain: Function = _evaluated(tree, functions, seen)
+    plain: Function = _evaluated(tree, functions, seen, is_broad=False)
 
     def function(*known: float) -> float:
         try:
             return plain(*known)
         except (ArithmeticError, ValueError):
-            arrays = [np.array([[one]]) for one in known]
-            return _as_arrays(tree, arrays, seen).item()
+            return _as_arrays(tree, [np.array([[value]]) for value in known], seen).item()
 
     return function
 
 
 def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Floats]:
-    """The same function for many times at once: of arrays, or of numbers beside the times.
+    """Return the function of a tree for many times: of arrays, or of numbers with the times.
 
     Examples
     --------
@@ -144,8 +143,8 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
         with np.errstate(all="ignore"):
             try:
                 values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # of numbers alone, as 1/0
-                shaped = [np.reshape(one, (-1, 1, 1)) for one in (times, *known)]
+            except (ArithmeticError, ValueError):  # of constants, such as 1/0
+                shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
                 values = _as_arrays(tree, shaped, seen).reshape(-1)
             return np.broadcast_to(values, times.shape).astype(float)
 
@@ -153,21 +152,23 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
 
 
 def _tables(tree: Any) -> dict[str, LookupTable]:
-    """The tables that a tree calls, by their names."""
+    """Return the tables that a tree calls, by name."""
     if not isinstance(tree, Applied):
         return {}
-    own = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
-    return reduce(operator.or_, map(_tables, tree.operands), own)
+    called = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
+    return reduce(operator.or_, map(_tables, tree.operands), called)
 
 
 def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
-    """The values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is no number."""
+    """Return the values of a tree by the rules of arrays: 1/0 is infinite, 0/0 is NaN."""
     by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
 
     def value_of(part: Any) -> Floats:
         if isinstance(part, Applied):
-            assert isinstance(part.name, TableCall)  # noqa: S101 - nothing else is left
-            return part.name.table.along(*(evaluate(one, value_of) for one in part.operands))
+            assert isinstance(part.name, TableCall)  # noqa: S101 - `evaluate` knows all other functions
+            return part.name.table.along(
+                *(evaluate(operand, value_of) for operand in part.operands)
+            )
         if part.name == PI:
             return np.array([[math.pi]])
         return by_name[seen_in(part) or part.name]
@@ -176,21 +177,15 @@ def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Flo
 
 
 class _CodeWriter:
-    """Writes the syntax tree of a function."""
+    """Writer of the Python syntax tree of a formula."""
 
     def __init__(self, seen: Sequence[Seen], *, is_broad: bool) -> None:
         self.is_broad = is_broad
-        self.names: dict[object, str] = {one: one for one in VARIABLES}
-        self.names |= {one: f"seen_{number}" for number, one in enumerate(seen)}
-
-    def function(self, tree: Tree) -> ast.Expression:
-        """Of the variables, then of what is seen."""
-        arguments = [ast.arg(name) for name in self.names.values()]
-        made = ast.arguments([], arguments, None, [], [], None, [])
-        return ast.fix_missing_locations(ast.Expression(ast.Lambda(made, self.number(tree))))
+        self.names: dict[object, str] = {argument: argument for argument in VARIABLES}
+        self.names |= {argument: f"seen_{number}" for number, argument in enumerate(seen)}
 
     def number(self, tree: Any) -> ast.expr:
-        """The value of a part, as a float."""
+        """Return the expression of the value of a part, as a float."""
         if isinstance(tree, Applied):
             if _is_truth(tree):
                 return _call("number", self.condition(tree))
@@ -202,26 +197,22 @@ class _CodeWriter:
         return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())
 
     def operation(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """An operator or a function of numbers, applied."""
+        """Return the expression of an operator or a function of numbers."""
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
         if tree.name == "**":
-            return self.power(tree, operands)
+            base, exponent = tree.operands
+            if isinstance(base, TableName) and exponent == Constant(2.0):  # a product is faster
+                return ast.BinOp(operands[0], ast.Mult(), self.number(base))
+            return _call("pow", *operands)
         if tree.name in ("min", "max") and len(operands) == 1:
             return operands[0]
         if tree.name in _ARITHMETIC:
             return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
         return _call(str(tree.name), *operands)
 
-    def power(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """A square is a product, since that is fast."""
-        base, exponent = tree.operands
-        if isinstance(base, TableName) and exponent == Constant(2.0):
-            return ast.BinOp(operands[0], ast.Mult(), self.number(base))
-        return _call("pow", *operands)
-
     def condition(self, tree: Any) -> ast.expr:
-        """Whether a part is true."""
+        """Return the expression of the truth of a part."""
         if not _is_truth(tree):
             return _call("truth", self.number(tree))
         if tree.name in _COMPARISONS:
@@ -238,14 +229,18 @@ class _CodeWriter:
 def _evaluated(
     tree: Tree,
     functions: Mapping[str, Callable[..., Any]],
-    seen: Sequence[Seen] = (),
+    seen: Sequence[Seen],
     *,
-    is_broad: bool = False,
+    is_broad: bool,
 ) -> Any:
-    """A function of the variables."""
-    whole = _CodeWriter(seen, is_broad=is_broad).function(tree)
-    own = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
-    return eval(compile(whole, "<formula>", "eval"), {**own, **functions})  # noqa: S307 (see the top)
+    """Compile a tree to a function of the variables."""
+    writer = _CodeWriter(seen, is_broad=is_broad)
+    arguments = [ast.arg(name) for name in writer.names.values()]
+    signature = ast.arguments([], arguments, None, [], [], None, [])
+    body = ast.fix_missing_locations(ast.Expression(ast.Lambda(signature, writer.number(tree))))
+    code = compile(body, "<formula>", "eval")
+    builtins = {"__builtins__": {}, "pow": math.pow, "truth": _truth, "number": float}
+    return eval(code, {**builtins, **functions})  # noqa: S307 (see the top)
 
 
 def _call(name: str, *operands: ast.expr) -> ast.expr:

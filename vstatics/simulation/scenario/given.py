@@ -1,8 +1,8 @@
-"""What is read of a scenario's document before its case says what the numbers measure.
+"""Values of a scenario's document before its case settles their units.
 
-Numbers know their unit, since what one measures may depend on the case: a pressure where an
-element has friction, a velocity where a link has a road. `scenario_values` makes the parts of a
-scenario of these.
+Numbers carry their unit, since the expected measure can depend on the case: a pressure where a
+shift element has friction, a velocity where a link has a road. `values` builds the parts of a
+scenario from these values.
 """
 
 from __future__ import annotations
@@ -17,19 +17,13 @@ from vstatics.core.model.shape import UNIT_OF, Measure, Parsed
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.named.arithmetic import calculated
 from vstatics.core.readers.named.si_units import in_any_unit
-from vstatics.simulation.scenario.conditions import StepCondition, read_condition
-from vstatics.simulation.scenario.formula import (
-    OF_MOTION,
-    OF_TORQUES,
-    Formula,
-    Vocabulary,
-    read_formula,
-)
+from vstatics.simulation.scenario.conditions import read_condition
+from vstatics.simulation.scenario.formula import Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.laws import Road
 
 
 class GivenControl(NamedTuple):
-    """A control as a mapping."""
+    """Control of a shift element that is given as a mapping."""
 
     points: Sequence[tuple[float, float]] | None = None
     formula: float | Formula | None = None
@@ -38,7 +32,7 @@ class GivenControl(NamedTuple):
 
 
 class GivenLaw(NamedTuple):
-    """A law of a torque as a mapping."""
+    """Law of an outside torque that is given as a mapping."""
 
     over: str = "time"
     points: Sequence[tuple[float, float]] | None = None
@@ -48,7 +42,7 @@ class GivenLaw(NamedTuple):
 
 
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Whether one of some keys is given, and others beside `points` alone."""
+    """Return a check that a single key is given, and some keys only with `points`."""
 
     def fault(**values: Any) -> str:
         given = [name for name in names if values.get(name) is not None]
@@ -64,7 +58,7 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
 
 
 class GivenTable(NamedTuple):
-    """A table as a mapping."""
+    """Table of formulas that is given as a mapping."""
 
     file: str = ""
     columns: Sequence[float] = ()
@@ -72,28 +66,10 @@ class GivenTable(NamedTuple):
 
 
 class GivenSteps(NamedTuple):
-    """The steps of a sequence as a mapping."""
+    """Steps of a sequence that are given as a mapping."""
 
     steps: Sequence[Mapping[str, Any]] = ()
     repeat: bool = False
-
-
-def _curve(
-    text: str, measures: Sequence[Measure], names: Sequence[str], words: Vocabulary
-) -> float | Formula:
-    """A number, bare or with its unit, or a formula: in ``3*t`` no tonnes, but the time."""
-    try:
-        behind = calculated(text).behind
-    except ValueError:
-        behind = "*"
-    if not behind or behind[0].isalpha() or behind[0] == "°":
-        return in_any_unit(text, measures)
-    try:
-        return read_formula(Excerpt(text, ""), names, words)
-    except ReadError:
-        with suppress(ValueError):
-            return in_any_unit(text, measures)
-        raise
 
 
 def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parsed:
@@ -101,67 +77,56 @@ def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parse
 
 
 ANY_MEASURE = get_args(Measure)
-_TORQUE, _SPEED = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
-CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", _TORQUE)
+TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
+CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", TORQUE_UNIT)
 ABSCISSA = _number(
     ["time", "si_speed", "angle", "velocity", "length"], "a time, a speed, an angle or a way"
 )
-SPEED = _number(["si_speed", "velocity"], "a speed", _SPEED)
+SPEED = _number(["si_speed", "velocity"], "a speed", SPEED_UNIT)
 TWIST = _number(["angle", "length"], "an angle in rad, or a length in m", UNIT_OF["angle"])
 ANYTHING = _number(ANY_MEASURE, "a number")
 
 
-def capacity_curve(words: Vocabulary) -> Parsed:
-    """What a shift element can carry, over time or by what is seen."""
-    measures: Sequence[Measure] = ["si_torque", "pressure"]
-    parse = partial(_curve, measures=measures, names=["t"], words=words.only(*OF_MOTION))
-    return Parsed("a capacity, or a formula of t", parse, 0.0, _TORQUE)
-
-
-def torque_curve(words: Vocabulary) -> Parsed:
-    """A torque on a link, by its own motion or by what is seen."""
-    names, seen = ["t", "speed", "angle"], words.only(*OF_MOTION)
-    parse = partial(_curve, measures=["si_torque", "force"], names=names, words=seen)
-    return Parsed("a torque, or a formula of t, speed and angle", parse, 0.0, _TORQUE)
-
-
-def limit_curve(words: Vocabulary) -> Parsed:
-    """Within what a spring stays, over time or by what is seen."""
-    parse = partial(
-        _curve, measures=["si_torque", "force"], names=["t"], words=words.only(*OF_MOTION)
-    )
-    return Parsed("a torque, or a formula of t", parse, 0.0, _TORQUE)
-
-
-def speed_curve(words: Vocabulary) -> Parsed:
-    """A speed over time."""
-    return _timed_curve(words, "a speed", ["si_speed", "velocity"], _SPEED)
-
-
-def ratio_curve(words: Vocabulary) -> Parsed:
-    """A speed ratio over time."""
-    return _timed_curve(words, "a speed ratio", ["angle"])
-
-
-def _timed_curve(
-    words: Vocabulary, what: str, measures: Sequence[Measure], unit: str = ""
+def curve(
+    expected: str,
+    measures: Sequence[Measure],
+    words: Vocabulary,
+    names: Sequence[str] = ("t",),
+    unit: str = "",
 ) -> Parsed:
-    seen = words.only()._replace(values=())
-    parse = partial(_curve, measures=measures, names=["t"], words=seen)
-    return Parsed(f"{what}, or a formula of t", parse, 0.0, unit)
+    """Return the shape of a number, bare or with a unit, or of a formula.
 
+    Parameters
+    ----------
+    measures : sequence of str
+        Measures of the number.
+    words, names
+        Words and variables that the formula can use.
+    unit : str, optional
+        Unit of bare numbers.
+    """
 
-def value_curve(words: Vocabulary) -> Parsed:
-    """A number, or a formula that sees everything that does not happen at an instant."""
-    seen = words.only(*OF_MOTION, *OF_TORQUES)
-    parse = partial(_curve, measures=ANY_MEASURE, names=["t"], words=seen)
-    return Parsed("a number, or a formula", parse, 0.0)
+    def parse(text: str) -> float | Formula:
+        try:
+            behind = calculated(text).behind
+        except ValueError:
+            behind = "*"
+        if not behind or behind[0].isalpha() or behind[0] == "°":
+            return in_any_unit(text, measures)
+        try:
+            return read_formula(Excerpt(text, ""), names, words)
+        except ReadError:
+            with suppress(ValueError):
+                return in_any_unit(text, measures)  # `t` in 3*t is the time, not tonnes
+            raise
+
+    return Parsed(expected, parse, 0.0, unit)
 
 
 def condition(words: Vocabulary) -> Parsed:
-    """A condition."""
-
-    def parse(text: str) -> StepCondition:
-        return read_condition(Excerpt(text, ""), words)
-
-    return Parsed("a condition, such as `t >= 0.5`", parse, None)
+    """Return the shape of a condition of a step."""
+    return Parsed(
+        "a condition, such as `t >= 0.5`",
+        lambda text: read_condition(Excerpt(text, ""), words),
+        None,
+    )

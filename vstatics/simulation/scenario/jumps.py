@@ -1,7 +1,7 @@
-"""A law of a torque that jumps over the speed or the angle of its link: its pieces between jumps.
+"""Pieces of a torque law between its jumps over the speed or the angle of its link.
 
-Points do where an abscissa repeats, formulas by comparisons and `sign`, at a number (`corners`) or
-at what depends on time or angle (`surfaces`).
+Points jump where an abscissa repeats. Formulas jump by comparisons and `sign`, at a number
+(`corners`) or on a surface that depends on time or angle (`surfaces`).
 """
 
 from __future__ import annotations
@@ -15,50 +15,50 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Over, Points, constant
 
 _MOST_JUMPS = 100
-"""Of a formula; with more of them it is taken as it stands."""
+"""Most jumps of a formula; with more, the formula is not split."""
 _ANYTHING = 0.7390851332151607
-"""What is seen elsewhere, where all that counts is whether two values are the same."""
+"""Value of quantities seen elsewhere, when only the equality of two values counts."""
 _MOST_SURFACES = 4
-"""The same of those that depend on time, which may cross."""
+"""Most surfaces that depend on time, whose pieces are split by all combinations of sides."""
 
 
 class LawJump(NamedTuple):
-    """Where a law jumps."""
+    """Place at which a law jumps."""
 
     over: Over
     at: Curve
-    """[rad/s or rad]"""
+    """Speed or angle of the jump. [rad/s or rad]"""
     side: str = "+"
-    """On which side its own value is: that of the points, or the formula, right there."""
+    """Side to which the value right at the jump belongs."""
     by_angle: float = 0.0
-    """What a speed there has besides, by the angle. [1/s]"""
+    """Change of the speed of the jump with the angle. [1/s]"""
 
     @property
     def speed(self) -> Curve:
-        """At which a motion slides along it, but for what the angle adds [rad/s]."""
+        """Speed of a motion that slides along the jump, without the part by the angle [rad/s]."""
         return self.at if self.over == "speed" else curve_slope(self.at)
 
     @property
     def change(self) -> Curve:
-        """That of this speed with time [rad/s^2]."""
+        """Acceleration of a motion that slides along the jump [rad/s^2]."""
         return curve_slope(self.speed)
 
     @property
     def rests(self) -> bool:
-        """Whether this speed is always 0."""
+        """True if the speed of the jump is always 0."""
         return self.speed == constant(0.0) and not self.by_angle
 
 
 class LawPiece(NamedTuple):
-    """A law between jumps."""
+    """Law between jumps."""
 
     law: Points | Formula
     when: tuple[tuple[int, str], ...] = ()
-    """Numbers of the jumps beside it, and on which side of each it holds."""
+    """Numbers of the adjacent jumps, each with the side on which the piece holds."""
 
 
 def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]]:
-    """Where a law jumps over a speed or an angle, and what it is between.
+    """Find the jumps of a law over speed or angle, and the pieces between them.
 
     Examples
     --------
@@ -71,22 +71,20 @@ def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]
     """
     if isinstance(law, Formula):
         return _of_formula(law)
-    return ([], [LawPiece(law)]) if law.over == "time" else _of_points(law)
-
-
-def _of_points(law: Points) -> tuple[list[LawJump], list[LawPiece]]:
+    if law.over == "time":
+        return [], [LawPiece(law)]
     jumps: list[LawJump] = []
     begins, ends = [0], []
     for at, group in groupby(range(len(law.x)), key=law.x.__getitem__):
-        first, *others = group
-        if others and law.over != "time":
+        first, *repeated = group
+        if repeated:
             jumps.append(LawJump(law.over, constant(at)))
             ends.append(first + 1)
-            begins.append(others[-1])
-    parts = [slice(*ends) for ends in zip(begins, [*ends, len(law.x)], strict=True)]
+            begins.append(repeated[-1])
+    ranges = [slice(*ends) for ends in zip(begins, [*ends, len(law.x)], strict=True)]
     pieces = [
-        LawPiece(Points(law.x[part], law.y[part], law.over), beside)
-        for part, beside in zip(parts, _beside(0, len(jumps)), strict=True)
+        LawPiece(Points(law.x[points_between], law.y[points_between], law.over), sides)
+        for points_between, sides in zip(ranges, _beside(0, len(jumps)), strict=True)
     ]
     return jumps, pieces
 
@@ -99,17 +97,17 @@ def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
     pieces: list[LawPiece] = []
     by_speed = zip(_intervals(speeds), _beside(0, len(speeds)), strict=True)
     by_angle = [*zip(_intervals(angles), _beside(len(speeds), len(angles)), strict=True)]
-    for speed, beside in by_speed:
-        for angle, others in by_angle:
+    for speed, sides in by_speed:
+        for angle, sides_by_angle in by_angle:
             inner = law.between("speed", *speed).between("angle", *angle)
-            pieces += _between_surfaces(inner, (*beside, *others), jumps)
+            pieces += _between_surfaces(inner, (*sides, *sides_by_angle), jumps)
     return jumps, pieces if jumps else [LawPiece(law)]
 
 
 def _between_surfaces(
-    law: Formula, beside: tuple[tuple[int, str], ...], jumps: list[LawJump]
+    law: Formula, sides_at_jumps: tuple[tuple[int, str], ...], jumps: list[LawJump]
 ) -> Iterator[LawPiece]:
-    """The pieces of a law between its jumps that depend on time or angle; these are added."""
+    """Yield the pieces of a law between moving jumps, which are added to `jumps`."""
     surfaces = law.surfaces
     if len(surfaces) > _MOST_SURFACES:
         surfaces = {}
@@ -123,31 +121,31 @@ def _between_surfaces(
         piece = law
         for surface, side in zip(surfaces, sides, strict=True):
             piece = piece.on_side(surface, 1.0 if side == "+" else -1.0)
-        yield LawPiece(_plain(piece), (*beside, *zip(numbers, sides, strict=True)))
+        yield LawPiece(_plain(piece), (*sides_at_jumps, *zip(numbers, sides, strict=True)))
 
 
 def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJump]:
-    for at, before in zip(places, _intervals(places), strict=False):
+    for place, before in zip(places, _intervals(places), strict=False):
         below = law.between(over, *before)
-        right_there = (0.0, at, 0.0) if over == "speed" else (0.0, 0.0, at)
-        own = _at(below, right_there) == _at(law, right_there)
-        yield LawJump(over, constant(at), "-" if own else "+")
+        right_there = (0.0, place, 0.0) if over == "speed" else (0.0, 0.0, place)
+        is_below = _at(below, right_there) == _at(law, right_there)
+        yield LawJump(over, constant(place), "-" if is_below else "+")
 
 
-def _at(law: Formula, own: tuple[float, float, float]) -> float:
-    """The value of a law, whatever else it sees."""
-    return law.function(*own, *[_ANYTHING] * len(law.seen))
+def _at(law: Formula, motion: tuple[float, float, float]) -> float:
+    """Return the value of a law, with any value of quantities seen elsewhere."""
+    return law.function(*motion, *[_ANYTHING] * len(law.seen))
 
 
 def _plain(formula: Formula) -> Points | Formula:
-    """A number where nothing else is left."""
+    """Return a formula, or the value of a constant formula."""
     if formula.variables or formula.seen:
         return formula
     return constant(formula.function(0.0, 0.0, 0.0))
 
 
 def curve_slope(curve: Curve) -> Curve:
-    """The change of a place or a speed with time."""
+    """Return the change of a place or a speed with time."""
     if isinstance(curve, Formula):
         return _plain(curve.slope)
     slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]
@@ -163,7 +161,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
 
 
 def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
-    """Of each interval between jumps, the jumps at its ends."""
+    """Return the jumps at both ends of each interval, with the side of the interval."""
     return [
         tuple(
             (first + number, side)

@@ -1,6 +1,6 @@
-"""The keys of a scenario in YAML and JSON, declared once; see `model.shape`.
+"""Keys of a scenario in YAML and JSON, declared once; see `model.shape`.
 
-What is read of them is in `scenario_given`.
+The values that are read from them are in `given`.
 """
 
 from __future__ import annotations
@@ -24,51 +24,43 @@ from vstatics.core.model.shape import (
     OneOrMany,
     Parsed,
     RowOf,
+    Shape,
 )
 from vstatics.core.model.torsional_keys import CONVERTER
 from vstatics.simulation.scenario.distribution import Distribution
-from vstatics.simulation.scenario.formula import Vocabulary
+from vstatics.simulation.scenario.formula import OF_MOTION, OF_TORQUES, Vocabulary
 from vstatics.simulation.scenario.given import (
     ABSCISSA,
+    ANY_MEASURE,
     ANYTHING,
     CAPACITY,
     SPEED,
+    SPEED_UNIT,
+    TORQUE_UNIT,
     TWIST,
     GivenControl,
     GivenLaw,
     GivenSteps,
     GivenTable,
-    capacity_curve,
     condition,
+    curve,
     exactly_one,
-    limit_curve,
-    ratio_curve,
-    speed_curve,
-    torque_curve,
-    value_curve,
 )
 from vstatics.simulation.scenario.laws import Road, WheelRadius
 
 _TIME, _TORQUE = Leaf("time"), Leaf("si_torque", straight=True)
+_DOG_STATE = Leaf("choice", ("open", "closed"))
 _NOT_BELOW_0 = {"minimum": 0}
 _ABOVE_0 = {"exclusiveMinimum": 0}
-_POINTS_OVER_TIME = "points [time in s, value] in their order: straight between, constant outside; "
-_POINTS_OVER_TIME += "where a time repeats the later value holds from there"
 
 
-_CAPACITY_POINTS = ListOf(RowOf((_TIME, CAPACITY), "time, capacity"), "points", unique=False)
-_TORQUE_POINTS = ListOf(RowOf((_TIME, _TORQUE), "time, torque"), "points", unique=False)
+def _points(x: Shape, y: Shape, names: str, what: str = "points") -> ListOf:
+    """Return the shape of points, or of other pairs, which can repeat."""
+    return ListOf(RowOf((x, y), names), what, unique=False)
 
 
-_SPEEDS = "a speed, a formula of t, or points [[time, speed], ...]"
-_SPEED_POINTS = ListOf(RowOf((_TIME, SPEED), "time, speed"), "points", unique=False)
-
-
-_LIMITS = "a torque, a formula, or points [[time, torque], ...]"
-
-
-_RATIOS = "a speed ratio, a formula of t, or points [[time, ratio], ...]"
-_RATIO_POINTS = ListOf(RowOf((_TIME, NUMBER), "time, ratio"), "points", unique=False)
+_CAPACITY_POINTS = _points(_TIME, CAPACITY, "time, capacity")
+_TORQUE_POINTS = _points(_TIME, _TORQUE, "time, torque")
 
 
 def _control(curve: Parsed) -> ByForm:
@@ -84,7 +76,8 @@ def _control(curve: Parsed) -> ByForm:
                 KeyShape(
                     "points",
                     _CAPACITY_POINTS,
-                    f"{_POINTS_OVER_TIME[0].upper()}{_POINTS_OVER_TIME[1:]}.",
+                    "Points [time in s, value] in their order: straight between, constant outside; "
+                    "where a time repeats the later value holds from there.",
                 ),
                 KeyShape("formula", curve, "A number or a formula of t."),
                 KeyShape(
@@ -92,11 +85,7 @@ def _control(curve: Parsed) -> ByForm:
                 ),
                 KeyShape(
                     "dog",
-                    ListOf(
-                        RowOf((_TIME, Leaf("choice", ("open", "closed"))), "time, state"),
-                        "times",
-                        unique=False,
-                    ),
+                    _points(_TIME, _DOG_STATE, "time, state", "times"),
                     "Times from which it is closed or open; open before.",
                     examples=([[1.5, "closed"]],),
                 ),
@@ -180,7 +169,7 @@ def _law(curve: Parsed) -> ByForm:
                 ),
                 KeyShape(
                     "points",
-                    ListOf(RowOf((ABSCISSA, _TORQUE), "abscissa, torque"), "points", unique=False),
+                    _points(ABSCISSA, _TORQUE, "abscissa, torque"),
                     "Points in their order, straight between, constant outside.",
                     examples=([[80, 900], [200, 1100], [260, 0]],),
                 ),
@@ -271,7 +260,7 @@ SAMPLES = ByKey(
 TABLE = ByForm(
     "points [[x, value], ...], or a mapping with `file`, or with `columns` and `rows`",
     ANYTHING,
-    ListOf(RowOf((ANYTHING, ANYTHING), "x, value"), "points", unique=False),
+    _points(ANYTHING, ANYTHING, "x, value"),
     ByKey(
         "Table",
         "Values that formulas call by the name of the table: straight between, constant outside.",
@@ -303,7 +292,7 @@ TABLE = ByForm(
 
 
 def named_numbers() -> tuple[KeyShape, ...]:
-    """The keys of what formulas know by a name, which is read before them."""
+    """Return the keys of numbers and tables, which are read before all formulas."""
     return (
         KeyShape(
             "numbers",
@@ -312,19 +301,6 @@ def named_numbers() -> tuple[KeyShape, ...]:
             examples=({"t_k": 0.46},),
         ),
         KeyShape("tables", ByName("table", TABLE), "Tables that formulas call by their names."),
-    )
-
-
-def _state(rate: Parsed) -> ByKey:
-    return ByKey(
-        "State",
-        "A number that changes by itself.",
-        (
-            KeyShape("rate", rate, "Its change with time, by a formula.", required=True),
-            KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
-            KeyShape("min", ANYTHING, "It does not fall below."),
-            KeyShape("max", ANYTHING, "It does not rise above."),
-        ),
     )
 
 
@@ -348,11 +324,15 @@ def _sequence(when: Parsed, value: Parsed) -> ByForm:
             ),
             KeyShape(
                 "dog",
-                Numbers("shift element", Leaf("choice", ("open", "closed"))),
+                Numbers("shift element", _DOG_STATE),
                 "Dog clutches that open or close.",
             ),
         ),
-        fault=_does_nothing,
+        fault=lambda **values: (
+            ""
+            if any(map(values.get, ("set", "shift", "dog")))
+            else "read a step with nothing to do, expected `set`, `shift` or `dog`"
+        ),
     )
     steps = ListOf(step, "steps", unique=False)
     return ByForm(
@@ -375,29 +355,27 @@ _STEPS = "a list of steps, or a mapping with `steps`"
 
 
 def _no_steps(_: str) -> NoReturn:
-    message = f"expected {_STEPS}"
-    raise ValueError(message)
-
-
-def _does_nothing(**values: Any) -> str:
-    return "" if any(map(values.get, ("set", "shift", "dog"))) else _NOTHING_TO_DO
-
-
-_NOTHING_TO_DO = "read a step with nothing to do, expected `set`, `shift` or `dog`"
+    raise ValueError(f"expected {_STEPS}")
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """The keys of a scenario whose formulas may speak of this."""
-    return ByKey(
-        "Scenario",
-        "What happens to a case over time; bare numbers are in SI.",
-        (*_beginning(), *_acting(words), *_shifting(), *_following(words)),
+    """Return the keys of a scenario whose formulas have a vocabulary."""
+    moving, timed = words.only(*OF_MOTION), words.only()._replace(values=())
+    capacity = curve(
+        "a capacity, or a formula of t", ["si_torque", "pressure"], moving, unit=TORQUE_UNIT
     )
-
-
-def _beginning() -> tuple[KeyShape, ...]:
-    """What it is, how long it is, how it begins."""
-    return (
+    torque = curve(
+        "a torque, or a formula of t, speed and angle",
+        ["si_torque", "force"],
+        moving,
+        ["t", "speed", "angle"],
+        TORQUE_UNIT,
+    )
+    limit = curve("a torque, or a formula of t", ["si_torque", "force"], moving, unit=TORQUE_UNIT)
+    speed = curve("a speed, or a formula of t", ["si_speed", "velocity"], timed, unit=SPEED_UNIT)
+    ratio = curve("a speed ratio, or a formula of t", ["angle"], timed)
+    value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
+    keys = (
         KeyShape("name", TEXT, "Name of the scenario, on one line."),
         KeyShape("description", TEXT, "What happens, as long as you like."),
         KeyShape("source", TEXT, "Where its data come from."),
@@ -406,49 +384,56 @@ def _beginning() -> tuple[KeyShape, ...]:
         KeyShape(
             "start", START, "The speeds at t = 0; not needed where `speeds` determine all of them."
         ),
-    )
-
-
-def _acting(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """What is given over time."""
-    return (
         KeyShape(
             "controls",
-            Numbers("shift element", _control(capacity_curve(words))),
+            Numbers("shift element", _control(capacity)),
             "Kinetic capacity of shift elements over time in N*m, or pressure in Pa where they "
             "have `friction`; what has none, and no shift moves, stays as the start has it.",
         ),
         KeyShape(
             "torques",
-            Numbers("link", OneOrMany(_law(torque_curve(words)))),
+            Numbers("link", OneOrMany(_law(torque))),
             "Outside torques on links in N*m, positive like the input's; a law, or several.",
         ),
         KeyShape(
             "speeds",
-            Numbers("link", ByForm(_SPEEDS, speed_curve(words), _SPEED_POINTS)),
+            Numbers(
+                "link",
+                ByForm(
+                    "a speed, a formula of t, or points [[time, speed], ...]",
+                    speed,
+                    _points(_TIME, SPEED, "time, speed"),
+                ),
+            ),
             "Speeds of links that are given over time, in rad/s; what torque this takes is "
             "their column of torques.",
             examples=({"dyno": [[0, "500 rpm"], [10, "400 rpm"]]},),
         ),
         KeyShape(
             "speed_ratios",
-            Numbers("mechanism", ByForm(_RATIOS, ratio_curve(words), _RATIO_POINTS)),
+            Numbers(
+                "mechanism",
+                ByForm(
+                    "a speed ratio, a formula of t, or points [[time, ratio], ...]",
+                    ratio,
+                    _points(_TIME, NUMBER, "time, ratio"),
+                ),
+            ),
             "Speed ratios of variators over time, w_second/w_first, any sign, 0 included.",
             examples=({"hydro": [[0, 0.2], [2, -0.2]]},),
         ),
         KeyShape(
             "limits",
-            Numbers("spring", ByForm(_LIMITS, limit_curve(words), _TORQUE_POINTS)),
+            Numbers(
+                "spring",
+                ByForm(
+                    "a torque, a formula, or points [[time, torque], ...]", limit, _TORQUE_POINTS
+                ),
+            ),
             "Torques within which springs stay, over time or by what is seen, in N*m; else "
             "the `limit` of the case.",
             examples=({"tyre": [[0, 3000], [2, 1800]]},),
         ),
-    )
-
-
-def _shifting() -> tuple[KeyShape, ...]:
-    """Parts in place of those of the case, and shifts."""
-    return (
         KeyShape(
             "converters",
             ByName("converter", CONVERTER),
@@ -459,16 +444,24 @@ def _shifting() -> tuple[KeyShape, ...]:
             ListOf(SHIFT, "shifts", unique=False),
             "Shifts by names of gears, in their order; of several at one time the last holds.",
         ),
-    )
-
-
-def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Numbers that change by themselves or by steps, and what is told of them."""
-    return (
         *named_numbers(),
         KeyShape(
             "states",
-            ByName("state", _state(value_curve(words))),
+            ByName(
+                "state",
+                ByKey(
+                    "State",
+                    "A number that changes by itself.",
+                    (
+                        KeyShape(
+                            "rate", value, "Its change with time, by a formula.", required=True
+                        ),
+                        KeyShape("start", ANYTHING, "What it is at t = 0.", default=0),
+                        KeyShape("min", ANYTHING, "It does not fall below."),
+                        KeyShape("max", ANYTHING, "It does not rise above."),
+                    ),
+                ),
+            ),
             "Numbers that change by themselves, dx/dt = rate, by their names.",
             examples=({"p": {"rate": "(command - p)/0.06"}},),
         ),
@@ -480,7 +473,7 @@ def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
         ),
         KeyShape(
             "sequences",
-            ByName("sequence", _sequence(condition(words), value_curve(words))),
+            ByName("sequence", _sequence(condition(words), value)),
             "What is done one after the other, each once a condition is true.",
         ),
         KeyShape(
@@ -495,17 +488,18 @@ def _following(words: Vocabulary) -> tuple[KeyShape, ...]:
             "Distributions of numbers of this scenario or its case, by their paths.",
         ),
     )
+    return ByKey("Scenario", "What happens to a case over time; bare numbers are in SI.", keys)
 
 
 SCENARIO = scenario_shape(Vocabulary())
 MEASURES: tuple[Measure, ...] = (
     *("time", "si_torque", "si_speed", "mass", "length", "area", "velocity", "pump_factor"),
 )
-"""Measures of its numbers."""
+"""Measures of the numbers of a scenario."""
 
 
 def json_schema() -> dict[str, Any]:
-    """Return the schema of a scenario."""
+    """Return the JSON schema of a scenario."""
     from vstatics.core.readers.named.schema import document_schema
 
     return document_schema(SCENARIO, MEASURES)

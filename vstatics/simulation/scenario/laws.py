@@ -1,4 +1,4 @@
-"""What depends on time, on a speed or on an angle: points, formulas, and laws of a load."""
+"""Quantities over time, speed or angle: points, formulas, and laws of a load."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 
 Over = Literal["time", "speed", "angle"]
-"""What stands along the abscissa: s, rad/s, rad."""
+"""Abscissa of points: time [s], speed [rad/s] or angle [rad]."""
 
 
 class Points(NamedTuple):
-    """Straight between points, constant before the first and after the last.
+    """Linear interpolation between points, constant before the first and after the last.
 
     Where an abscissa repeats, the later value holds from there.
 
     Parameters
     ----------
     x, y : sequence of float
-        As many of each, one at least; `x` does not decrease. [s, rad/s or rad; N*m or Pa]
+        Abscissas, which do not decrease, and as many values; at least one. [s, rad/s or rad; N*m
+        or Pa]
     over : {"time", "speed", "angle"}
 
     Examples
@@ -39,16 +40,16 @@ class Points(NamedTuple):
     over: Over = "time"
 
     def at(self, x: float) -> float:
-        """The value at an abscissa."""
+        """Return the value at an abscissa."""
         value, slope = self.piece(self.piece_at(x))
         return value + slope * x
 
     def piece_at(self, x: float) -> int:
-        """The number of the piece that holds from an abscissa on; piece 0 ends at `x[0]`."""
+        """Return the number of the piece that begins at an abscissa; piece 0 ends at `x[0]`."""
         return bisect_right(self.x, x)
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Value at 0 and slope of the straight line of a piece."""
+        """Return the value at 0 and the slope of the straight line of a piece."""
         if number in (0, len(self.x)):
             return self.y[min(number, len(self.x) - 1)], 0.0
         left, right = self.x[number - 1 : number + 1]
@@ -61,7 +62,7 @@ class Points(NamedTuple):
 
 @refusing()
 def constant(value: float) -> Points:
-    """A value that never changes.
+    """Return a law with a constant value.
 
     Parameters
     ----------
@@ -70,12 +71,12 @@ def constant(value: float) -> Points:
     Returns
     -------
     Points
-        A law with this value at any time.
+        Law with this value at any time.
 
     Raises
     ------
     CaseError
-        When a scenario with it is simulated, of a value that is no number.
+        If a scenario with the law is simulated, and the value is not a finite number.
 
     Examples
     --------
@@ -86,7 +87,7 @@ def constant(value: float) -> Points:
 
 
 def bends(curve: Curve, until: float) -> tuple[float, ...]:
-    """Times up to one at which a curve may bend or jump [s].
+    """Return the times up to a limit at which a curve can bend or jump [s].
 
     >>> bends(Points((0.0, 2.0), (10.0, 30.0)), 3.0), bends(Formula("min(t, 1)"), 3.0)
     ((0.0, 2.0), (1.0,))
@@ -97,11 +98,11 @@ def bends(curve: Curve, until: float) -> tuple[float, ...]:
 
 
 class Resistance(NamedTuple):
-    """Dry friction of a load: it acts against the speed, and holds at rest up to its torque.
+    """Dry friction of a load, against the speed, up to the friction torque at rest.
 
     Examples
     --------
-    A wheel of 2 kg*m^2 comes to rest after 5 s, and stays there:
+    A wheel of 2 kg*m^2 comes to rest after 5 s and stays at rest:
 
     >>> from vstatics import Transmission
     >>> from vstatics.simulation import Scenario, Start, simulate
@@ -112,24 +113,24 @@ class Resistance(NamedTuple):
     """
 
     torque: float
-    """[N*m]"""
+    """Friction torque. [N*m]"""
 
 
 SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
-"""Speeds of 0 or more that rise, each with a number; constant outside."""
+"""Rising speeds of 0 or more, each with a number; constant outside."""
 
 
 class WheelRadius(NamedTuple):
-    """The radius on which a wheel rolls, which falls with the torque that the road takes."""
+    """Rolling radius of a wheel, which falls with the torque of the road."""
 
     free: float
-    """Without torque. [m]"""
+    """Radius without torque. [m]"""
     by_torque: float = 0.0
-    """What it loses by a torque. [m/(N*m)]"""
+    """Decrease of the radius with torque. [m/(N*m)]"""
 
 
 class Road(NamedTuple):
-    """What a road does to a vehicle, on a link that turns as its wheels.
+    """Road resistances of a vehicle, on a link that rotates with the wheels.
 
     Examples
     --------
@@ -138,31 +139,31 @@ class Road(NamedTuple):
     """
 
     mass: float
-    """[kg]"""
+    """Mass of the vehicle. [kg]"""
     radius: float
-    """Of the wheels, without torque. [m]"""
+    """Radius of the wheels without torque. [m]"""
     rolling: float | SpeedPoints = 0.0
-    """Coefficient of the rolling resistance; or points, from the speed of the vehicle. [m/s, -]"""
+    """Coefficient of rolling resistance [-]; or points over the vehicle speed [m/s, -]."""
     drag_area: float = 0.0
-    """Coefficient of air drag by frontal area. [m^2]"""
+    """Product of frontal area and drag coefficient. [m^2]"""
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
     by_torque: float = 0.0
-    """What the radius loses by a torque, as of `LoadedWheel`. [m/(N*m)]"""
+    """Decrease of the radius with torque, as of `LoadedWheel`. [m/(N*m)]"""
 
     @property
     def wheel(self) -> LoadedWheel | None:
-        """The wheel, if its radius changes."""
+        """Wheel with a variable radius; None with a constant radius."""
         if not self.by_torque or not self.radius:
             return None
         weight = self.mass * GRAVITY
         points = self.rolling if isinstance(self.rolling, tuple) else ((0.0, self.rolling),)
-        forces = tuple((speed, weight * part) for speed, part in points)
+        forces = tuple((speed, weight * coefficient) for speed, coefficient in points)
         air = AIR * self.drag_area / 2
         return LoadedWheel(self.radius, self.by_torque, weight * self.slope, forces, air)
 
     def turning(self, velocity: float) -> float:
-        """The speed of the wheels at a velocity of the vehicle [rad/s].
+        """Return the speed of the wheels at a velocity of the vehicle [rad/s].
 
         >>> Road(1000.0, 0.5).turning(10.0)
         20.0
@@ -173,18 +174,18 @@ class Road(NamedTuple):
 
     @property
     def weight_torque(self) -> float:
-        """Of its weight at the rim of the wheels [N*m]."""
+        """Torque of the weight at the rim of the wheels [N*m]."""
         return self.radius * self.mass * GRAVITY
 
     @property
     def rolling_torque(self) -> float:
-        """Dry friction: it acts against the speed, and holds at rest up to this [N*m]."""
+        """Dry friction against the speed, the largest holding torque at rest [N*m]."""
         at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
         return self.weight_torque * at_rest / (float(self.wheel.load(0.0)) if self.wheel else 1.0)
 
     @property
     def rolling_growth(self) -> Points | None:
-        """The torque by which rolling resistance is another one in motion than at rest.
+        """Difference of the rolling torque in motion from the value at rest.
 
         Examples
         --------
@@ -196,20 +197,19 @@ class Road(NamedTuple):
         speeds = [speed / self.radius for speed, _ in self.rolling]
         torques = [self.weight_torque * part - self.rolling_torque for _, part in self.rolling]
         back = slice(None, 0 if speeds[0] == 0 else None, -1)
-        x = (*(-one for one in speeds[back]), *speeds)
-        y = (*torques[back], *(0.0 - one for one in torques))
-        return Points(x, y, "speed")
+        x = (*(-speed for speed in speeds[back]), *speeds)
+        return Points(x, (*torques[back], *(0.0 - torque for torque in torques)), "speed")
 
     @property
     def climbing_torque(self) -> float:
-        """Of the ascent [N*m]."""
+        """Torque of the ascent [N*m]."""
         return self.weight_torque * self.slope
 
     def torque(self, speed: Any) -> Any:
-        """At a speed of the wheels or an array of them, without dry friction [N*m].
+        """Return the torque at wheel speeds without dry friction [N*m].
 
-        By ascent and air; where the radius changes also by which rolling resistance is another one
-        in motion than at rest.
+        It consists of ascent and air drag; with a variable radius also of the difference of the
+        rolling resistance in motion from its value at rest.
 
         Examples
         --------
@@ -223,5 +223,5 @@ class Road(NamedTuple):
 
 
 Curve: TypeAlias = Points | Formula
-"""A number over time, or over the speed or the angle of the link itself."""
+"""Number over time, or over the speed or the angle of the link."""
 TorqueLaw: TypeAlias = Points | Formula | Resistance | Road

@@ -1,4 +1,4 @@
-"""What happens to a case over time."""
+"""Data model of a scenario: the inputs of a case over time."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
+from vstatics.core.errors import Path
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
@@ -16,24 +17,24 @@ from vstatics.simulation.tolerances import LEAST_DURATION, LONGEST_DURATION
 
 
 class Start(NamedTuple):
-    """The speeds at t = 0: by a gear, or by speeds and elements that hold.
+    """Speeds at t = 0: by a gear, or by speeds and shift elements that stick.
 
     Parameters
     ----------
     gear : str, optional
         Name of a gear.
     speed : float
-        Of the input, with a gear. [rad/s]
+        Speed of the input, with a gear. [rad/s]
     speeds : mapping of int to float
-        Of links, in place of a gear. [rad/s]
+        Link -> its speed, instead of a gear. [rad/s]
     engaged : sequence of int
-        Numbers of shift elements that do not slip at t = 0, beside `speeds`.
+        Numbers of shift elements that do not slip at t = 0, with `speeds`.
     settled : bool
-        Whether springs are loaded as they are at rest under the torques of t = 0.
+        Whether springs are loaded as at rest under the torques of t = 0.
     twists : mapping of str to float
-        Of springs, by name, not beside `settled`. [rad, m]
+        Name of a spring -> its twist, not with `settled`. [rad, m]
     angles : mapping of int to float
-        Of links. [rad, m]
+        Link -> its angle. [rad, m]
 
     Examples
     --------
@@ -51,7 +52,7 @@ class Start(NamedTuple):
 
 
 class Capacity(NamedTuple):
-    """The kinetic capacity of a shift element over time.
+    """Kinetic capacity of a shift element over time.
 
     Examples
     --------
@@ -63,13 +64,13 @@ class Capacity(NamedTuple):
     """
 
     law: Curve
-    """[N*m], or a pressure where the element has `friction` [Pa]"""
+    """Torque [N*m], or a pressure where the element has `friction` [Pa]."""
     scale: float = 1.0
-    """By which it is multiplied. [-]"""
+    """Factor of the law. [-]"""
 
 
 class Dog(NamedTuple):
-    """A dog clutch that joins at once or opens.
+    """Times at which a dog clutch closes or opens, at once.
 
     Examples
     --------
@@ -80,14 +81,14 @@ class Dog(NamedTuple):
     """
 
     points: tuple[tuple[float, bool], ...]
-    """Times [s] in ascending order, each with whether it is closed from there on; open before."""
+    """Times [s] in ascending order, each with whether the clutch is closed from then on."""
 
 
 Control: TypeAlias = Capacity | Dog
 
 
 class Shift(NamedTuple):
-    """A shift to another gear.
+    """Shift to a new gear.
 
     Examples
     --------
@@ -96,26 +97,26 @@ class Shift(NamedTuple):
     """
 
     at: float
-    """[s]"""
+    """Time at which the shift begins. [s]"""
     to: str
     """Name of the gear."""
     overlap: float = 0.0
-    """Time that it takes. [s]"""
+    """Duration of the shift. [s]"""
 
 
 class ControlState(NamedTuple):
-    """A number that changes by itself: ``dx/dt = rate``."""
+    """State variable of the control: ``dx/dt = rate``."""
 
     name: str
     rate: Curve
-    """A number, or a formula. [1/s]"""
+    """Rate of change, a number or a formula. [1/s]"""
     start: float = 0.0
     least: float = -math.inf
     most: float = math.inf
-    """While it is at a limit and its rate points outward, it stays there."""
+    """Upper limit, where the state stays while the rate is positive."""
 
     def beyond(self, value: float) -> str:
-        """What is said of a value beyond its limits; nothing of one between them."""
+        """Return the message about a value beyond the limits, else an empty text."""
         if value > self.most:
             return f"read {value:g}, expected at most {self.most:g}, its max"
         if value < self.least:
@@ -124,63 +125,61 @@ class ControlState(NamedTuple):
 
 
 class SequenceStep(NamedTuple):
-    """What is done once a condition was true."""
+    """Step of a sequence, which acts once the condition was true."""
 
     when: StepCondition | None = None
-    """None: at once."""
+    """Condition; at once if not given."""
     within: float = math.inf
-    """So long after the step before it must have been true. [s]"""
+    """Longest time after the previous step until the condition is true. [s]"""
     wait: float = 0.0
-    """Time from then on until it is done. [s]"""
+    """Time from the condition to the action. [s]"""
     settings: Mapping[str, Curve] = MappingProxyType({})
-    """Numbers and states, and what they are from then on."""
+    """Settings and states with the new values."""
     shift: Shift | None = None
-    """Its time does not count."""
+    """Shift that begins, whose time is ignored."""
     dogs: Mapping[int, bool] = MappingProxyType({})
-    """Number of a dog clutch -> whether it is closed from then on."""
+    """Number of a dog clutch -> whether the clutch is closed from then on."""
 
 
 class StepSequence(NamedTuple):
-    """Steps, one after the other."""
+    """Sequence of steps."""
 
     name: str
     steps: tuple[SequenceStep, ...]
     repeat: bool = False
-    """Whether it begins again behind the last."""
+    """True for a sequence that begins again after the last step."""
 
 
 class Scenario(NamedTuple):
-    """A case and what happens to it.
+    """Inputs of a case over time.
 
     Parameters
     ----------
     case : Transmission
     duration : float
-        [s]
+        Time to simulate. [s]
     start : Start
     controls : mapping of int to Control, optional
-        Number of a shift element -> its control; None: there is no such key.
+        Number of a shift element -> its control; None if the document lacks the key.
     torques : sequence of (int, TorqueLaw)
-        Outside torques on links; a link may stand there several times. [N*m]
+        Outside torques on links; a link can appear several times. [N*m]
     converters : sequence of Converter
-        Of these the case has none of the same name: they stand in place of its own.
+        Torque converters that replace all converters of the case.
     shifts : sequence of Shift, optional
-        None: there is no such key.
+        Shifts in their order; None if the document lacks the key.
     targets : mapping of int to sequence of float
-        Link -> speeds whose time and angle are asked for. [rad/s]
+        Link -> speeds whose time and angle are reported. [rad/s]
     settings : mapping of str to float
-        Numbers that sequences change.
+        Numbers that sequences change, with their first values.
     states : sequence of ControlState
     sequences : sequence of StepSequence
     speeds : mapping of int to Curve
-        Link -> its speed over time, which is given: points without a jump, or a formula of t.
-        [rad/s]
+        Link -> its given speed over time: points without a jump, or a formula of t. [rad/s]
     speed_ratios : mapping of int to Curve
         Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
         or a formula of t. [-]
     limits : mapping of int to Curve
-        Number of a spring -> within what its torque stays, in place of the `limit` of the case.
-        [N*m]
+        Number of a spring -> limit of its torque, instead of the `limit` of the case. [N*m]
 
     Examples
     --------
@@ -210,21 +209,30 @@ class Scenario(NamedTuple):
     limits: Mapping[int, Curve] = MappingProxyType({})
 
     @property
+    def value_names(self) -> list[str]:
+        """Names of settings and states."""
+        return [*self.settings, *(state.name for state in self.states)]
+
+    @property
     def span(self) -> float:
-        """Time by parts of which instants are the same, or near: the duration of no long run."""
+        """Reference duration for coincident instants [s]: the duration, kept within two limits."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
-def formulas(scenario: Scenario) -> Iterator[Formula]:
-    """All formulas of a scenario."""
-    for control in (scenario.controls or {}).values():
-        if isinstance(control, Capacity) and isinstance(control.law, Formula):
-            yield control.law
-    yield from (law for _, law in scenario.torques if isinstance(law, Formula))
-    yield from (law for law in scenario.limits.values() if isinstance(law, Formula))
-    yield from (one.rate for one in scenario.states if isinstance(one.rate, Formula))
+def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
+    """Yield the steps of all sequences, each with the place in the document."""
     for sequence in scenario.sequences:
-        for step in sequence.steps:
-            yield from (one for one in step.settings.values() if isinstance(one, Formula))
-            if step.when is not None:
-                yield from step.when.comparisons
+        for number, step in enumerate(sequence.steps, 1):
+            yield ("sequences", sequence.name, number), step
+
+
+def formulas(scenario: Scenario) -> Iterator[Formula]:
+    """Yield all formulas of a scenario."""
+    laws = [getattr(control, "law", None) for control in (scenario.controls or {}).values()]
+    laws += [law for _, law in scenario.torques]
+    laws += scenario.limits.values()
+    laws += [state.rate for state in scenario.states]
+    for _, step in placed_steps(scenario):
+        laws += step.settings.values()
+        laws += step.when.comparisons if step.when else ()
+    yield from (law for law in laws if isinstance(law, Formula))

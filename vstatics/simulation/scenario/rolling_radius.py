@@ -1,8 +1,9 @@
-"""A wheel whose rolling radius falls with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
+"""Wheel whose rolling radius falls with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
 
-M is what the road takes at a steady speed, by rolling, ascent and air: M = X r with the force X(v)
-of the road, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r = v (1 + lambda X(v))/r_0.
-That has one v for each w, as X is known. In reverse the radius is that of the same speed forward.
+M is the torque of the road at a steady speed, by rolling, ascent and air: M = X r with the force
+X(v) of the road, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r =
+v (1 + lambda X(v))/r_0. Since X is known, each w has one v. The radius depends on the speed alone,
+not on its direction.
 """
 
 from __future__ import annotations
@@ -14,26 +15,26 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LAST_BIT
 
-MOST_STEPS = 60
-"""Of Newton's method; from the end of a piece it takes less than ten."""
+MOST_NEWTON_ITERATIONS = 60
+"""Most steps of Newton's method; fewer than ten are needed from the end of a piece."""
 
 
 class LoadedWheel(NamedTuple):
-    """A wheel on a road.
+    """Wheel on a road, with a rolling radius that falls with the torque.
 
     Parameters
     ----------
     free : float
         Radius without torque. [m]
     by_torque : float
-        What the radius loses by a torque. [m/(N*m)]
+        Decrease of the radius with torque, lambda. [m/(N*m)]
     steady : float
         Force of the ascent. [N]
     rolling : sequence of (float, float)
-        Force of rolling resistance over speeds that rise, straight between, constant outside.
+        Force of rolling resistance over rising speeds, interpolated linearly, constant outside.
         [m/s, N]
     air : float
-        Force of the air over the square of the speed. [N*s^2/m^2]
+        Air drag divided by the square of the speed. [N*s^2/m^2]
 
     Examples
     --------
@@ -54,36 +55,36 @@ class LoadedWheel(NamedTuple):
 
     @property
     def is_single(self) -> bool:
-        """Whether each speed of the wheel has one velocity: it rises with that all over."""
+        """Whether w(v) rises everywhere, so that each wheel speed has a single velocity."""
         speeds, _ = zip(*self.rolling, strict=True)
         corners = np.array([0.0, *speeds, np.inf])
         above = np.nextafter(corners[:-1], np.inf)
-        least = above  # of the slope in a piece, unless air resistance outgrows a falling one
+        least = above  # the slope is smallest there, unless air drag outgrows a falling resistance
         if self.air:
             least = np.clip(-self._rise(above) / (3 * self.air), above, corners[1:])
         inside = np.concatenate([above, least, np.nextafter(corners[1:-1], 0.0)])
         return bool(np.all(self.turning_slopes(inside)[0] > 0))
 
     def rolls(self, velocity: Any) -> Floats:
-        """Force of rolling resistance at velocities of any sign [N]."""
+        """Return the force of rolling resistance at velocities of any sign [N]."""
         speeds, forces = zip(*self.rolling, strict=True)
-        made: Floats = np.interp(np.abs(velocity), speeds, forces)
-        return made
+        force: Floats = np.interp(np.abs(velocity), speeds, forces)
+        return force
 
     def load(self, velocity: Any) -> Floats:
-        """1 + lambda X: the free radius over the rolling one [-]."""
+        """Return 1 + lambda X, the ratio of the free radius to the rolling radius [-]."""
         speed = np.abs(velocity)
         force = self.rolls(speed) + self.steady + self.air * speed**2
-        loaded: Floats = 1.0 + self.by_torque * force
-        return loaded
+        ratio: Floats = 1.0 + self.by_torque * force
+        return ratio
 
     def turning(self, velocity: Any) -> Floats:
-        """The speed of the wheel at velocities of the vehicle [rad/s]."""
-        turns: Floats = velocity * self.load(velocity) / self.free
-        return turns
+        """Return the speed of the wheel at velocities of the vehicle [rad/s]."""
+        speed: Floats = velocity * self.load(velocity) / self.free
+        return speed
 
     def turning_slopes(self, velocity: Any) -> tuple[Floats, Floats]:
-        """First and second derivative of `turning` by the velocity [1/m, s/m^2]."""
+        """Return the first and second derivative of `turning` by velocity [1/m, s/m^2]."""
         speed = np.abs(velocity)
         rise = self._rise(speed)
         first = self.load(speed) + self.by_torque * speed * (rise + 2 * self.air * speed)
@@ -91,33 +92,33 @@ class LoadedWheel(NamedTuple):
         return first / self.free, second / self.free
 
     def velocity(self, turning: Any) -> Floats:
-        """The velocity of the vehicle at speeds of the wheel [m/s], by Newton's method."""
+        """Return the velocity of the vehicle at wheel speeds [m/s], by Newton's method."""
         wanted = np.abs(np.asarray(turning, dtype=float))
         corners = np.array([0.0, *(speed for speed, _ in self.rolling if speed > 0), np.inf])
         reached = np.append(self.turning(corners[:-1]), np.inf)
         piece = np.searchsorted(reached, wanted, side="right") - 1
         low, high = corners[piece], corners[piece + 1]
         speed = low
-        for _ in range(MOST_STEPS):
+        for _ in range(MOST_NEWTON_ITERATIONS):
             inside = np.nextafter(speed, high)  # a corner belongs to the piece above it
             slope, _ = self.turning_slopes(inside)
             before = speed
             speed = np.clip(speed + (wanted - self.turning(speed)) / slope, low, high)
             if np.all(np.abs(speed - before) <= LAST_BIT * speed):
                 break
-        found: Floats = np.copysign(speed, turning)
-        return found
+        velocity: Floats = np.copysign(speed, turning)
+        return velocity
 
     def torque(self, turning: Any) -> Floats:
-        """Of the road on the wheel at speeds of it; at rest that of the ascent [N*m]."""
+        """Return the torque of the road on the wheel at wheel speeds [N*m]."""
         velocity = self.velocity(turning)
         forces = self.steady + np.sign(velocity) * (self.rolls(velocity) + self.air * velocity**2)
         torque: Floats = -self.free / self.load(velocity) * forces
         return torque
 
     def _rise(self, speed: Floats) -> Floats:
-        """Slope of the rolling resistance over the speed [N*s/m]."""
-        speeds, forces = (np.array(one) for one in zip(*self.rolling, strict=True))
+        """Return the slope of the rolling resistance over the speed [N*s/m]."""
+        speeds, forces = (np.array(column) for column in zip(*self.rolling, strict=True))
         slopes = np.concatenate([[0.0], np.diff(forces) / np.diff(speeds), [0.0]])
         rise: Floats = slopes[np.searchsorted(speeds, speed, side="right")]
         return rise

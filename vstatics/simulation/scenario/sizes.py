@@ -1,6 +1,6 @@
-"""Numbers of a size that nothing has: what a motion would make of them is rounding.
+"""Numbers of a size that no machine has, with which a motion would consist of rounding errors.
 
-A mistyped exponent is refused where it stands, instead of speeds of 1e90 rad/s.
+A mistyped exponent is refused at its place in the document, before speeds reach 1e90 rad/s.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_
 
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Numbers of a scenario, or of what its case needs in motion, that are too large or too small.
+    """Yield the numbers of a scenario and its case that are too large or too small.
 
     Examples
     --------
@@ -33,14 +33,8 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
     """
     case = scenario.case
     names = case.link_names
-    for key, part in (
-        ("inertias", case.inertias),
-        ("masses", case.masses),
-        ("springs", case.springs),
-        ("shift_elements", case.shift_elements),
-        ("mechanisms", case.mechanisms),
-    ):
-        yield from _of_numbers(part, ("case", key))
+    for key in ("inertias", "masses", "springs", "shift_elements", "mechanisms"):
+        yield from _of_numbers(getattr(case, key), ("case", key))
     yield from _of_unlike(case)
     start = scenario.start
     yield from _of_numbers(scenario.duration, ("duration",))
@@ -67,14 +61,18 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
-    """All numbers of a part."""
+    """Yield a problem for each number of a part, with the place in the part."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)
         if LARGEST_NUMBER < size < math.inf or 0 < size < least:
             none = "0 or " if size < 1 else ""
-            expected = f"{none}a number from {LEAST_NUMBER:g} to {LARGEST_NUMBER:g}"
-            yield Problem("E663", f"read {read:g}, expected {expected}", path)
+            yield Problem(
+                "E663",
+                f"read {read:g}, expected {none}a number from {LEAST_NUMBER:g} to "
+                f"{LARGEST_NUMBER:g}",
+                path,
+            )
     elif isinstance(part, Points):
         for number, point in enumerate(zip(part.x, part.y, strict=False), 1):
             places = ((*path, number, 1), (*path, number, 2)) if len(part.x) > 1 else (path, path)
@@ -91,7 +89,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:
-    """Inertias beside which others are rounding."""
+    """Yield the inertias that are rounding errors of the largest inertia."""
     largest = max(case.heavy.values(), default=0.0)
     for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:

@@ -1,4 +1,4 @@
-"""The names of tables where formulas call them."""
+"""Name of a table in a formula that calls it."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from vstatics.core.numerics.lookup_table import LookupTable
 
 
 class TableCall(str):
-    """The name of a table where a formula calls it: it knows the table.
+    """Name of a table in a formula, which carries the table.
 
-    >>> one, other = (TableCall("p", LookupTable((0.0,), ((y,),))) for y in (1.0, 2.0))
-    >>> one == "p", one == other
+    >>> first, second = (TableCall("p", LookupTable((0.0,), ((y,),))) for y in (1.0, 2.0))
+    >>> first == "p", first == second
     (True, False)
     """
 
@@ -19,18 +19,18 @@ class TableCall(str):
     table: LookupTable
 
     def __new__(cls, name: str, table: LookupTable) -> Self:
-        """Keep the table."""
-        made = super().__new__(cls, name)
-        made.table = table
-        return made
+        """Return the name with the table."""
+        call = super().__new__(cls, name)
+        call.table = table
+        return call
 
     def __eq__(self, other: object) -> bool:
-        """Formulas are remembered: those that call other tables of that name are not the same."""
+        """Compare the tables too: results of formulas are cached by equality of trees."""
         same = not isinstance(other, TableCall) or self.table == other.table
         return same and str(self) == other
 
     __hash__ = str.__hash__
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """For another process."""
+        """Return the arguments with which a second process rebuilds the name."""
         return str(self), self.table

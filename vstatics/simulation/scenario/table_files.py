@@ -1,4 +1,4 @@
-"""Tables of formulas in CSV files."""
+"""Tables of formulas, read from CSV files."""
 
 from __future__ import annotations
 
@@ -11,30 +11,33 @@ from vstatics.core.readers.named.csv_files import csv_rows
 from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
-MOST_BYTES = 5_000_000
-"""Of a file."""
+MOST_TABLE_BYTES = 5_000_000
+"""Largest size of a CSV file. [bytes]"""
 
 
 def table_of(scenario: str, name: str) -> LookupTable:
-    """The table of a file, whose name is relative to the folder of a scenario.
+    """Read the table of a file, whose name is relative to the folder of a scenario.
 
     Raises
     ------
     OSError
+        If the file cannot be opened.
     ValueError
-        With what was expected.
+        If the text is not a table, with the text that was expected.
     """
-    rows = csv_rows(Path(scenario).parent / name, MOST_BYTES, lambda cell: bool(with_unit(cell)[1]))
+    rows = csv_rows(
+        Path(scenario).parent / name, MOST_TABLE_BYTES, lambda cell: bool(with_unit(cell)[1])
+    )
     return _table(rows)
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
-    """Numbered rows; the head is a quantity with its unit, then numbers or one quantity more.
+    """Build a table from numbered rows: a heading (quantity with unit, then columns), then numbers.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If a row is not numbers, with the text that was expected.
 
     Examples
     --------
@@ -54,16 +57,18 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     for line, row in rows[1:]:
         if len(row) != len(heads):
             raise ValueError(f"line {line}: expected {len(heads)} numbers")
-        at, *others = (_number(f"{cell} {of}", line) for cell, of in zip(row, units, strict=True))
-        x.append(at)
-        values.append(tuple(others))
+        abscissa, *ordinates = (
+            _number(f"{cell} {of}", line) for cell, of in zip(row, units, strict=True)
+        )
+        x.append(abscissa)
+        values.append(tuple(ordinates))
     if not x:
         raise ValueError("expected a row at least, below the head")
     return LookupTable(tuple(x), tuple(values), columns)
 
 
 def _number(text: str, line: int) -> float:
-    """A number in SI, bare or with its unit."""
+    """Return a number, bare or with any unit, in SI."""
     for measure in get_args(Measure):
         try:
             return measured(text.strip(), measure)

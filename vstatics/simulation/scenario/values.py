@@ -1,4 +1,4 @@
-"""The values of a document -> the parts of a scenario: units by what stands there, plain floats."""
+"""Values of a document to parts of a scenario: units by their place, plain floats."""
 
 from __future__ import annotations
 
@@ -41,84 +41,100 @@ from vstatics.simulation.scenario.words import elastic_names
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
 Turning = Callable[[float], float]
-"""The speed of a link at a velocity of its vehicle. [m/s, rad/s]"""
+"""Speed of a link as a function of the vehicle speed. [m/s -> rad/s]"""
 _STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
-    """Makes the parts of a scenario of what was read, and tells units that do not belong.
+    """Builder of the parts of a scenario, which reports units that do not belong.
 
     Parameters
     ----------
     case : Transmission
     spots : Spots
-        Of the scenario's document.
+        Places in the document of the scenario.
     """
 
     def __init__(self, case: Transmission, spots: Spots) -> None:
         self.case = case
         self.spots = spots
+        self.turning: dict[int, Turning] = dict.fromkeys(case.masses, float)
 
     def scenario(self, values: Mapping[str, Any]) -> Scenario:
-        """The scenario of a document's values."""
+        """Return the scenario of a document's values."""
         torques = tuple(self._torques(values.get("torques", {})))
-        turning: dict[int, Turning] = dict.fromkeys(self.case.masses, float)
-        turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
+        self.turning |= {link: law.turning for link, law in torques if isinstance(law, Road)}
         controls, shifts = values.get("controls"), values.get("shifts")
         return Scenario(
             self.case,
             float(values["duration"]),
-            self._start(values.get("start") or {}, turning),
+            self._start(values.get("start") or {}),
             None if controls is None else dict(self._controls(controls)),
             torques,
             converters_of(values.get("converters", {})) or tuple(self.case.converters),
-            None
-            if shifts is None
-            else tuple(Shift(float(one["at"]), one["to"], float(one["overlap"])) for one in shifts),
+            None if shifts is None else tuple(_shift(shift, shift["at"]) for shift in shifts),
             {
-                link: tuple(self._speeds(given, ("targets", link), turning.get(link)))
+                link: self._speeds(given, link, ("targets", link))
                 for link, given in values.get("targets", {}).items()
             },
-            settings={name: float(one) for name, one in values.get("set", {}).items()},
-            states=tuple(self._states(values.get("states", {}))),
-            sequences=tuple(self._sequences(values.get("sequences", {}), turning)),
+            settings={name: float(value) for name, value in values.get("set", {}).items()},
+            states=tuple(
+                ControlState(
+                    name,
+                    _as_curve(state["rate"]),
+                    float(state["start"]),
+                    _limit(state.get("min"), -math.inf),
+                    _limit(state.get("max"), math.inf),
+                )
+                for name, state in values.get("states", {}).items()
+            ),
+            sequences=tuple(self._sequences(values.get("sequences", {}))),
             speeds={
-                link: self._given_speed(one, ("speeds", link), turning.get(link))
-                for link, one in values.get("speeds", {}).items()
+                link: self._given_speed(speed, link)
+                for link, speed in values.get("speeds", {}).items()
             },
             limits={
-                number: self._curve(one, self._force(number), ("limits", number))
-                for number, one in values.get("limits", {}).items()
+                number: self._curve(
+                    limit,
+                    "force"
+                    if any(map(self.case.is_straight, self.case.springs[number - 1 : number]))
+                    else "si_torque",
+                    ("limits", number),
+                )
+                for number, limit in values.get("limits", {}).items()
             },
             speed_ratios={
-                number: _ratios(one) for number, one in values.get("speed_ratios", {}).items()
+                number: _ratios(ratio) for number, ratio in values.get("speed_ratios", {}).items()
             },
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, LookupTable]]:
-        """The tables of a document, as far as they can be read."""
-        for number, (name, one) in enumerate(given.items(), 1):
-            if isinstance(one, GivenTable) and one.file:
-                yield name, self._table_file(one.file, ("tables", number, "file"))
-            elif isinstance(one, GivenTable):
-                columns = _floats(one.columns) or (0.0,)
-                yield name, self._table(columns, one.rows, ("tables", number, "rows"))
-            elif isinstance(one, Sequence):
-                yield name, self._table((0.0,), one, ("tables", number))
+        """Yield the readable tables of a document."""
+        for number, (name, table) in enumerate(given.items(), 1):
+            if isinstance(table, GivenTable) and table.file:
+                yield name, self._table_file(table.file, ("tables", number, "file"))
+            elif isinstance(table, GivenTable):
+                columns = _floats(table.columns) or (0.0,)
+                yield name, self._table(columns, table.rows, ("tables", number, "rows"))
+            elif isinstance(table, Sequence):
+                yield name, self._table((0.0,), table, ("tables", number))
             else:
-                yield name, LookupTable((0.0,), ((float(one or 0.0),),))
+                yield name, LookupTable((0.0,), ((float(table or 0.0),),))
 
     def _table(
         self, columns: tuple[float, ...], rows: Sequence[Sequence[float]], path: Path
     ) -> LookupTable:
-        """A table of rows, each of an x and a value for each column; or one in its place."""
+        """Return a table from rows, each an x and a value per column; if unreadable, zeros."""
         unreadable = {*self.spots.unreadable}
         if not rows and path[:2] not in unreadable:
             self.spots.tell(path, "read no rows, expected one at least")
         for number, row in enumerate(rows, 1):
             if len(row) != len(columns) + 1 and (*path, number) not in unreadable:
-                wanted = f"{len(columns) + 1}: x, and a value for each column"
-                self.spots.tell((*path, number), f"read {len(row)} numbers, expected {wanted}")
+                self.spots.tell(
+                    (*path, number),
+                    f"read {len(row)} numbers, expected {len(columns) + 1}: x, and a value "
+                    "for each column",
+                )
         read = [_floats(row) for row in rows if len(row) == len(columns) + 1]
         read = read or [(0.0,) * (len(columns) + 1)]
         return LookupTable(tuple(x for x, *_ in read), tuple(row[1:] for row in read), columns)
@@ -135,158 +151,155 @@ class ScenarioValues:
         self.spots.tell(path, message)
         return LookupTable((0.0,), ((0.0,),))
 
-    def _states(self, given: Mapping[str, Any]) -> Iterator[ControlState]:
-        for name, one in given.items():
-            least, most = one.get("min"), one.get("max")
-            yield ControlState(
-                name,
-                _as_curve(one["rate"]),
-                float(one["start"]),
-                -math.inf if least is None else float(least),
-                math.inf if most is None else float(most),
-            )
-
-    def _sequences(
-        self, given: Mapping[str, Any], turning: Mapping[int, Turning]
-    ) -> Iterator[StepSequence]:
-        roads = {self.case.link_name(link): road for link, road in turning.items()}
+    def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
         for number, (name, sequence) in enumerate(given.items(), 1):
             is_long = isinstance(sequence, GivenSteps)
             path: Path = ("sequences", number, *["steps"] * is_long)
             steps = sequence.steps if is_long else sequence
-            done = tuple(
-                self._step(step, (*path, place), roads) for place, step in enumerate(steps, 1)
-            )
+            done = tuple(self._step(step, (*path, place)) for place, step in enumerate(steps, 1))
             yield StepSequence(name, done, is_long and sequence.repeat)
 
-    def _step(
-        self, given: Mapping[str, Any], path: Path, roads: Mapping[str, Turning]
-    ) -> SequenceStep:
-        within, shift, when = given.get("within"), given.get("shift"), given.get("when")
+    def _step(self, given: Mapping[str, Any], path: Path) -> SequenceStep:
+        roads = {self.case.link_name(link): turns for link, turns in self.turning.items()}
+        shift, when = given.get("shift"), given.get("when")
         try:
             when = when and when.with_wheel_speeds(roads)
         except ValueError as error:
             self.spots.tell((*path, "when"), str(error))
         return SequenceStep(
             when,
-            math.inf if within is None else float(within),
+            _limit(given.get("within"), math.inf),
             float(given["wait"]),
-            {name: _as_curve(one) for name, one in (given.get("set") or {}).items()},
-            Shift(0.0, shift["to"], float(shift["overlap"])) if shift else None,
+            {name: _as_curve(value) for name, value in (given.get("set") or {}).items()},
+            _shift(shift, 0.0) if shift else None,
             {number: state == "closed" for number, state in (given.get("dog") or {}).items()},
         )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
-        """Distributions by the paths of numbers."""
-        given: Mapping[str, Distribution] = values.get("samples", {})
-        return {path: Distribution(*map(_plain, one)) for path, one in given.items()}
+        """Return distributions by the paths of the numbers."""
+        given = values.get("samples", {})
+        return {
+            path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
+        }
 
-    def _start(self, values: Mapping[str, Any], turning: Mapping[int, Turning]) -> Start:
-        path, speeds = ("start", "speeds"), values.get("speeds", {})
-        [speed] = self._speeds([values.get("speed", 0.0)], ("start", "speed"), None)
+    def _start(self, values: Mapping[str, Any]) -> Start:
+        names = elastic_names(self.case)
+        straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
         return Start(
             values.get("gear"),
-            speed,
+            self._speed(values.get("speed", 0.0), 0, ("start", "speed")),
             {
-                link: next(self._speeds([one], (*path, link), turning.get(link)))
-                for link, one in speeds.items()
+                link: self._speed(speed, link, ("start", "speeds", link))
+                for link, speed in values.get("speeds", {}).items()
             },
             tuple(values.get("engaged", ())),
             values.get("settled", False),
-            dict(self._twists(values.get("twists", {}))),
-            dict(self._angles(values.get("angles", {}))),
+            {
+                names[number - 1]: self._number(
+                    twist,
+                    "length" if names[number - 1] in straight else "angle",
+                    ("start", "twists", number),
+                )
+                for number, twist in values.get("twists", {}).items()
+            },
+            {
+                link: self._number(
+                    angle,
+                    "length" if link in self.case.masses else "angle",
+                    ("start", "angles", link),
+                )
+                for link, angle in values.get("angles", {}).items()
+            },
         )
 
-    def _twists(self, given: Mapping[int, float]) -> Iterator[tuple[str, float]]:
-        names = elastic_names(self.case)
-        straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
-        for number, twist in given.items():
-            name = names[number - 1]
-            measure: Measure = "length" if name in straight else "angle"
-            self._check_unit(twist, measure, ("start", "twists", number))
-            yield name, float(twist)
+    def _speed(self, given: Any, link: int, path: Path) -> float:
+        """Return a speed of a link [rad/s], from a velocity by the speed of the wheels."""
+        if getattr(given, "measure", None) == "velocity":
+            if turning := self.turning.get(link):
+                return turning(float(given))
+            self.spots.tell(
+                path,
+                "read a velocity, expected a speed in rad/s or rpm; a velocity belongs to "
+                "a link with a `road`",
+            )
+        if link in self.case.masses:
+            return self._number(given, "velocity", path, _STRAIGHT)
+        return float(given)
 
-    def _angles(self, given: Mapping[int, float]) -> Iterator[tuple[int, float]]:
-        for link, angle in given.items():
-            measure: Measure = "length" if link in self.case.masses else "angle"
-            self._check_unit(angle, measure, ("start", "angles", link))
-            yield link, float(angle)
+    def _speeds(self, given: Any, link: int, path: Path) -> tuple[float, ...]:
+        if not isinstance(given, list):
+            return (self._speed(given, link, path),)
+        speeds = enumerate(given, 1)
+        return tuple(self._speed(speed, link, (*path, number)) for number, speed in speeds)
 
-    def _speeds(self, given: Any, path: Path, turning: Turning | None) -> Iterator[float]:
-        """Speeds of a link [rad/s]; velocities by how the wheels on it turn."""
-        straight = path[-1] in self.case.masses
-        for number, one in enumerate(given if isinstance(given, list) else [given], 1):
-            place = (*path, number) if isinstance(given, list) else path
-            if getattr(one, "measure", None) == "velocity":
-                if turning:
-                    yield turning(float(one))
-                    continue
-                message = "read a velocity, expected a speed in rad/s or rpm; a velocity belongs "
-                self.spots.tell(place, f"{message}to a link with a `road`")
-            if straight:
-                self._check_unit(one, "velocity", place, _STRAIGHT)
-            yield float(one)
-
-    def _given_speed(self, given: Any, path: Path, turning: Turning | None) -> Curve:
-        """A speed over time [rad/s]; velocities by how the wheels on it turns link."""
+    def _given_speed(self, given: Any, link: int) -> Curve:
+        """Return a speed over time [rad/s]; velocities by the speed of the wheels."""
+        path = ("speeds", link)
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(next(self._speeds([given or 0.0], path, turning)))
+            return constant(self._speed(given or 0.0, link, path))
         times, speeds = zip(*given, strict=True) if given else ((), ())
-        return Points(_floats(times), tuple(self._speeds(list(speeds), path, turning)))
+        return Points(_floats(times), self._speeds([*speeds], link, path))
 
     def _controls(self, given: Mapping[int, Any]) -> Iterator[tuple[int, Control]]:
-        for number, one in given.items():
+        for number, control in given.items():
             path: Path = ("controls", number)
             element = self.case.shift_elements[number - 1]
-            if not isinstance(one, GivenControl):
-                yield number, Capacity(self._capacity(one, element, path))
-            elif one.dog is not None:
-                yield number, Dog(tuple((float(t), state == "closed") for t, state in one.dog))
+            if not isinstance(control, GivenControl):
+                yield number, Capacity(self._capacity(control, element, path))
+            elif control.dog is not None:
+                yield number, Dog(tuple((float(t), state == "closed") for t, state in control.dog))
             else:
-                key = "formula" if one.points is None else "points"
-                law = self._capacity(getattr(one, key), element, (*path, key))
-                yield number, Capacity(law, float(one.scale))
+                key = "formula" if control.points is None else "points"
+                law = self._capacity(getattr(control, key), element, (*path, key))
+                yield number, Capacity(law, float(control.scale))
 
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
-        """A capacity over time; a pressure where the element has friction."""
+        """Return a capacity over time; a pressure where the element has friction."""
         measure: Measure = "pressure" if element.pack else "si_torque"
-        why = f", since {element.name} has {'' if element.pack else 'no '}`friction`"
-        return self._curve(given, measure, path, why)
+        return self._curve(
+            given,
+            measure,
+            path,
+            f", since {element.name} has {'' if element.pack else 'no '}`friction`",
+        )
 
     def _curve(
         self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
-        """Points, a formula, or a number."""
+        """Return points, a formula or a number as a curve."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            self._check_unit(given, measure, path, why)
-            return constant(given or 0.0)
-        for number, (x, y) in enumerate(given, 1):
-            over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
-            self._check_unit(x, over, (*path, number, 1), f": the points are over {along}")
-            self._check_unit(y, measure, (*path, number, 2), why)
-        return Points(tuple(float(x) for x, _ in given), tuple(float(y) for _, y in given), along)
+            return constant(self._number(given, measure, path, why))
+        over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
+        points = [
+            (
+                self._number(x, over, (*path, number, 1), f": the points are over {along}"),
+                self._number(y, measure, (*path, number, 2), why),
+            )
+            for number, (x, y) in enumerate(given, 1)
+        ]
+        x, y = zip(*points, strict=True) if points else ((), ())
+        return Points(x, y, along)
 
-    def _check_unit(self, value: Any, measure: Measure, path: Path, why: str = "") -> None:
+    def _number(self, value: Any, measure: Measure, path: Path, why: str = "") -> float:
+        """Return a number, and report a unit that does not belong."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected one in {unit}{why}")
+        return float(value or 0.0)
 
     def _torques(self, given: Mapping[int, Iterable[Any]]) -> Iterator[tuple[int, TorqueLaw]]:
         for link, laws in given.items():
             several = list(laws)
-            for number, one in enumerate(several, 1):
+            for number, law in enumerate(several, 1):
                 listed = self.spots.has(("torques", link, number)) and len(several) > 1
-                path = ("torques", link, number) if listed else ("torques", link)
-                yield link, self._law(one, path)
-
-    def _force(self, spring: int) -> Measure:
-        """In what the limit of a spring is, by its number."""
-        springs = self.case.springs[spring - 1 : spring]
-        return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
+                yield (
+                    link,
+                    self._law(law, ("torques", link, number) if listed else ("torques", link)),
+                )
 
     def _law(self, given: Any, path: Path) -> TorqueLaw:
         straight = path[1] in self.case.masses
@@ -295,8 +308,7 @@ class ScenarioValues:
         if not isinstance(given, GivenLaw):
             return self._curve(given, measure, path, why)
         if given.resistance is not None:
-            self._check_unit(given.resistance, measure, (*path, "resistance"), why)
-            return Resistance(float(given.resistance))
+            return Resistance(self._number(given.resistance, measure, (*path, "resistance"), why))
         if given.road is not None:
             return _road(given.road)
         along: Any = given.over or "time"
@@ -305,10 +317,10 @@ class ScenarioValues:
 
 
 def _road(given: Road) -> Road:
-    """In plain numbers: a radius or how it falls, a coefficient or points over the speed."""
-    radius: Any = given.radius
+    """Return a road in plain numbers."""
+    radius = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
-    rolling: Any = given.rolling
+    rolling = given.rolling
     if isinstance(rolling, Sequence):
         rolling = tuple((float(speed), float(part)) for speed, part in rolling)
     else:
@@ -317,12 +329,20 @@ def _road(given: Road) -> Road:
     return Road(float(given.mass), wheel.free, rolling, *others)
 
 
+def _limit(given: float | None, unlimited: float) -> float:
+    return unlimited if given is None else float(given)
+
+
+def _shift(given: Mapping[str, Any], at: float) -> Shift:
+    return Shift(float(at), given["to"], float(given["overlap"]))
+
+
 def _as_curve(given: Any) -> Curve:
     return given if isinstance(given, Formula) else constant(given or 0.0)
 
 
 def _ratios(given: Any) -> Curve:
-    """Speed ratios over time."""
+    """Return speed ratios over time."""
     if isinstance(given, Formula) or not isinstance(given, Sequence):
         return _as_curve(given)
     times, ratios = zip(*given, strict=True) if given else ((), ())
@@ -334,7 +354,7 @@ def _floats(values: Iterable[float]) -> tuple[Any, ...]:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers without what their units measure."""
+    """Return numbers without units."""
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)

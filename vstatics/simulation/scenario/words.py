@@ -1,11 +1,11 @@
-"""What the formulas of a scenario may speak of: links, elements, devices of its case, own names."""
+"""Vocabulary of the formulas of a scenario: links, elements, devices, and names given in it."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from types import MappingProxyType
 
-from vstatics.core.errors import Path, Problem, quoted
+from vstatics.core.errors import Problem, quoted
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.grammar import PYTHON
@@ -14,7 +14,7 @@ from vstatics.simulation.scenario.formula import OF_EVENTS, OF_MOTION, OF_TORQUE
 from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false")
-"""Names that a reader of YAML may take for true or false."""
+"""Names that YAML readers can take for true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
 _NO_TABLES: Mapping[str, LookupTable] = MappingProxyType({})
@@ -28,7 +28,7 @@ def vocabulary(
     tables: Mapping[str, LookupTable] = _NO_TABLES,
     converters: Collection[str] = (),
 ) -> Vocabulary:
-    """What formulas may speak of.
+    """Return the vocabulary of the formulas of a scenario.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def vocabulary(
         Names of states, and of numbers that sequences change.
     tables : mapping of str to LookupTable
     converters : collection of str
-        Names of those of the scenario.
+        Names of the converters of the scenario.
 
     Examples
     --------
@@ -49,10 +49,10 @@ def vocabulary(
     (('C',), ('1', '2'))
     """
     links = tuple(case.link_names)
-    elements = tuple(one.name for one in case.shift_elements)
+    elements = tuple(element.name for element in case.shift_elements)
     springs = elastic_names(case)
-    hot = tuple(one.name for one in case.shift_elements if one.heat_store is not None)
-    rows: dict[str, Collection[str]] = dict.fromkeys(("speed", "angle", "acceleration"), links)
+    hot = tuple(element.name for element in case.shift_elements if element.heat_store is not None)
+    rows = dict.fromkeys(("speed", "angle", "acceleration"), links)
     rows |= dict.fromkeys(("slip", *OF_EVENTS), elements)
     rows |= {"twist": springs, "temperature": hot, "torque": (*case.devices, *converters)}
     rows["power"] = (*links, *elements, *springs)
@@ -60,7 +60,7 @@ def vocabulary(
 
 
 def elastic_names(case: Transmission) -> tuple[str, ...]:
-    """Names of what bends: shift elements and mechanisms with a stiffness, springs."""
+    """Return the names of elastic components: shift elements, mechanisms and springs."""
     return (
         *(part.name for part in case.shift_elements if part.stiffness is not None),
         *(part.name for part in case.mechanisms if part.stiffness is not None),
@@ -69,31 +69,37 @@ def elastic_names(case: Transmission) -> tuple[str, ...]:
 
 
 def name_problems(key: str, names: Collection[str], before: Collection[str]) -> Iterator[Problem]:
-    """Names that formulas could not use.
+    """Yield a problem for each name that formulas could not use.
 
     Parameters
     ----------
     key : str
-        Of the scenario, where they stand.
+        Key of the scenario under which the names are given.
     before : collection of str
         Names that are taken already.
 
     Examples
     --------
-    >>> [str(one) for one in name_problems("numbers", ["t"], [])]
+    >>> [str(problem) for problem in name_problems("numbers", ["t"], [])]
     ['numbers.t: `t` is a word of formulas, expected another name [E680]']
     """
     for name in names:
-        path: Path = (key, name)
+        path = (key, name)
         if name.lower() in _TRUTH:
-            message = f"{quoted(name)} is true or false in YAML, expected another name"
-            yield Problem("E681", message, path)
+            yield Problem(
+                "E681", f"{quoted(name)} is true or false in YAML, expected another name", path
+            )
         elif name in _TAKEN:
-            message = f"{quoted(name)} is a word of formulas, expected another name"
-            yield Problem("E680", message, path)
+            yield Problem(
+                "E680", f"{quoted(name)} is a word of formulas, expected another name", path
+            )
         elif not NAME.fullmatch(name):
-            message = f"read {quoted(name)}, expected a name of letters, digits and `_`"
-            yield Problem("E682", message, path)
+            yield Problem(
+                "E682", f"read {quoted(name)}, expected a name of letters, digits and `_`", path
+            )
         elif name in before:
-            message = f"{quoted(name)} is the name of something else already, expected another"
-            yield Problem("E683", message, path)
+            yield Problem(
+                "E683",
+                f"{quoted(name)} is the name of something else already, expected another",
+                path,
+            )

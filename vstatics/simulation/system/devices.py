@@ -71,15 +71,28 @@ def motion_system(
             by_number = [(index + 1, part) for index, part in body.form.items()]
             bodies.append((combination(by_number, case.links), body.inertia))
     if not bodies:
-        message = "the case has no `inertias`, so nothing can be in motion: give those of its links"
-        raise CaseError("E665", f"{message} in kg*m^2", ("case",))
+        raise CaseError(
+            "E665",
+            "the case has no `inertias`, so nothing can be in motion: give those of its "
+            "links in kg*m^2",
+            ("case",),
+        )
     dragging = list(drags(case, gear))
     rows = np.ascontiguousarray(distribution_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
     frictions = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))
     contacts_of = (*elements, *contacts, *frictions)
-    given = tuple(_given_speeds(scenario))
+    given = [
+        Contact(
+            case.link_name(link),
+            unit(link - 1, case.links),
+            OPEN,
+            switch=Switch(link - 1, LawJump("speed", speed)),
+            is_given=True,
+        )
+        for link, speed in scenario.speeds.items()
+    ]
     moving = [*_moving_variators(scenario, len(contacts_of) + len(given))]
     system = MotionSystem(
         scenario=scenario,
@@ -121,17 +134,19 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     """Return the rigid mechanisms, except moving variators."""
     meshes = []
     planets = _taken_by_planets(case)
-    for index, mechanism in enumerate(case.mechanisms, len(case.shift_elements)):
-        number = index - len(case.shift_elements) + 1
+    for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.stiffness is not None or number in moving:
             continue
         back = (
             mechanism.efficiency if mechanism.back_efficiency is None else mechanism.back_efficiency
         )
         if back == 0:
-            message = f"{mechanism.name} is self-locking, which a scenario can't have yet"
-            raise CaseError("E666", message, ("case",))
-        u = mechanism.ratio
+            raise CaseError(
+                "E666",
+                f"{mechanism.name} is self-locking, which a scenario can't have yet",
+                ("case",),
+            )
+        u, index = mechanism.ratio, len(case.shift_elements) + number - 1
         meshes.append(
             RigidMechanism(
                 mechanism.name,
@@ -141,7 +156,7 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
                 combination([(mechanism.second, -u), (mechanism.third, u)], case.links),
                 mechanism.efficiency,
                 back,
-                planets[index - len(case.shift_elements)],
+                planets[number - 1],
             )
         )
     return meshes
@@ -238,27 +253,25 @@ def _springs(scenario: Scenario, capacities: list[Programme], rows: Floats) -> l
             limit, element = _slipping_torque(device, capacities[index]), index
         elif index - first in scenario.limits:
             limit = bounded(scenario.limits[index - first])
-        elif isinstance(device, Spring):
-            limit = _own_limit(device)
+        elif isinstance(device, Spring) and device.limit is not None:
+            follows = device.limit if isinstance(device.limit, SpringLimit) else None
+            base = device.limit.base if isinstance(device.limit, SpringLimit) else device.limit
+            limit = Programme(constant(base), follows=follows)
         damped = damping(device.damping)
         springs.append(Elastic(device.name, index, rows[index], curve, *damped, limit, element))
     return springs
 
 
-def _own_limit(spring: Spring) -> Programme:
-    if isinstance(spring.limit, SpringLimit):
-        return Programme(constant(spring.limit.base), follows=spring.limit)
-    return Programme(constant(math.inf if spring.limit is None else spring.limit))
-
-
 def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
     pack = element.pack
     if element.static != 1 or (pack and len(pack.points) > 1):
-        message = (
-            f"{element.name} is elastic, so it slips at one torque: leave out `static` and give "
-            "one coefficient of friction, or a spring beside it in place of `stiffness`"
+        raise CaseError(
+            "E667",
+            f"{element.name} is elastic, so it slips at one torque: leave out `static` and "
+            "give one coefficient of friction, or a spring beside it in place of "
+            "`stiffness`",
+            ("case",),
         )
-        raise CaseError("E667", message, ("case",))
     if capacity.table:
         return capacity
     return capacity._replace(factor=capacity.factor * friction_at(pack))
@@ -318,14 +331,6 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
         )
 
 
-def _given_speeds(scenario: Scenario) -> Iterator[Contact]:
-    case = scenario.case
-    for link, speed in scenario.speeds.items():
-        switch = Switch(link - 1, LawJump("speed", speed))
-        row = unit(link - 1, case.links)
-        yield Contact(case.link_name(link), row, OPEN, switch=switch, is_given=True)
-
-
 class DragTorque(NamedTuple):
     """Drag torque on a shift element or link."""
 
@@ -365,21 +370,28 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
     items += [(False, link, drag, case.link_name(link)) for link, drag in of_links.items()]
     torques = []
     for is_element, number, drag, name in items:
+        place = _place_of_drag(case, gear, number, is_element)
         if isinstance(drag, Law):
             if is_element and case.shift_elements[number - 1].is_freewheel:
-                message = f"the drag of {name} depends on speed, expected a number in a scenario"
-                place = _place_of_drag(case, gear, number, is_element)
-                problems.append(Problem("E695", message, place))
+                problems.append(
+                    Problem(
+                        "E695",
+                        f"the drag of {name} depends on speed, expected a number in a scenario",
+                        place,
+                    )
+                )
             torques.append(DragTorque(is_element, number, drag))
             continue
         torque = newton_metres(drag, case)
         if drag and not (isinstance(drag, OfLoad) or load_torque(case)):
-            message = (
-                f"the drag of {name} is {drag:g} of the input torque, which a scenario does not "
-                "have: give it with its unit, such as `3 N*m`, or a `load` with a torque"
-            )
             problems.append(
-                Problem("E668", message, _place_of_drag(case, gear, number, is_element))
+                Problem(
+                    "E668",
+                    f"the drag of {name} is {drag:g} of the input torque, which a scenario "
+                    "does not have: give it with its unit, such as `3 N*m`, or a `load` with "
+                    "a torque",
+                    place,
+                )
             )
         elif torque:
             torques.append(DragTorque(is_element, number, torque))
@@ -393,11 +405,12 @@ def _efficiency_laws(case: Transmission) -> Iterator[Problem]:
     """Yield a problem for each efficiency that depends on speed or torque."""
     for number, mechanism in enumerate(case.mechanisms, 1):
         if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law):
-            message = (
-                f"the efficiency of {mechanism.name} depends on speed or torque, expected a number"
+            yield Problem(
+                "E695",
+                f"the efficiency of {mechanism.name} depends on speed or torque, expected "
+                "a number in a scenario",
+                ("case", "mechanisms", number, "efficiency"),
             )
-            path = ("case", "mechanisms", number, "efficiency")
-            yield Problem("E695", f"{message} in a scenario", path)
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001

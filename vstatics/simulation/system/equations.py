@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
-from vstatics.core.numerics.arrays import Booleans, Floats, largest
+from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem
@@ -87,11 +87,10 @@ class Equations:
         self.size = self.meshed.stop
         self.viscous = np.array([spring.viscous for spring in system.springs])
         slips = ~self.ports.bends
-        acting = self.ports.by_rate[layout.spring_ports]
-        self.acting_dampers = np.where(slips, self.viscous, acting)
+        self.acting_dampers = np.where(slips, self.viscous, self.ports.by_rate[layout.spring_ports])
         """Damping of springs, including slipping springs. [N*m*s/rad]"""
-        self.creeps: Booleans = slips & (self.viscous > 0)
-        self.limited: Booleans = slips & (self.viscous == 0)
+        self.creeps = slips & (self.viscous > 0)
+        self.limited = slips & (self.viscous == 0)
         self.seen_limits = [limit for limit in self.ports.limits if self.limited[limit[0]]]
         """Springs that slip at a feedback limit: index, sign, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
@@ -135,18 +134,16 @@ class Equations:
             self.along = null(by_speed)
             changes = structure.balances @ (ports.all_elastic[:, None] * structure.light_rates)
             self.stiff = self.by_slope.T @ changes @ self.along
-            self._check_determined()
-
-    def _check_determined(self) -> None:
-        scale = largest(self.stiff)
-        undetermined = null(self.stiff / scale) if scale else np.eye(self.along.shape[1])
-        if undetermined.shape[1]:
-            name = self._name_of(self.along @ undetermined)
-            message = (
-                f"link {name} has no inertia, and nothing determines its speed at "
-                f"{self.time:g} s: give it an inertia, or hold it"
-            )
-            raise CaseError("E669", message, ("case", "inertias", name))
+            scale = largest(self.stiff)
+            undetermined = null(self.stiff / scale) if scale else np.eye(self.along.shape[1])
+            if undetermined.shape[1]:
+                name = self._name_of(self.along @ undetermined)
+                raise CaseError(
+                    "E669",
+                    f"link {name} has no inertia, and nothing determines its speed at "
+                    f"{self.time:g} s: give it an inertia, or hold it",
+                    ("case", "inertias", name),
+                )
 
     def check_seen(self, time: float, state: Floats) -> None:
         """Reject speeds that the torques do not determine.
@@ -157,15 +154,15 @@ class Equations:
         """
         if self.light and not np.isfinite(self.rates(time, state)[1]).all():
             name = self._name_of(np.eye(self.light))
-            message = (
-                f"link {name} has no inertia, and at {time:g} s the formulas of what acts on it do "
-                "not tell its speed: give it an inertia, or a damper beside it"
+            raise CaseError(
+                "E672",
+                f"link {name} has no inertia, and at {time:g} s the formulas of what acts "
+                "on it do not tell its speed: give it an inertia, or a damper beside it",
+                ("case", "inertias", name),
             )
-            raise CaseError("E672", message, ("case", "inertias", name))
 
     def _name_of(self, motions: Floats) -> str:
-        speeds = np.abs(self.structure.light @ motions).max(axis=1)
-        return self.system.names[int(speeds.argmax())]
+        return self.system.names[int(np.abs(self.structure.light @ motions).max(axis=1).argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
         """Solve for the speeds of motions without inertia, given the rates of other motions."""
@@ -174,8 +171,7 @@ class Equations:
 
         def unbalanced(speeds: Floats) -> Floats:
             at = rates + structure.light_rates @ speeds
-            torques = self.torques(time, state, at)
-            left: Floats = self.by_torque.T @ (structure.balances @ torques)
+            left: Floats = self.by_torque.T @ (structure.balances @ self.torques(time, state, at))
             if not self.by_slope.shape[1]:
                 return left
             slopes = ports.slopes(time, at, state[self.twists], angles, self.within)
@@ -244,7 +240,7 @@ class Equations:
 
     def speeds(self, time: float, state: Floats) -> Floats:
         """Return the speeds of links [rad/s]."""
-        speeds: Floats = self.structure.free @ state[: self.motions]
+        speeds = self.structure.free @ state[: self.motions]
         if self.light:
             speeds = speeds + self.structure.light @ self.rates(time, state)[1]
         return speeds
@@ -263,7 +259,7 @@ class Equations:
 
     def acting_at(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
         """Return the rates and torques of ports at several times, shape (ports, times)."""
-        rates: Floats = self.structure.rates @ states[: self.motions]
+        rates = self.structure.rates @ states[: self.motions]
         if self.light:
             rates += self.structure.light_rates @ self._light_at(times, states)
         return rates, self.torques_at(times, states, rates)
@@ -296,8 +292,7 @@ class Equations:
                     slopes = np.array([self._seen_slopes(*columns_at) for columns_at in columns]).T
                 growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
             first = self.layout.ports
-            twists = states[self.twists]
-            powers[first : first + self.springs] = self._damped(growing.T, twists.T).T
+            powers[first : first + self.springs] = self._damped(growing.T, states[self.twists].T).T
             powers[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
         if structure.loses:
             lost = structure.mesh_rates @ states[: self.motions]
@@ -327,7 +322,7 @@ class Equations:
 
     def speeds_at(self, times: Floats, states: Floats) -> Floats:
         """Return the speeds of links at several times, shape (links, times) [rad/s]."""
-        speeds: Floats = self.structure.free @ states[: self.motions]
+        speeds = self.structure.free @ states[: self.motions]
         if self.light:
             speeds += self.structure.light @ self._light_at(times, states)
         return speeds
@@ -364,13 +359,6 @@ class Equations:
             slopes[port] = (high - low) / (2 * step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
-    def strut_slopes(self, state: Floats) -> Floats:
-        """Return the slopes of strut forces by travel [N/m]."""
-        twists = state[self.twists]
-        return np.array(
-            [curve.strut.slope(float(twists[index])) for index, curve in self.ports.struts]
-        )
-
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
         """Return the derivatives by the state of feedback torques and of rates of values.
 
@@ -380,8 +368,9 @@ class Equations:
         """
         looks, first = self.seeing, self.layout.ports
         slopes = np.zeros((first + len(self.layout.values), self.works.start))
-        for (index, _), slope in zip(self.ports.struts, self.strut_slopes(state), strict=True):
-            slopes[self.layout.springs + index, self.twists.start + index] = slope
+        for index, curve in self.ports.struts:
+            twist = self.twists.start + index
+            slopes[self.layout.springs + index, twist] = curve.strut.slope(float(state[twist]))
         if not looks and not self.layout.values:
             return slopes
 
@@ -434,8 +423,7 @@ class Equations:
         second = self.derivative(half, state + length / 2 * first)
         third = self.derivative(half, state + length / 2 * second)
         fourth = self.derivative(end, state + length * third)
-        moved: Floats = state + length / 6 * (first + 2 * (second + third) + fourth)
-        return moved
+        return state + length / 6 * (first + 2 * (second + third) + fourth)
 
     def derivative(self, time: float, state: Floats, slopes: Floats | None = None) -> Floats:
         """Return the derivative of the state by time; slopes of spring limits can be given."""
@@ -500,12 +488,14 @@ class Equations:
             def limits(ahead: float, change: Floats = change) -> Floats:
                 then = time + ahead
                 seen = self.changes.seen_at(then, state[moving] + ahead * change[moving])
-                return np.array([limit.uncut_at(then, seen) for *_, limit in self.seen_limits])
+                return np.array(
+                    [limit.seen_at(then, seen, clipped=False) for *_, limit in self.seen_limits]
+                )
 
             now, middle, later = (limits(part * step) for part in (0.0, 0.5, 1.0))
             risen = slope_ahead(now, middle, later, step)
             for (index, sign, limit), slope in zip(self.seen_limits, risen, strict=True):
-                is_cut = limit.seen_at(time, at) != limit.uncut_at(time, at)
+                is_cut = limit.seen_at(time, at) != limit.seen_at(time, at, clipped=False)
                 slopes[index] = 0.0 if is_cut else sign * slope
             if np.allclose(slopes, before):
                 break
@@ -580,7 +570,7 @@ class Affine:
         by_state: Floats | None = None,
     ) -> None:
         self.equations = equations
-        self.by_rate: Floats = equations.ports.by_rate if by_rate is None else by_rate
+        self.by_rate = equations.ports.by_rate if by_rate is None else by_rate
         structure, ports, layout = equations.structure, equations.ports, equations.layout
         size, count = equations.works.start, layout.ports + len(layout.values)
         if by_state is None:
@@ -652,7 +642,7 @@ class Affine:
     def light_at(self, times: Floats, states: Floats) -> Floats:
         """Return the speeds of motions without inertia at several times, shape (motions, times)."""
         given, slopes = self.given_at(times)
-        speeds: Floats = self.light.by_state @ states[: self.equations.works.start]
+        speeds = self.light.by_state @ states[: self.equations.works.start]
         return speeds + self.light.by_given @ given + self.light.by_slope @ slopes
 
     def given_at(self, times: Floats) -> tuple[Floats, Floats]:

@@ -27,7 +27,7 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import Scenario, formulas
-from vstatics.simulation.scenario.programme import Programme, slip_points
+from vstatics.simulation.scenario.programme import Programme
 
 
 class Switch(NamedTuple):
@@ -85,7 +85,7 @@ class Contact(NamedTuple):
     @property
     def corners(self) -> tuple[float, ...]:
         """Slips at the corners of the friction coefficient [rad/s]; empty for a constant."""
-        points = slip_points(self.friction)
+        points = self.friction.points if self.friction else ()
         return tuple(slip for slip, _ in points) if len(points) > 1 else ()
 
 
@@ -229,9 +229,7 @@ class PortLayout:
         self.converters = len(system.converters)
         self.turbines = self.pumps + self.converters
         self.sensors = self.turbines + self.converters
-        seen = {
-            seen_quantity for formula in formulas(system.scenario) for seen_quantity in formula.seen
-        }
+        seen = {quantity for formula in formulas(system.scenario) for quantity in formula.seen}
         of_links = {quantity for quantity in seen if quantity.word == "speed"}
         self.sensed = tuple(sorted(system.names.index(quantity.of) for quantity in of_links))
         """Indices of the links whose speeds formulas see: ports without a torque."""
@@ -246,17 +244,19 @@ class PortLayout:
         angles |= {system.names.index(quantity.of) for quantity in seen if quantity.word == "angle"}
         self.angles = tuple(sorted(angles | {link - 1 for link in system.scenario.targets}))
         """Indices of the links with recorded angles."""
-        self.hot = tuple(
-            index for index, element in enumerate(system.case.shift_elements) if element.heat_store
-        )
-        """Indices of the shift elements with known temperatures."""
         elements = system.case.shift_elements
+        self.hot = tuple(n for n, element in enumerate(elements) if element.heat_store)
+        """Indices of the shift elements with known temperatures."""
         self.values = (
             *(Seen("value", state.name) for state in system.scenario.states),
             *(Seen("temperature", elements[index].name) for index in self.hot),
         )
         self.derived = tuple(sorted(quantity for quantity in seen if quantity.word in OF_TORQUES))
         """Quantities seen by formulas that follow from torques."""
+        self.seen_angles = self.ports + len(system.springs)
+        """Place of the first angle among all seen quantities, after ports and twists."""
+        self.seen_values = self.seen_angles + len(self.angles)
+        self.seen_derived = self.seen_values + len(self.values)
 
 
 @dataclass(frozen=True)
@@ -302,8 +302,7 @@ class MotionSystem:
     @cached_property
     def mass(self) -> Floats:
         """Inertia matrix of the links, shape (links, links) [kg*m^2]."""
-        mass: Floats = (self.heavy.T * self.inertias) @ self.heavy
-        return mass
+        return (self.heavy.T * self.inertias) @ self.heavy
 
     @cached_property
     def straight(self) -> Floats:
@@ -327,8 +326,7 @@ class MotionSystem:
         """Speed rows of loads, contacts, springs, pumps, turbines, seen links and variators."""
         links = len(self.names)
         rows = [unit(load.link, links) for load in self.outside]
-        rows += [contact.row for contact in self.contacts]
-        rows += [spring.row for spring in self.springs]
+        rows += [device.row for device in self.may_slip]
         rows += [unit(converter.pump - 1, links) for converter in self.converters]
         rows += [unit(converter.turbine - 1, links) for converter in self.converters]
         rows += [unit(link, links) for link in self.layout.sensed]

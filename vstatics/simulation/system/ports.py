@@ -136,7 +136,7 @@ class Ports:
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
-        self.taken: Floats = np.where(parted, lines, 0.0)
+        self.taken = np.where(parted, lines, 0.0)
         """Damper share of the torques of parted springs: value at twist 0, and slope."""
         self.all_elastic = np.zeros(layout.ports)
         """Stiffnesses of all ports. [N*m/rad]"""
@@ -159,7 +159,9 @@ class Ports:
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
             law = load.law.knowing(system.settings) if isinstance(load.law, Formula) else load.law
             if isinstance(law, Formula) and law.seen:
-                self._seeing(index, law, place)
+                self.looks.append((index, looking(system, law, index, place)))
+                if law.switches:
+                    self.switching.append(index)
             else:
                 self._outside(index, law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
@@ -187,18 +189,14 @@ class Ports:
         time = min(max(time, self.after), self.until)
         torques = self.c0 + self.c1 * time + self.by_rate * rates
         layout = self.layout
-        self._add_elastic(torques, twists)
-        for port, place, slope in self.by_angle:
-            torques[port] += slope * angles[place]
+        self._add_motion(torques, rates, twists, angles)
         for port, formula, factor in self.timed:
             torques[port] += factor * formula.function(time, 0.0, 0.0)
-        for port, on_road in self.roads:
-            torques[port] = on_road(rates[port])
         for port, place, function, _ in self.special:
             angle = float(angles[place]) if place >= 0 else 0.0
             torques[port] = function(time, float(rates[port]), angle)
         if self.looks:
-            seen = [*rates.tolist(), *twists.tolist(), *angles.tolist(), *values.tolist()]
+            seen = np.concatenate([rates, twists, angles, values]).tolist()
             for port, look in self.looks:
                 torques[port] = look.at(time, seen)
         for index, (converter, piece) in enumerate(self.converters):
@@ -213,18 +211,14 @@ class Ports:
     ) -> Floats:
         """Return the torques at several times; all shapes end with the time axis."""
         times = self.inside(times)
-        torques: Floats = self.by_rate[:, None] * rates
+        torques = self.by_rate[:, None] * rates
         torques += self.c0[:, None]
         if self.c1.any():
             torques += self.c1[:, None] * times
         layout = self.layout
-        self._add_elastic(torques, twists)
-        for port, place, slope in self.by_angle:
-            torques[port] += slope * angles[place]
+        self._add_motion(torques, rates, twists, angles)
         for port, formula, factor in self.timed:
             torques[port] += factor * curve_along(formula, times)
-        for port, on_road in self.roads:
-            torques[port] = on_road(rates[port])
         for port, place, _, along in self.special:
             turned = angles[place] if place >= 0 else np.zeros(len(times))
             torques[port] = along(times, rates[port], turned)
@@ -238,16 +232,20 @@ class Ports:
             torques[pump], torques[turbine] = pair
         return torques
 
-    def _add_elastic(self, torques: Floats, twists: Floats) -> None:
+    def _add_motion(self, torques: Floats, rates: Floats, twists: Floats, angles: Floats) -> None:
+        """Add the torques of springs, roads and laws over an angle; a time axis can follow."""
         torques[self.layout.spring_ports] += (self.elastic * twists.T).T
         for index, curve in self.struts:
             torques[self.layout.springs + index] += curve.at(twists[index])
+        for port, place, slope in self.by_angle:
+            torques[port] += slope * angles[place]
+        for port, on_road in self.roads:
+            torques[port] = on_road(rates[port])
 
     def inside(self, times: Floats) -> Floats:
         """Return times clipped to the interval of the formulas."""
         if len(times) and (times[0] < self.after or times[-1] > self.until):
-            clipped: Floats = np.clip(times, self.after, self.until)
-            return clipped
+            return np.clip(times, self.after, self.until)
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
@@ -256,7 +254,7 @@ class Ports:
         Slopes of formulas are differences over `within` [s], and are left out if it is None.
         """
         times = self.inside(times)
-        given: Floats = self.c0[:, None] + self.c1[:, None] * times
+        given = self.c0[:, None] + self.c1[:, None] * times
         slopes = np.repeat(self.c1[:, None], len(times), axis=1)
         for port, formula, factor in self.timed:
             given[port] = factor * curve_along(formula, times)
@@ -308,12 +306,6 @@ class Ports:
                 self.senses_rate[port] = slope != 0
             else:
                 self.by_angle.append((port, place, slope))
-
-    def _seeing(self, port: int, law: Formula, place: int) -> None:
-        """Set up an outside torque that depends on more than the motion of the link."""
-        self.looks.append((port, looking(self.system, law, port, place)))
-        if law.switches:
-            self.switching.append(port)
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
@@ -369,8 +361,12 @@ class Ports:
         def torque(_time: float, slip: float, _angle: float) -> float:
             torque_at_slip: float = drag.at(abs(slip))
             if not 0 <= torque_at_slip < math.inf:
-                message = f"read {torque_at_slip:g}, expected a torque of 0 or more at every speed"
-                raise CaseError("E268", f"the drag of {name}: {message}", ("case",))
+                raise CaseError(
+                    "E268",
+                    f"the drag of {name}: read {torque_at_slip:g}, expected a torque of 0 "
+                    "or more at every speed",
+                    ("case",),
+                )
             return sign * torque_at_slip
 
         self.special.append((port, -1, torque, one_by_one(torque)))

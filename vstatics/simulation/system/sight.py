@@ -6,7 +6,7 @@ quantities derived from torques (`derived`).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import NamedTuple
@@ -23,6 +23,7 @@ from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.crossings import MeetingParts, Pairs, asked, met
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
+from vstatics.simulation.scenario.parts import placed_steps
 from vstatics.simulation.scenario.programme import Look, Programme
 from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
@@ -31,31 +32,29 @@ from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
 def place_of(system: MotionSystem, seen: Seen) -> int:
     """Return the place of a quantity in the row of all seen quantities."""
     layout, names = system.layout, system.names
-    twists = layout.ports
-    angles = twists + len(system.springs)
-    values = angles + len(layout.angles)
     match seen.word:
         case "speed":
             return layout.sensors + layout.sensed.index(names.index(seen.of))
         case "slip":
             return _slip(system, seen.of)
         case "twist":
-            return twists + [spring.name for spring in system.springs].index(seen.of)
+            return layout.ports + [spring.name for spring in system.springs].index(seen.of)
         case "angle":
-            return angles + layout.angles.index(names.index(seen.of))
+            return layout.seen_angles + layout.angles.index(names.index(seen.of))
         case "value" | "temperature":
-            return values + layout.values.index(seen)
+            return layout.seen_values + layout.values.index(seen)
         case _:
-            return values + len(layout.values) + layout.derived.index(seen)
+            return layout.seen_derived + layout.derived.index(seen)
 
 
 def _slip(system: MotionSystem, name: str) -> int:
-    [number] = (n for n, element in enumerate(system.case.shift_elements) if element.name == name)
-    for index, contact in enumerate(system.contacts):
-        if contact.element == number:
-            return system.layout.contacts + index
-    [index] = (n for n, spring in enumerate(system.springs) if spring.element == number)
-    return system.layout.springs + index
+    """Return the port of a shift element; the ports of springs follow the ports of contacts."""
+    [place] = (
+        place
+        for place, device in enumerate(system.may_slip, system.layout.contacts)
+        if device.element is not None and device.name == name
+    )
+    return place
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
@@ -69,13 +68,13 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         Place of the angle of this link among the recorded angles, or -1.
     """
     function, along = formula.function, formula.along
-    inputs: list[Look] = [
+    inputs = [
         fixed(system.settings[quantity.of])
         if quantity.word == "value" and quantity.of in system.settings
         else _place_seen(place_of(system, quantity))
         for quantity in formula.seen
     ]
-    turned = system.layout.ports + len(system.springs) + angle if angle >= 0 else -1
+    turned = system.layout.seen_angles + angle if angle >= 0 else -1
 
     def value(time: float, seen: Sequence[float]) -> float:
         link_angle = seen[turned] if turned >= 0 else 0.0
@@ -129,46 +128,42 @@ def corners(system: MotionSystem) -> list[Corner]:
     The argument of a table is compared with all corners of the table.
     """
     layout = system.layout
-    candidates: list[tuple[Path, Formula, Pairs, int, int]] = []
+    candidates: list[tuple[Path, Formula, Iterable[Pairs], int, int]] = []
     for device in system.may_slip:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
             most = () if programme.largest is None else (programme.largest,)
             path: Path = control_path(device)
             whole = programme.curve.whole
-            bounds: list[Pairs] = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
-            candidates += [
-                (path, programme.curve, pairs, 0, -1) for pairs in (*bounds, *met(whole))
-            ]
+            bounds = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
+            candidates.append((path, programme.curve, [*bounds, *met(whole)], 0, -1))
     for port, load in enumerate(system.outside):
         if isinstance(load.law, Formula):  # jumps by its own motion are switches
             path = ("torques", system.names[load.link])
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
             compares = met if load.law.seen else asked
-            candidates += [
-                (path, load.law, pairs, port, place) for pairs in compares(load.law.whole)
-            ]
-    for state in system.scenario.states:
-        if isinstance(state.rate, Formula):
-            path = ("states", state.name, "rate")
-            candidates += [(path, state.rate, pairs, 0, -1) for pairs in met(state.rate.whole)]
-    for path, when in _conditions(system):
+            candidates.append((path, load.law, compares(load.law.whole), port, place))
+    candidates += [
+        (("states", state.name, "rate"), state.rate, met(state.rate.whole), 0, -1)
+        for state in system.scenario.states
+        if isinstance(state.rate, Formula)
+    ]
+    for path, when in conditions(system):
         candidates += [
-            (path, comparison, pairs, 0, -1)
-            for comparison in when.comparisons
-            for pairs in met(comparison.whole)
+            (path, comparison, met(comparison.whole), 0, -1) for comparison in when.comparisons
         ]
     corner_list = [*_rubbing_corners(system), *_vanishing_limits(system)]
-    for path, formula, pairs, rate, angle in candidates:
-        first = pairs[0].first
-        if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
-            continue
-        look = looking(system, formula._replace(tree=first), rate, angle)
-        others = (
-            looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
-        )
-        both = [Compared(look, other) for other in others]
-        corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
+    for path, formula, group, rate, angle in candidates:
+        for pairs in group:
+            first = pairs[0].first
+            if not variables(Applied("-", pairs[0][:2], 0, 0)) - {"t"} - {*system.settings}:
+                continue
+            look = looking(system, formula._replace(tree=first), rate, angle)
+            others = (
+                looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
+            )
+            both = [Compared(look, other) for other in others]
+            corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
     return corner_list
 
 
@@ -177,17 +172,11 @@ def control_path(device: Contact | Elastic) -> tuple[str, str]:
     return "limits" if device.element is None else "controls", device.name
 
 
-def _conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
+def conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
     """Yield the conditions of sequence steps, with paths in the scenario."""
-    for sequence in system.scenario.sequences:
-        for number, step in enumerate(sequence.steps, 1):
-            if step.when is not None:
-                yield ("sequences", sequence.name, number, "when"), step.when
-
-
-def conditions(system: MotionSystem) -> Iterator[StepCondition]:
-    """Yield the conditions of sequence steps."""
-    return (when for _, when in _conditions(system))
+    for path, step in placed_steps(system.scenario):
+        if step.when is not None:
+            yield (*path, "when"), step.when
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
@@ -269,8 +258,7 @@ def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = 
         spring = spring._replace(curve=spring.curve.alone(pieces[index]))
 
     def value(_time: float, seen: Sequence[float]) -> float:
-        torque = spring.carried(seen[twist], seen[rate])
-        return float(limit.base + limit.times * torque)
+        return float(limit.base + limit.times * spring.carried(seen[twist], seen[rate]))
 
     def values(_times: Floats, seen: Floats) -> Floats:
         carried = map(spring.carried, seen[twist].tolist(), seen[rate].tolist())
@@ -281,5 +269,4 @@ def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = 
 
 def _rubbing_places(system: MotionSystem, device: Contact | Elastic) -> tuple[int, int]:
     """Return the places of slip and temperature of a shift element among all seen quantities."""
-    temperature = place_of(system, Seen("temperature", device.name))
-    return _slip(system, device.name), temperature
+    return _slip(system, device.name), place_of(system, Seen("temperature", device.name))

@@ -78,13 +78,12 @@ class MotionStructure:
     """
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
-        self.held = held
         rows, columns, self.multipliers = _constraints(system, held, meshes)
         mass, ports = system.mass, system.port_rows
         signs = np.full(len(ports), -1.0)
         signs[: len(system.outside)] = 1.0
         forces = ports.T * signs
-        self.free, self.light = _motions(system.heavy, rows)
+        self.free, self.light = split_motions(system.heavy, null(rows.T))
         left, left_light = self.free, self.light
         taken = columns.T[: len(meshes)] - rows.T[: len(meshes)]
         conditions = np.zeros((len(self.multipliers), 0))
@@ -92,13 +91,13 @@ class MotionStructure:
             friction = np.array([multiplier.kind == "friction" for multiplier in self.multipliers])
             circulating, conditions = _circulating(rows, columns, friction)
             columns = columns - columns @ circulating @ conditions.T
-            left, left_light = _motions(system.heavy, columns)
+            left, left_light = split_motions(system.heavy, null(columns.T))
         momenta = self.free.T @ mass
         self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
         self.light_rates = ports @ self.light
         self.balances = left_light.T @ forces
         reduced = left.T @ mass @ self.free
-        self.accelerations: Floats = np.linalg.solve(reduced, left.T @ forces)
+        self.accelerations = np.linalg.solve(reduced, left.T @ forces)
         self.drivers, driven = _driven(system, self.multipliers, rows)
         if self.drivers:
             at = [system.layout.contacts + index for index in self.drivers]
@@ -112,8 +111,8 @@ class MotionStructure:
         fixed = np.vstack([columns, conditions.T])
         residual = np.vstack([residual, np.zeros((conditions.shape[1], residual.shape[1]))])
         self.torques, self.redundant = _multipliers(fixed, weights, residual)
-        self.mesh_rates: Floats = taken @ self.free
-        self.mesh_light_rates: Floats = taken @ self.light
+        self.mesh_rates = taken @ self.free
+        self.mesh_light_rates = taken @ self.light
         self.loses = any(state not in ("", "stick") for state in meshes)
 
     def motions(self, speeds: Floats, driven: Floats) -> Floats:
@@ -124,7 +123,7 @@ class MotionStructure:
         count = self.free.shape[1] - len(driven)
         free = self.free[:, :count]
         moved = speeds - self.free[:, count:] @ driven
-        motions: Floats = free.T @ moved
+        motions = free.T @ moved
         motions += self.projection @ (moved - free @ motions)
         return np.append(motions, driven)
 
@@ -148,8 +147,7 @@ def _driven(
         wanted[sticking, column] = 1.0
     speeds = solved(rows.T, wanted)
     if largest(rows.T @ speeds - wanted) > STANDING:
-        message = "speeds at which contacts stick contradict each other"
-        raise np.linalg.LinAlgError(message)
+        raise np.linalg.LinAlgError("speeds at which contacts stick contradict each other")
     return tuple(multipliers[sticking[0]].of for sticking in places.values()), speeds
 
 
@@ -204,8 +202,7 @@ def null(matrix: Floats) -> Floats:
     norms = np.linalg.norm(matrix, axis=1, keepdims=True)
     scaled = matrix / np.where(norms > 0, norms, 1.0)
     _, sizes, right = np.linalg.svd(scaled)
-    basis: Floats = right[_counting(sizes, sizes.max(initial=NOT_ZERO)) :].T
-    return basis
+    return right[_counting(sizes, sizes.max(initial=NOT_ZERO)) :].T
 
 
 def solved(matrix: Floats, values: Floats) -> Floats:
@@ -215,10 +212,6 @@ def solved(matrix: Floats, values: Floats) -> Floats:
 
 def _counting(sizes: Floats, large: float) -> int:
     return int((sizes > INDEPENDENT_MOTION * large).sum())
-
-
-def _motions(heavy: Floats, columns: Floats) -> tuple[Floats, Floats]:
-    return split_motions(heavy, null(columns.T))
 
 
 def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
@@ -266,7 +259,7 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     irreducible = null(redundant[friction].T)  # friction that redundant torques cannot carry
     _, sizes, right = np.linalg.svd(irreducible.T @ circulating[friction])
     count = _counting(sizes, 1.0)
-    directions: Floats = circulating @ right.T
+    directions = circulating @ right.T
     conditions = directions.copy()
     conditions[:, :count] = 0.0
     shares = irreducible @ (irreducible.T @ directions[friction, :count])
@@ -284,7 +277,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
     if not count:
         return np.zeros((0, residual.shape[1])), np.zeros((0, 0))
     rank = _rank(columns)
-    bearing: Booleans = weights < _LAST_PREFERENCE
+    bearing = weights < _LAST_PREFERENCE
     places = np.arange(count)
     if not bearing.all():
         bearing_rank = _rank(columns[:, bearing])

@@ -136,15 +136,12 @@ def _side(state: ControlState, value: float, near: float) -> int:
 
 def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
     """Return the friction power of a shift element [W]."""
-    power = 0.0
-    works = change[equations.works]
-    for index, contact in enumerate(equations.system.contacts):
-        if contact.element == element:
-            power += works[equations.layout.contacts + index]
-    for index, spring in enumerate(equations.system.springs):
-        if spring.element == element:
-            power += change[equations.slipped][index]
-    return float(power)
+    first = equations.works.start + equations.layout.contacts
+    contacts = enumerate(equations.system.contacts, first)
+    springs = enumerate(equations.system.springs, equations.slipped.start)
+    places = [place for place, contact in contacts if contact.element == element]
+    places += [place for place, spring in springs if spring.element == element]
+    return float(sum(change[places]))
 
 
 Derived = Callable[[float, Floats, Floats, Floats], float]
@@ -219,14 +216,11 @@ def _ports_of(equations: KnownMotion, name: str) -> list[int]:
     devices = system.case.devices
     device = devices.index(name) if name in devices else None
     port_list = [
-        layout.springs + n for n, spring in enumerate(system.springs) if spring.device == device
-    ]
-    port_list += [
         layout.pumps + n for n, converter in enumerate(system.converters) if converter.name == name
     ]
     if device is not None:
-        of = enumerate(system.contacts, layout.contacts)
-        port_list += [port for port, contact in of if contact.device == device]
+        parts = enumerate(system.may_slip, layout.contacts)
+        port_list += [port for port, part in parts if part.device == device]
     return port_list
 
 

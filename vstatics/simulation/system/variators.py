@@ -51,16 +51,16 @@ class VariatorTorques:
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
         self.efficiencies = np.array([variator.efficiency for variator in self.variators])
-        self.accelerations: Floats = structure.free[first] @ structure.accelerations
+        self.accelerations = structure.free[first] @ structure.accelerations
         """Accelerations of first links by the torques of ports."""
         for variator in self.variators:
             if equations.light and np.abs(structure.light[variator.first]).max() > MOVING_LINK:
                 name = system.names[variator.first]
-                message = (
-                    f"link {name} has no inertia, but {variator.name} moves it as its ratio changes"
-                )
                 raise CaseError(
-                    "E699", f"{message}: give it an inertia", ("case", "inertias", name)
+                    "E699",
+                    f"link {name} has no inertia, but {variator.name} moves it as its "
+                    "ratio changes: give it an inertia",
+                    ("case", "inertias", name),
                 )
 
     def fill(self, time: float, rates: Floats, torques: Floats) -> None:

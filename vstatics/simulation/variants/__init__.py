@@ -1,7 +1,7 @@
-"""Many runs of a scenario, whose numbers vary: what a sweep of it, and samples, calculate.
+"""Many runs of a scenario with varied numbers, for sweeps and samples.
 
-`numbers` has the two documents and the numbers in them, `subject` is what a sweep takes: each
-variant is a run. `motion_names` knows the names in its expressions, `motion_tables` has the values
-of a run, `asked` reads columns of one run. `samples` draws from the distributions of a scenario,
-`statistics` has what the drawn runs have in common.
+`numbers` replaces numbers in the two documents, and `subject` runs the variants of a sweep.
+`motion_names` resolves the names in expressions, `motion_tables` provides the values of a run, and
+`asked` reads the columns of a single run. `samples` draws from the distributions of a scenario, and
+`statistics` summarises the drawn runs.
 """

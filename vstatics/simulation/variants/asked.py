@@ -1,4 +1,4 @@
-"""The text of --out of one run -> columns that it is to have besides.
+"""Additional columns of a single run, read from the text of --out.
 
 >>> from vstatics.core.model.transmission import Transmission
 >>> from vstatics.simulation.scenario.parts import Scenario
@@ -14,7 +14,7 @@ from functools import partial
 
 from vstatics.core.errors import Problem, ReadError, listed, quoted
 from vstatics.core.readers.expressions.excerpt import Excerpt
-from vstatics.core.readers.expressions.grammar import Tree, parse
+from vstatics.core.readers.expressions.grammar import parse
 from vstatics.core.readers.expressions.operands import TableName
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.asked import ALWAYS, TABLES
@@ -28,12 +28,12 @@ _LANGUAGE = LANGUAGE._replace(operands="a column such as accelerations[out]", ex
 
 
 def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
-    """The tables and rows of a run that a list asks for, such as ``accelerations[out], heat[C]``.
+    """Read the tables and rows in a list, such as ``accelerations[out], heat[C]``.
 
     Raises
     ------
     ReadError
-        With everything that is wrong, and its places.
+        With every problem and its place.
     """
     asked: list[tuple[str, str]] = []
     problems: list[Problem] = []
@@ -43,7 +43,12 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
         try:
             tree = parse(source, _LANGUAGE)
             if not isinstance(tree, TableName) or tree.name not in (*ALWAYS, *TABLES):
-                raise _no_column(source, tree)
+                read = source.part.strip()
+                hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
+                raise source.error(
+                    f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}",
+                    source.text.index(read, source.start),
+                )
             rows = asked_rows(names.selection(tree), names.rows(tree.name))
             asked += rows if tree.name in TABLES else []
         except ReadError as error:
@@ -54,14 +59,6 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """A table, with each of its rows of which it is a part; that of a number has no name."""
-    own = rows or [""] if part.row is None else [rows[part.row]]
-    return [(part.table, row) for row in own]
-
-
-def _no_column(source: Excerpt, tree: Tree) -> ReadError:
-    """What to say of what is no column that can be asked for."""
-    read = source.part.strip()
-    hint = nearest(tree.name, TABLES) if isinstance(tree, TableName) else ""
-    message = f"read {quoted(read)}, expected columns of {listed([*TABLES], 30)}{hint}"
-    return source.error(message, source.text.index(read, source.start))
+    """Return a table with each of the selected rows; the row of a number has an empty name."""
+    names = rows or [""] if part.row is None else [rows[part.row]]
+    return [(part.table, row) for row in names]

@@ -1,4 +1,4 @@
-"""What the names in an expression mean where a scenario is swept: tables of runs, its numbers."""
+"""Names in the expressions of a swept scenario: tables of runs, and numbers of the scenario."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ LANGUAGE = Language(
 
 
 class RunNames:
-    """Finds what tables of a run a text means.
+    """Resolver of the tables of a run in a text.
 
     Parameters
     ----------
     source : Excerpt
     rows_of : callable
-        Gives the names of the rows of a kind.
+        Function that returns the names of the rows of a kind.
     """
 
     language = LANGUAGE
     gears: Sequence[str] = ()
-    """None: the first axis of the tables is that of time."""
+    """Names of gears; empty, since the first axis of the tables is the time."""
 
     def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
         self.rows_of = rows_of
 
     def selection(self, read: TableName) -> Selection:
-        """A table, or a part of it.
+        """Return the selected table, or the selected part of a table.
 
         Raises
         ------
@@ -59,62 +59,65 @@ class RunNames:
         subscripts = list(read.subscripts)
         if known.kind == "number":
             if subscripts:
-                message = f"`{read.name}` has no rows, expected it without `[`"
-                raise self.source.error(message, subscripts[0].at)
+                raise self.source.error(
+                    f"`{read.name}` has no rows, expected it without `[`", subscripts[0].at
+                )
             return Selection(read.name, gear, None, 0)
         rows = self.rows(read.name)
         if not rows:
-            message = f"there is no {known.kind}, so `{read.name}` is empty"
-            raise self.source.error(message, read.at)
+            raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
         if known.kind == "step" and len(subscripts) == 2:  # its row has both names
             (sequence, at), (step, _) = subscripts
             subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
         if subscripts:
-            message = f"read one part too many, expected {read.name}[{known.kind}]"
-            raise self.source.error(message, subscripts[0].at)
+            raise self.source.error(
+                f"read one part too many, expected {read.name}[{known.kind}]", subscripts[0].at
+            )
         return Selection(read.name, gear, row, len(rows))
 
     def rows(self, table: str) -> Sequence[str]:
-        """The names of a table's rows; none if it has no rows."""
+        """Return the names of the rows of a table; empty for a table of a single number."""
         return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """The same: all variants have the names of the scenario itself."""
+        """Return the names of the rows in all variants, which do not vary."""
         return self.rows(table)
 
     def row(self, table: str) -> str:
-        """What a row of a table is."""
+        """Return the noun for a row of a table."""
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """A row as it is written between brackets: of a step its sequence and its number."""
+        """Return a row as written between brackets: of a step the sequence and the number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
         return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
-        """What a subscript stands for: by its name first, then by its number; None for all."""
+        """Return the row of a subscript, by name first, then by number; None for all rows."""
         written = subscript.written
         if written == ":":
             return None
         name = _bare(written)
-        found = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
-        if not found and kind == "target":  # the one speed that is asked for of a link
-            found = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
-        number = None if found else typed_number(written.removeprefix("#"), len(rows))
+        rows_of_name = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
+        if not rows_of_name and kind == "target":  # the only target speed of a link
+            rows_of_name = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
+        number = None if rows_of_name else typed_number(written.removeprefix("#"), len(rows))
         if number is not None:
             return number - 1
-        if len(found) == 1:
-            return found[0]
-        some = f"there are {len(found)}" if found else "there is no"
+        if len(rows_of_name) == 1:
+            return rows_of_name[0]
+        count = f"there are {len(rows_of_name)}" if rows_of_name else "there is no"
         known = listed([quoted(row) for row in rows])
-        message = f"{some} {kind} {quoted(name)}, expected one of {known}"
-        raise self.source.error(message + nearest(name, rows), subscript.at)
+        raise self.source.error(
+            f"{count} {kind} {quoted(name)}, expected one of {known}" + nearest(name, rows),
+            subscript.at,
+        )
 
     def _no_table(self, name: str) -> str:
-        """What to say of a name that is no table."""
+        """Return the message about a name that is not a table."""
         hint = ""
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
@@ -125,7 +128,7 @@ class RunNames:
 
 
 class MotionNames(RunNames):
-    """Finds what names in a text mean, for a scenario and what is varied of it."""
+    """Resolver of the names in a text for a scenario with varied numbers."""
 
     def __init__(
         self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
@@ -135,33 +138,32 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """A number of the scenario or its case: varied, or as it is written or follows of teeth."""
-        place = self.source.place(name.at)
-        return self._number(name.written, place)
+        """Return a number of the scenario or the case: varied, as written, or from teeth."""
+        return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
-        found = self.subject.target(written, place)
+        path = self.subject.target(written, place)
         for column, varied in enumerate(self.targets):
-            if varied.numbers == found.numbers:
+            if varied.numbers == path.numbers:
                 return VariedNumber(column)
-        if self.subject.follows_teeth(found):
+        if self.subject.follows_teeth(path):
             case = self.subject.base_case
-            of_mechanism = target(dotted(by_name(found.keys)), case, place)
+            of_mechanism = target(dotted(by_name(path.keys)), case, place)
             table = PART_NUMBERS[of_mechanism.quantity]
             return Selection(table, 0, of_mechanism.owner, len(case.mechanisms))
-        return Constant(self.subject.written_number(found, place))
+        return Constant(self.subject.written_number(path, place))
 
     def rows(self, table: str) -> Sequence[str]:
-        """The names of a table's rows; none if it has no rows."""
+        """Return the names of the rows of a table; empty for a table of a single number."""
         return [] if table in PART_NUMBERS.values() else super().rows(table)
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """A table, or a part of it; or the duration."""
+        """Return a table, a part of a table, or the duration."""
         if read.name == "duration" and not read.subscripts:
             return self._number(read.name, self.source.place(read.at))
         return self.selection(read)
 
 
 def _bare(written: str) -> str:
-    """A subscript without its quotes."""
+    """Return a subscript without quotes."""
     return written[1:-1] if written[0] in "\"'" else written

@@ -1,4 +1,4 @@
-"""The tables of a run of a scenario, as the expressions of a sweep speak of them.
+"""Tables of a run of a scenario, under the names in expressions of a sweep.
 
 >>> [name for name in TABLES if along_time(name)][:5]
 ['time', 'speeds', 'slips', 'torques', 'accelerations']
@@ -7,7 +7,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -19,40 +20,30 @@ from vstatics.simulation.record.rows import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""A number of a run by the name of a row, and its place."""
+"""Function of a motion, a name of a row and a place that returns a number."""
 
 
 class MotionTable(NamedTuple):
-    """A table of a run: along time, or with a number for each row."""
+    """Table of a run: along time, or with a number for each row."""
 
     kind: Kind
     unit: str
-    """As of `AskedTable`."""
+    """Unit as in `AskedTable`."""
     of_row: OfRow | None = None
 
 
-def _of_peak(field: Literal["torque", "time"]) -> OfRow:
-    def number(motion: Motion, row: str, _: int) -> float:
-        return float(getattr(motion.peaks.get(row), field, math.nan))
-
-    return number
+def _peak(field: Literal["torque", "time"], motion: Motion, row: str, _: int) -> float:
+    return float(getattr(motion.peaks.get(row), field, math.nan))
 
 
-def _of_energy(field: Literal["heat", "losses", "heat_per_area"], otherwise: float) -> OfRow:
-    def number(motion: Motion, row: str, _: int) -> float:
-        return float(getattr(motion.energy, field).get(row, otherwise))
-
-    return number
+def _energy(field: str, otherwise: float, motion: Motion, row: str, _: int) -> float:
+    return float(getattr(motion.energy, field).get(row, otherwise))
 
 
-def _of_event(kind: EventKind, place: Literal[0, -1]) -> OfRow:
-    """The time of the first or the last event of a kind."""
-
-    def number(motion: Motion, row: str, _: int) -> float:
-        times = [one.time for one in motion.events if (one.element, one.event) == (row, kind)]
-        return times[place] if times else math.nan
-
-    return number
+def _event_time(kind: EventKind, place: Literal[0, -1], motion: Motion, row: str, _: int) -> float:
+    """Return the time of the first or the last event of a kind."""
+    times = [event.time for event in motion.events if (event.element, event.event) == (row, kind)]
+    return times[place] if times else math.nan
 
 
 def _events(motion: Motion, row: str, _: int) -> float:
@@ -64,41 +55,39 @@ def _damage(motion: Motion, row: str, _: int) -> float:
 
 
 def _step(motion: Motion, row: str, _: int) -> float:
-    """When a step was done for the first time."""
-    done = (one.time for one in motion.events if f"{one.element},{one.step}" == row)
+    """Return the time at which a step was done for the first time."""
+    done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
     return next(done, math.nan)
 
 
-def _of_target(field: Literal["time", "distance"]) -> OfRow:
-    def number(motion: Motion, _: str, place: int) -> float:
-        reached = motion.reached
-        return float(getattr(reached[place], field)) if place < len(reached) else math.nan
-
-    return number
+def _target(field: Literal["time", "distance"], motion: Motion, _: str, place: int) -> float:
+    return float(getattr(motion.reached[place], field)) if motion.reached[place:] else math.nan
 
 
 TIME = "time"
-"""The instants themselves."""
-TABLES: Mapping[str, MotionTable] = {
+"""Name of the table of the instants themselves."""
+TABLES = {
     TIME: MotionTable("number", "s"),
     "speeds": MotionTable("link", "rad/s"),
     "slips": MotionTable("shift element", "rad/s"),
     "torques": MotionTable("device", "N*m"),
     **{name: MotionTable(table.kind, table.unit) for name, table in ASKED.items()},
-    "heat": MotionTable("friction", "J", _of_energy("heat", 0.0)),
-    "heat_per_area": MotionTable("shift element", "J/m^2", _of_energy("heat_per_area", math.nan)),
-    "losses": MotionTable("loss", "J", _of_energy("losses", 0.0)),
-    "peaks": MotionTable("device", "N*m", _of_peak("torque")),
-    "peak_times": MotionTable("device", "s", _of_peak("time")),
-    "locks": MotionTable("friction", "s", _of_event("locks", 0)),
-    "last_locks": MotionTable("friction", "s", _of_event("locks", -1)),
-    "breaks": MotionTable("friction", "s", _of_event("slips", 0)),
-    "reverses": MotionTable("friction", "s", _of_event("reverses", 0)),
-    "impacts": MotionTable("friction", "s", _of_event("impact", 0)),
+    "heat": MotionTable("friction", "J", partial(_energy, "heat", 0.0)),
+    "heat_per_area": MotionTable(
+        "shift element", "J/m^2", partial(_energy, "heat_per_area", math.nan)
+    ),
+    "losses": MotionTable("loss", "J", partial(_energy, "losses", 0.0)),
+    "peaks": MotionTable("device", "N*m", partial(_peak, "torque")),
+    "peak_times": MotionTable("device", "s", partial(_peak, "time")),
+    "locks": MotionTable("friction", "s", partial(_event_time, "locks", 0)),
+    "last_locks": MotionTable("friction", "s", partial(_event_time, "locks", -1)),
+    "breaks": MotionTable("friction", "s", partial(_event_time, "slips", 0)),
+    "reverses": MotionTable("friction", "s", partial(_event_time, "reverses", 0)),
+    "impacts": MotionTable("friction", "s", partial(_event_time, "impact", 0)),
     "events": MotionTable("friction", "", _events),
     "steps": MotionTable("step", "s", _step),
-    "time_to": MotionTable("target", "s", _of_target("time")),
-    "distance_to": MotionTable("target", "m", _of_target("distance")),
+    "time_to": MotionTable("target", "s", partial(_target, "time")),
+    "distance_to": MotionTable("target", "m", partial(_target, "distance")),
     "damage": MotionTable("device with fatigue", "", _damage),
     "work": MotionTable("number", "J"),
     "kinetic": MotionTable("number", "J"),
@@ -106,26 +95,26 @@ TABLES: Mapping[str, MotionTable] = {
     "impact": MotionTable("number", "J"),
     "balance": MotionTable("number", ""),
 }
-"""By name."""
+"""Tables of a run by name."""
 
 
 def along_time(name: str) -> bool:
-    """Whether a table has values at each instant."""
+    """Return whether a table has values at each instant."""
     table = TABLES[name]
     return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
-    """The tables of one run: shape (1, instants or 1[, rows]).
+    """Tables of a run, of shape (1, instants or 1[, rows]).
 
     Parameters
     ----------
     motion : Motion, optional
-        None: nothing is known of the run, so there is NaN alone.
+        Run; without a run all values are NaN.
     rows : callable
-        Gives the names of the rows of a kind.
+        Function that returns the names of the rows of a kind.
     mechanisms : int
-        How many the case has.
+        Number of mechanisms of the case.
     """
 
     def __init__(
@@ -136,9 +125,12 @@ class MotionTables:
         self.mechanisms = mechanisms
 
     def existing(self, name: str) -> Floats:
-        """A table by its name; NaN where there is nothing to be said."""
+        """Return a table by name, with NaN for missing values."""
         if name in PART_NUMBERS.values():
-            return self._of_parts(name)
+            [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
+            parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
+            values = [getattr(part, quantity) for part in parts] or [math.nan] * self.mechanisms
+            return np.array(values, float).reshape(1, 1, -1)
         known, motion, names = TABLES[name], self.motion, self.rows(TABLES[name].kind)
         axes = (1, 1) if known.kind == "number" else (1, 1, len(names))
         if motion is None:
@@ -146,24 +138,16 @@ class MotionTables:
         if name == TIME:
             return motion.time[np.newaxis]
         if known.kind == "number":
-            of_run = name not in ASKED
-            along = getattr(motion.energy, name) if of_run else _along_time(motion, name, [""])
-            return np.full(axes, along) if of_run else along[..., 0][np.newaxis]
+            at_end = getattr(motion.energy, name, None)
+            return np.full(axes, at_end) if name not in ASKED else _along_time(motion, name, [""]).T
         if known.of_row is None:
             return _along_time(motion, name, names)[np.newaxis]
         numbers = [known.of_row(motion, row, place) for place, row in enumerate(names)]
         return np.array(numbers).reshape(axes)
 
-    def _of_parts(self, name: str) -> Floats:
-        """What mechanisms have in the case of the run."""
-        [quantity] = (one for one, table in PART_NUMBERS.items() if table == name)
-        parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()
-        own = [getattr(one, quantity) for one in parts] or [math.nan] * self.mechanisms
-        return np.array(own, float).reshape(1, 1, -1)
-
 
 def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
-    """A table of shape (instants, rows); NaN for a row that the run has not."""
+    """Return a table of shape (instants, rows), with NaN for a row that the run lacks."""
     if name in ASKED:
         known = motion.asked.get(name, {})
     else:
@@ -176,5 +160,5 @@ def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
             return table
         known = dict(zip(names, table.T, strict=True))
     lacking = np.full(len(motion.time), math.nan)
-    columns = [known.get(one, lacking) for one in wanted]
+    columns = [known.get(row, lacking) for row in wanted]
     return np.array(columns).reshape(len(columns), len(motion.time)).T

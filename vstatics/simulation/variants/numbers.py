@@ -1,7 +1,7 @@
-"""The numbers of a scenario and of its case, which other numbers replace in variants.
+"""Numbers of a scenario and its case that variants replace.
 
-A variant is the documents with other numbers in them, read again: so whatever they can say can
-vary, and what a number may not be is told by their reader.
+A variant consists of the documents with replaced numbers, read again. So every number of the
+documents can vary, and their reader reports impossible numbers.
 """
 
 from __future__ import annotations
@@ -36,30 +36,30 @@ if TYPE_CHECKING:
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
-"""One of these is a number that may stand where any may."""
+"""Numbers of which at least one is valid wherever a number is allowed."""
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
-    """Return the numbers of a scenario or its case among varied numbers: all of a sweep of it."""
+    """Return the numbers of a scenario or case among varied numbers: all in a scenario sweep."""
     return [path for path in varied if isinstance(path, NumberPath)]
 
 
 @dataclass(frozen=True)
 class ScenarioNumbers:
-    """A scenario and the case it is about, as documents with numbers.
+    """Scenario and case, as documents with numbers.
 
     Parameters
     ----------
     scenario : Document
-        In YAML or JSON.
+        Scenario in YAML or JSON.
     case : Document
-        In any format; its numbers vary where that is no deck.
+        Case in any format; the numbers of a deck cannot vary.
     rtol : float
-        Accuracy of the runs, as of `simulate`. [-]
+        Tolerance of the runs, as of `simulate`. [-]
     limit : float, optional
-        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
+        Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
-        Told by the suffix, else by the content, when not given.
+        Format of the case; by default found from the suffix, else from the content.
     """
 
     scenario: Document
@@ -69,12 +69,12 @@ class ScenarioNumbers:
     case_format: Format | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """What other processes get: they make their own trees."""
-        return {one.name: getattr(self, one.name) for one in fields(self)}
+        """Return the fields for other processes, which read the trees anew."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @cached_property
     def trees(self) -> Trees:
-        """Both documents, read once.
+        """Trees of both documents, read once.
 
         Raises
         ------
@@ -93,7 +93,7 @@ class ScenarioNumbers:
 
     @cached_property
     def own(self) -> ScenarioFile:
-        """The scenario as it is written.
+        """Scenario as written.
 
         Raises
         ------
@@ -109,12 +109,12 @@ class ScenarioNumbers:
         return readers.read(*self.case, self.case_format)
 
     def variant(self, paths: Sequence[NumberPath], values: Sequence[float]) -> ScenarioFile:
-        """The scenario with other numbers.
+        """Return the scenario with replaced numbers.
 
         Raises
         ------
         ReadError
-            If it can't be read with them.
+            If the scenario cannot be read with the numbers.
         """
         trees = with_numbers(self.trees, paths, values)
         reading = self._own_case
@@ -123,13 +123,13 @@ class ScenarioNumbers:
         return self._read(trees.scenario, reading)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
-        """The names of what tables of a kind have a row for."""
+        """Return the names of the rows of tables of a kind."""
         from vstatics.simulation.record.rows import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)
 
     def target(self, text: str, place: Place | None = None) -> NumberPath:
-        """The number that a text speaks of; see `scenario_numbers.number_path`.
+        """Return the number that a text names; see `scenario_numbers.number_path`.
 
         Raises
         ------
@@ -139,16 +139,16 @@ class ScenarioNumbers:
 
     @property
     def base_case(self) -> Transmission:
-        """The case as it is written."""
+        """Case as written."""
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
-        """A number whose values are in a unit.
+        """Return a number with the unit of the values.
 
         Raises
         ------
         ReadError
-            If they are bare, or in two units, where the document has a unit.
+            If the values are bare, or in two units, where the document has a unit.
         """
         [path] = number_paths([varied])
         if unit and path.unit and unit != path.unit:
@@ -156,14 +156,17 @@ class ScenarioNumbers:
         known = written_number(path, self.trees)
         path = path._replace(unit=unit or path.unit)
         if known and known.unit and not path.unit:
-            message = f"{quoted(path.name)} is in {known.unit} in the document, so its values "
-            raise refusal(f"{message}need their unit, such as {known.value:g} {known.unit}", place)
+            raise refusal(
+                f"{quoted(path.name)} is in {known.unit} in the document, so its values "
+                f"need their unit, such as {known.value:g} {known.unit}",
+                place,
+            )
         return path
 
     def sampled(self, text: str) -> NumberPath:
-        """The number that a distribution of `samples` is for, its values in a unit of SI.
+        """Return the number of a distribution, with values in an SI unit.
 
-        They are bare where neither the number nor the distribution has a unit.
+        The values are bare if neither the number nor the distribution has a unit.
 
         Raises
         ------
@@ -175,12 +178,12 @@ class ScenarioNumbers:
         return path._replace(unit=in_si(unit)) if unit else path
 
     def written_number(self, path: NumberPath, place: Place | None) -> float:
-        """A number as the document has it, in the unit there.
+        """Return a number as written in the document, in the unit there.
 
         Raises
         ------
         ReadError
-            If the document has it not.
+            If the document lacks the number.
         """
         known = written_number(path, self.trees)
         if known is None:
@@ -188,41 +191,39 @@ class ScenarioNumbers:
         return known.value
 
     def follows_teeth(self, path: NumberPath) -> bool:
-        """Whether it is a ratio or an efficiency of an element that the document has not."""
+        """Return whether a ratio or an efficiency of a gear set is missing in the document."""
         of_element = path.of_case and path.keys[0] == "elements" and len(path.keys) == 3
         is_such = of_element and path.keys[2] in OF_MECHANISM
         return is_such and written_number(path, self.trees) is None
 
     def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
-        """Make sure that numbers which the documents have not may stand there.
+        """Check that numbers missing in the documents are allowed at the given places.
 
         Parameters
         ----------
         paths : sequence of NumberPath
         values : sequence of float
-            Of a variant.
+            Values of a variant.
 
         Raises
         ------
         ReadError
-            As the documents' reader says it.
+            The error of the reader of the documents.
         """
         for path, value in zip(paths, values, strict=True):
-            if written_number(path, self.trees) is None:
-                self._check_new(path, value)
-
-    def _check_new(self, path: NumberPath, value: float) -> None:
-        """A number that may stand somewhere may be one of several there."""
-        first: ReadError | None = None
-        for one in (value, *_PLAIN):
-            try:
-                self.variant([path], [one])
-            except ReadError as error:
-                first = first or error
+            if written_number(path, self.trees) is not None:
+                continue
+            first: ReadError | None = None
+            for tried in (value, *_PLAIN):  # the number can be one of several at its place
+                try:
+                    self.variant([path], [tried])
+                except ReadError as error:
+                    first = first or error
+                else:
+                    break
             else:
-                return
-        if first:
-            raise first
+                assert first is not None  # noqa: S101 - every number was refused
+                raise first
 
     def _read(self, root: Node, reading: Reading) -> ScenarioFile:
         from vstatics.simulation.scenario.file import ScenarioDocument
@@ -232,12 +233,12 @@ class ScenarioNumbers:
 
 
 def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
-    """The numbers that a scenario has in `samples`, with their distributions.
+    """Return the numbers under `samples` in a scenario, with the distributions.
 
     Raises
     ------
     ReadError
-        If it has not one of them.
+        If a number is unknown.
     """
     problems: list[Problem] = []
     variations: list[Variation] = []
@@ -249,8 +250,8 @@ def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
             variations.append(Variation(target, distribution, place))
         except ReadError as error:
             problems += [
-                Problem(one.id, f"samples: {one.message}", ("samples", path), place)
-                for one in error.problems
+                Problem(problem.id, f"samples: {problem.message}", ("samples", path), place)
+                for problem in error.problems
             ]
     if problems:
         raise ReadError(problems)

@@ -1,4 +1,4 @@
-"""Variants that are drawn from the distributions which a scenario has in `samples`."""
+"""Variants drawn from the distributions under `samples` in a scenario."""
 
 from __future__ import annotations
 
@@ -15,37 +15,41 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.samples import Method, Sample
 
 OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
-"""Tables that are told of samples where they have anything."""
+"""Tables that are reported of samples by default, if not empty."""
 
 
 def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
-    """A plan of variants drawn from the distributions that a scenario has in `samples`.
+    """Return a plan of variants drawn from the distributions under `samples`.
 
     Parameters
     ----------
     subject : VariedScenario
     options : SweepOptions
-        With `sample`, the number of variants, and what else a plan takes.
+        Options of the plan, among which `sample` is the number of variants.
 
     Raises
     ------
     ReadError
-        If the scenario has none, or one of a number that it has not.
+        If the scenario has no distributions, or a distribution of an unknown number.
     CaseError
-        If there can be no such plan.
+        If the options contradict each other.
     """
     variations = sampled_numbers(subject)
     if not variations:
-        message = "the scenario has no `samples`: distributions by the paths of numbers"
-        raise ReadError([of_file("E703", subject.scenario.file, message)])
+        raise ReadError(
+            [
+                of_file(
+                    "E703",
+                    subject.scenario.file,
+                    "the scenario has no `samples`: distributions by the paths of numbers",
+                )
+            ]
+        )
     method = cast("Method", options.method or "random")
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
-    out = options.out or Text(_of_samples(subject))
-    return with_expressions(subject, replace(options, out=out), drawn)
-
-
-def _of_samples(subject: VariedScenario) -> str:
-    """Torques of devices are told without their sign, so that they have a mean."""
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
-    told = (name for name, kind in kinds.items() if kind == "number" or subject.rows(kind))
-    return ",".join("abs(peaks)" if name == "peaks" else name for name in told)
+    names = [name for name, kind in kinds.items() if kind == "number" or subject.rows(kind)]
+    # peaks without sign, for a mean of sizes
+    columns = ["abs(peaks)" if name == "peaks" else name for name in names]
+    out = options.out or Text(",".join(columns))
+    return with_expressions(subject, replace(options, out=out), drawn)

@@ -1,4 +1,4 @@
-"""What drawn runs have in common: what was drawn, and what came of it."""
+"""Statistics of drawn runs: of the drawn numbers and of the results."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 @document("vstatics-samples")
 class SamplesAnswer(NamedTuple):
-    """What was drawn, and what came of it."""
+    """Statistics of the drawn numbers and of the results."""
 
     drawn: Mapping[str, Statistics]
     results: Mapping[str, Statistics]
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
-    """The statistics of columns, without those that are 0 or not there in all variants."""
+    """Return the statistics of columns, without columns that are 0 or missing in all variants."""
     return {
         name: statistics(numbers)
         for name, numbers in columns.items()
@@ -31,29 +31,28 @@ def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
     }
 
 
-def samples_answer(varied: Sequence[str], found: Mapping[str, Statistics]) -> SamplesAnswer:
-    """What was drawn apart from what came of it."""
-    drawn = {name: one for name, one in found.items() if name in varied}
-    return SamplesAnswer(drawn, {name: one for name, one in found.items() if name not in varied})
+def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> SamplesAnswer:
+    """Separate the statistics of drawn numbers from the statistics of results."""
+    drawn = {name: numbers for name, numbers in columns.items() if name in varied}
+    return SamplesAnswer(
+        drawn, {name: numbers for name, numbers in columns.items() if name not in varied}
+    )
 
 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
-    """A table of each."""
-    for title, part in zip(("Drawn", "Results"), samples, strict=True):
-        if part:
-            yield _grid(title, part, title.lower())
+    """Yield a table of the drawn numbers and a table of the results, with a row for each column.
 
-
-def _grid(title: str, found: Mapping[str, Statistics], key: str) -> Grid:
-    """A row for each column; how many runs have it is told where that differs."""
-    runs = {one.variants for one in found.values()}
-    together = len(runs) == 1
+    The number of runs is in the title, or in a column if it varies.
+    """
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
-    rows = []
-    for name, one in found.items():
-        numbers = (one.mean, one.deviation, *one.quantiles)
-        rows.append((name, *numbers, "" if together else one.variants))
-    if together:
-        number = runs.pop()
-        title += f", {number} {plural('run', number)}"
-    return grid_of(title, ["", *heads, "runs"], rows, key=key, optional=["runs"])
+    for title, columns in zip(("Drawn", "Results"), samples, strict=True):
+        runs = {column.variants for column in columns.values()}
+        is_same = len(runs) == 1
+        rows = [
+            (name, part.mean, part.deviation, *part.quantiles, "" if is_same else part.variants)
+            for name, part in columns.items()
+        ]
+        head = f"{title}, {max(runs)} {plural('run', max(runs))}" if is_same else title
+        if rows:
+            key = title.lower()
+            yield grid_of(head, ["", *heads, "runs"], rows, key=key, optional=["runs"])

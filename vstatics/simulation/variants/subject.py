@@ -1,4 +1,4 @@
-"""A scenario as a sweep takes it: each variant is a run."""
+"""Scenario as the subject of a sweep, in which each variant is a run."""
 
 from __future__ import annotations
 
@@ -37,36 +37,36 @@ from vstatics.sweep.variants.targets import Varied, refusal
 
 @dataclass(frozen=True)
 class VariedScenario(ScenarioNumbers, SweptDocument):
-    """A scenario and the case it is about.
+    """Scenario and case as the subject of a sweep.
 
     Parameters
     ----------
     scenario : Document
-        In YAML or JSON.
+        Scenario in YAML or JSON.
     case : Document
-        In any format; its numbers vary where that is no deck.
+        Case in any format; the numbers of a deck cannot vary.
     rtol : float
-        Accuracy of the runs, as of `simulate`. [-]
+        Tolerance of the runs, as of `simulate`. [-]
     limit : float, optional
-        So long a run may take by the clock on the wall; then its variant is `stopped`. [s]
+        Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
-        Told by the suffix, else by the content, when not given.
+        Format of the case; by default found from the suffix, else from the content.
     """
 
     default_columns = "heat,work"
 
     @property
     def file(self) -> str:
-        """The name of the scenario's file."""
+        """Name of the file of the scenario."""
         return self.scenario.file
 
     @property
     def case_file(self) -> str:
-        """The name of the file of the case."""
+        """Name of the file of the case."""
         return self.case.file
 
     def limited(self, seconds: float) -> VariedScenario:
-        """The same with runs that may take so long."""
+        """Return the subject with a limit of the wall-clock time of each run."""
         return replace(self, limit=seconds)
 
     def run(
@@ -75,51 +75,58 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         values: Sequence[float],
         columns: Sequence[tuple[str, str]] = (),
     ) -> Motion:
-        """What a variant does, with columns that are asked for; see `simulate`.
+        """Run a variant, with additional columns; see `simulate`.
 
         Raises
         ------
         ReadError
-            If it can't be read.
+            If the variant cannot be read.
         CaseError
-            If it can't begin.
+            If the run cannot start.
         """
         watch = None if self.limit is None else wall_limit(self.limit)
         scenario = self.variant(paths, values).scenario
         return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
 
     def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
-        """Refuse ratios that follow from teeth: runs have planets, which follow from teeth too."""
+        """Refuse ratios that follow from teeth, which determine the planets of a run too."""
         paths = number_paths(targets)
-        toothed = {one.keys[1] for one in paths if one.of_case and one.keys[2:3] == ("teeth",)}
+        toothed = {
+            path_of_case.keys[1]
+            for path_of_case in paths
+            if path_of_case.of_case and path_of_case.keys[2:3] == ("teeth",)
+        }
         for path, place in zip_longest(paths, places):
             if path.keys[-1] == "ratio" and self.follows_teeth(path):
                 name = f"{path.keys[1]}.ratio"
                 if path.keys[1] in toothed:
                     raise varied_beside_teeth(name, place)
-                message = f"{name} follows from teeth, and runs have their planets, too: expected"
-                raise refusal(f"{message} teeth such as {path.keys[1]}.teeth.sun", place)
+                raise refusal(
+                    f"{name} follows from teeth, and runs have their planets, too: "
+                    f"expected teeth such as {path.keys[1]}.teeth.sun",
+                    place,
+                )
 
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Make sure of scipy, and that new numbers may stand in the documents."""
+        """Check that scipy is installed, and that the documents allow the new numbers."""
         require("simulation", "a sweep of a scenario")
         self.check_new(number_paths(targets), values)
 
     def names(self, source: Excerpt, targets: Sequence[Varied]) -> MotionNames:
-        """Who knows the names in an expression."""
+        """Return the resolver of the names in an expression."""
         return MotionNames(source, self, targets)
 
     def unit_of(self, table: str) -> str:
-        """The unit of a table; rows of links that move straight have units of their own."""
+        """Return the unit of a table; empty in a case with links that move straight."""
         return "" if self.base_case.masses else TABLES[table].unit
 
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """The columns of a run that expressions ask for, and no run has of itself."""
+        """Return the additional columns of a run that expressions need."""
         asked = {
-            one
+            row
             for part in selections
             if part.table in ASKED and along_time(part.table)
-            for one in asked_rows(part, self.rows(ASKED[part.table].kind))
+            for row in asked_rows(part, self.rows(ASKED[part.table].kind))
         }
         return sorted(asked)
 
@@ -142,7 +149,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return RunOutcome(status, tables, unknown, motion.messages if motion else ())
 
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
-        """Why a variant has no numbers, if it has none."""
+        """Return the problems of a variant without results; empty for a complete run."""
         try:
             motion = self.run(number_paths(targets), values)
         except (ReadError, CaseError) as error:
@@ -150,7 +157,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return [motion.stopped] if motion.stopped else []
 
     def seconds(self, tried: float) -> float:
-        """What a run takes that is not done soon; 0 of others [s]."""
+        """Return the time of a run that outlasts a trial [s]; 0 for a shorter run."""
         pace = Pace(self.own.scenario.duration, tried)
         with suppress(CaseError):  # other variants may begin
             simulate(self.own.scenario, rtol=self.rtol, watch=pace)
@@ -167,12 +174,12 @@ def load_varied(
     ----------
     file : path-like
     case : path-like, optional
-        A case in place of that which the scenario names.
+        Case to use instead of the case that the scenario names.
 
     Returns
     -------
     VariedScenario
-        With its documents, in which numbers are replaced.
+        Scenario and case as documents, in which numbers can be replaced.
 
     Raises
     ------
@@ -196,5 +203,5 @@ def load_varied(
     scenario = Document(read_file(file), os.fspath(file))
     instead = None if case is None else os.fspath(case)
     varied = VariedScenario(scenario, Document(*case_bytes(read_scenario(*scenario), instead)))
-    varied.own  # noqa: B018 (faults are told now)
+    varied.own  # noqa: B018 (faults are reported now)
     return varied
