@@ -1,4 +1,4 @@
-"""What pages of HTML provide to the program."""
+"""The record of the annex of HTML pages: its commands, public names and methods."""
 
 from vstatics.core.annexes import Annex, Command
 

@@ -1,6 +1,6 @@
-"""Pictures of a result: which there are, and how one becomes SVG, PNG or PDF.
+"""Pictures of a result: the kinds of pictures, and drawing to SVG, PNG or PDF.
 
-A result, a kind of picture and a style go in; the bytes of a file come out.
+The functions take a result, a kind of picture and a style, and return the bytes of a file.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> from vstatics.pictures.drawing.style import Style
@@ -10,14 +10,15 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`drawing` is what all share. `flow`, `lever`, `schemes` and `plan` have kinds of pictures, `paged`
-has pictures within pages of HTML, and `cli` the command `vstatics plot`; other annexes have the
-pictures of their results. Records of annexes declare the kinds. A kind is a function
-``draw(results, style, gears)`` in a module that is imported when its picture is drawn: matplotlib
-is an extra. `pair` puts two cases on one sheet.
-It gives pages, each no larger than the style says. Kinds that show a run take its motion, too.
-Where gears have something in common it is ``each(results, style, shown)``, which makes this once
-for the pages of several lists of gears.
+`drawing` has the common parts of all pictures. `flow`, `lever`, `schemes` and `plan` have kinds of
+pictures, `paged` embeds pictures in HTML pages, `pair` puts two cases on one sheet, and `cli` has
+the command `vstatics plot`; other annexes have the pictures of their results.
+
+The records of annexes declare the kinds. A kind is a function ``draw(results, style, gears)`` in a
+module that is imported only for drawing, because matplotlib is an extra. The function returns
+pages no larger than the style allows; kinds that show a run take the motion, too. Where gears share
+work, the function is ``each(results, style, shown)``, which returns the pages of several lists of
+gears.
 """
 
 from __future__ import annotations
@@ -41,8 +42,8 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case, in order; those of other documents are left out."""
-    return {kind: own for kind, own in picture_kinds().items() if not own.plots}
+    """Return the kinds of pictures of a case in order, without kinds of other documents."""
+    return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
 def module_of(kind: str) -> ModuleType:
@@ -51,26 +52,26 @@ def module_of(kind: str) -> ModuleType:
 
 
 def kinds_of_runs() -> list[str]:
-    """Return the kinds that can show a run; the kind that shows nothing else is first."""
-    found = [kind for kind, own in drawn_kinds().items() if "motion" in own.options]
-    return sorted(found, key=lambda kind: picture_kinds()[kind].shows != "run")
+    """Return the kinds that can show a run, first the kind that requires a run."""
+    kinds = [kind for kind, record in drawn_kinds().items() if "motion" in record.options]
+    return sorted(kinds, key=lambda kind: picture_kinds()[kind].shows != "run")
 
 
 def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str]]:
-    """Options that a kind of picture has not, and why.
+    """Yield the given options that a kind of picture does not have, with the reason.
 
     >>> [*misplaced("plan", {"merge": True, "wheels": False})]
     [('merge', 'only levers can be merged')]
     """
-    own, few = picture_kinds()[kind], picture_options()
+    record, few = picture_kinds()[kind], picture_options()
     for name, value in given.items():
         if value in (None, False, "", ()):
             continue
-        if name in own.refused:
-            yield name, own.refused[name]
-        elif name in few and name not in own.options:
-            having = [kind for kind, other in picture_kinds().items() if name in other.options]
-            kinds = kinds_of_runs() if name == "motion" else having
+        if name in record.refused:
+            yield name, record.refused[name]
+        elif name in few and name not in record.options:
+            owners = [kind for kind, other in picture_kinds().items() if name in other.options]
+            kinds = kinds_of_runs() if name == "motion" else owners
             yield name, few[name].format(kinds=spoken(kinds))
 
 
@@ -82,24 +83,24 @@ def picture(
     *,
     motion: PicturedRun | None = None,
 ) -> Figure:
-    """A picture of the results of one case on one page, as a figure of matplotlib.
+    """Draw a picture of the results of one case on one page, as a matplotlib figure.
 
     Parameters
     ----------
     kind : str
-        One of `drawn_kinds`.
+        Key of `drawn_kinds`.
     gears : sequence of int, optional
-        Numbers of the only gears that are to be shown, from 1.
+        Numbers of the gears to show, from 1; empty for all.
     motion : Motion, optional
-        A run of the case, for the kinds that can show it.
+        Run of the case, for kinds that can show a run.
 
     Raises
     ------
     CaseError
-        If matplotlib is not installed, or the case has nothing that could be drawn.
+        If matplotlib is not installed, or the case has nothing to draw.
     """
-    [[one]] = drawn_pages(results, kind, style._replace(height=math.inf), [gears], motion)
-    return one
+    [[figure]] = drawn_pages(results, kind, style._replace(height=math.inf), [gears], motion)
+    return figure
 
 
 def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
@@ -110,7 +111,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Figure]]:
-    """The pages of each list of gears; a run has room for others in its scales."""
+    """Draw the pages of each list of gears; scales of a run leave room for other runs."""
     from vstatics.pictures.drawing.files import settings_of
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
@@ -133,7 +134,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     *,
     motion: PicturedRun | None = None,
 ) -> bytes:
-    """A picture of a result on one page as a file; parameters and errors as of `picture`."""
+    """Draw a picture on one page as a file; parameters and errors as in `picture`."""
     from vstatics.pictures.drawing.files import written
 
     figure = picture(results, kind, style, gears, motion=motion)
@@ -150,9 +151,9 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[bytes]:
-    """A picture of a result as files: a page each, all in one PDF; as `picture` else.
+    """Draw a picture as files of a page each, or one PDF; parameters as in `picture`.
 
-    That of a run has scales with room for other runs.
+    The scales of a run leave room for other runs.
     """
     from vstatics.pictures.drawing.files import files_of
 
@@ -163,7 +164,7 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
 def of_each_gear(
     results: Results, kind: str, style: Style, gears: Sequence[int]
 ) -> list[list[bytes]]:
-    """The pages of each gear as SVG, in their order; parameters and errors as of `picture`."""
+    """Draw the pages of each gear as SVG; parameters and errors as in `picture`."""
     from vstatics.pictures.drawing.files import files_of
 
     shown = [(number,) for number in gears]
@@ -177,15 +178,15 @@ def of_each_gear(
 def _run(
     kind: str, motion: PicturedRun | None, others: Sequence[tuple[Results, PicturedRun]]
 ) -> tuple[Any, ...]:
-    """The run, for a picture that can show one, and others for one that has scales."""
-    own = picture_kinds()[kind]
-    if "motion" not in own.options:
+    """Return the run for a kind that can show a run, and other runs for a kind with scales."""
+    record = picture_kinds()[kind]
+    if "motion" not in record.options:
         return ()
-    return (motion, others) if own.shows == "run" else (motion,)
+    return (motion, others) if record.shows == "run" else (motion,)
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
-    """What a picture shows, for those who do not see it."""
+    """Return the text that describes a picture to readers who cannot see the picture."""
     from vstatics.pictures.drawing.words import gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)

@@ -1,4 +1,4 @@
-"""What pictures provide to the program."""
+"""The record of the annex of pictures: the command, public names and kinds of pictures."""
 
 from vstatics.core.annexes import Annex, Command, PictureKind
 

@@ -1,4 +1,4 @@
-"""Two cases on one sheet: their pictures of a kind over one another, or beside each other."""
+"""Two cases on one sheet, with their pictures of a kind below each other or side by side."""
 
 from __future__ import annotations
 
@@ -22,28 +22,28 @@ if TYPE_CHECKING:
 
 LETTERS = "AB"
 BESIDE = ("efficiency",)
-"""Kinds that stand beside each other where both are as high in half the width."""
+"""Kinds drawn side by side if both pictures are as high in half the width."""
 AS_HIGH = 1.1
-"""By so much higher they may be then."""
+"""Largest ratio of the heights in half and in full width for pictures side by side."""
 
 
 class PairedCase(NamedTuple):
-    """One of two cases."""
+    """A case drawn together with a second case."""
 
     name: str
-    """Of its file."""
+    """Name of the file."""
     results: Results
     gears: Sequence[int] = ()
     motion: PicturedRun | None = None
 
 
 def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style) -> list[bytes]:
-    """A picture of two cases as files of a page each.
+    """Draw a picture of two cases as files of a page each.
 
     Raises
     ------
     ReadError
-        If matplotlib is not installed, or one has nothing that could be drawn.
+        If matplotlib is not installed, or a case has nothing to draw.
 
     Examples
     --------
@@ -56,18 +56,18 @@ def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style
     2
     """
     require("plot", "a picture")
-    said = f"{style.text(picture_kinds()[kind].title)}: {', '.join(one.name for one in both)}"
+    title = f"{style.text(picture_kinds()[kind].title)}: {', '.join(case.name for case in both)}"
     with settings_of(style):
         figures = list(_sheets(both, kind, style))
-    return files_of(figures, form, style, said)
+    return files_of(figures, form, style, title)
 
 
 def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Figure]:
     from vstatics.pictures.drawing.join import LetteredFigure, joined
 
     def lettered(width: float, height: float) -> list[list[LetteredFigure]]:
-        own = style._replace(width=width, height=height)
-        drawn = [_drawn(both, place, kind, own) for place in range(len(both))]
+        figures_of_case = style._replace(width=width, height=height)
+        drawn = [_drawn(both, place, kind, figures_of_case) for place in range(len(both))]
         return [
             [LetteredFigure(letter, case.name, figure) for figure in figures]
             for letter, case, figures in zip(LETTERS, both, drawn, strict=True)
@@ -75,33 +75,44 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Fig
 
     if kind in BESIDE:
         halves = lettered(style.width / 2, math.inf)
-        whole = [one for own in lettered(style.width, math.inf) for one in own]
-        high = AS_HIGH * max(one.size[1] for one in whole)
-        if all(len(own) == 1 and own[0].size[1] <= high for own in halves):
-            yield joined([one for own in halves for one in own], style, beside=True)
+        whole = [
+            figure
+            for figures_of_case in lettered(style.width, math.inf)
+            for figure in figures_of_case
+        ]
+        high = AS_HIGH * max(figure.size[1] for figure in whole)
+        if all(
+            len(figures_of_case) == 1 and figures_of_case[0].size[1] <= high
+            for figures_of_case in halves
+        ):
+            yield joined(
+                [figure for figures_of_case in halves for figure in figures_of_case],
+                style,
+                beside=True,
+            )
             return
     for pages in zip_longest(*lettered(style.width, _half(style.height))):
-        there = [page for page in pages if page]
-        if sum(page.size[1] for page in there) <= style.height:
-            yield joined(there, style)
+        present = [page for page in pages if page]
+        if sum(page.size[1] for page in present) <= style.height:
+            yield joined(present, style)
         else:
-            yield from (joined([page], style) for page in there)
+            yield from (joined([page], style) for page in present)
 
 
 def _half(height: float) -> float:
-    """Room for a picture where two stand on a page, each with a line over it [pt]."""
+    """Return the room for a picture on a page of two, without the title line above [pt]."""
     from vstatics.pictures.drawing.join import LETTER_HEIGHT
 
     return height / 2 - LETTER_HEIGHT
 
 
 def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Figure]:
-    """The pages of one of the cases.
+    """Draw the pages of a case, with scales that leave room for the second case.
 
     Raises
     ------
     ReadError
-        If it has nothing that could be drawn.
+        If the case has nothing to draw.
     """
     own, rest = both[place], [one for at, one in enumerate(both) if at != place]
     try:

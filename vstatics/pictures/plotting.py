@@ -1,4 +1,4 @@
-"""A picture for those who work in Python: shown in a notebook, or saved."""
+"""Pictures for Python: shown in a notebook, or saved to a file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """A picture of the results of one case; a notebook shows it as SVG."""
+    """A picture of the results of one case, which a notebook shows as SVG."""
 
     def __init__(
         self,
@@ -43,12 +43,12 @@ class Picture:
         gears: Sequence[int],
         motion: Motion | None = None,
     ) -> None:
-        """Keep what is to be drawn; it is drawn when it is shown or saved."""
+        """Store the subject; drawing begins when the picture is shown or saved."""
         self._drawn = results, kind, style, gears
         self._motion = motion
 
     def __repr__(self) -> str:
-        """What it shows."""
+        """Return the kind of picture and the results."""
         results, kind, _, _ = self._drawn
         return f"<Picture {kind} of {results!r}>"
 
@@ -58,20 +58,25 @@ class Picture:
 
     @property
     def figure(self) -> Figure:
-        """The figure of matplotlib, to be changed."""
+        """The picture as a matplotlib figure, which can be changed."""
         return picture(*self._drawn, motion=self._motion)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write it to a file: SVG, PNG or PDF by the suffix.
+        """Write the picture to a file: SVG, PNG or PDF by the suffix.
 
-        Further pages are files beside it, ``box-2.svg``, or in the same PDF.
+        Further pages are files next to the first, such as ``box-2.svg``, or pages of the same PDF.
+
+        Parameters
+        ----------
+        path : path-like
+            File to write.
 
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is not known.
         ReadError
-            If a further page would overwrite a file that is none.
+            If a further page would overwrite a file that is not a picture of this name.
         """
         form = format_of_picture(path)
         results, kind, style, gears = self._drawn
@@ -81,12 +86,12 @@ class Picture:
 
 
 def format_of_picture(path: str | os.PathLike[str]) -> Format:
-    """By its suffix.
+    """Return the format of a picture by the suffix of the file.
 
     Raises
     ------
     ValueError
-        For another suffix.
+        If the suffix is not known.
 
     Examples
     --------
@@ -116,49 +121,51 @@ def plot(  # noqa: PLR0913 - all but the first by name
     dark: bool = False,
     lang: Language = "en",
 ) -> Picture:
-    """A picture of the results of one case.
+    """Draw a picture of the results of one case.
 
     Parameters
     ----------
     results : Results
-        Of one case.
+        Results of one case.
     kind : str
-        What is drawn, as of ``vstatics plot --kind``: plan, lever, flow, structure, stick,
+        Kind of picture, as in ``vstatics plot --kind``: plan, lever, flow, structure, stick,
         efficiency, modes, campbell, response, dump, shift, traction, sawtooth, steps.
     gear : int or str, optional
-        Number from 1, or name, of the only gear that is shown.
+        Number from 1, or name, of the gear to show; by default all gears.
     motion : Motion, optional
-        A run of the case, for the kinds `shift` and `plan`.
+        Run of the case, for the kinds `shift` and `plan`.
     wheels : bool, optional
-        Stick diagrams with names and teeth of wheels.
+        Whether stick diagrams show names and tooth numbers of gears.
     merge : bool, optional
-        Two sets with two common links are one lever.
+        Whether two gear sets with two common links become one lever.
     orders : sequence of float, optional
-        Of the speed, for the kinds `campbell` and `response`; else those of the engine.
+        Orders of the speed, for the kinds `campbell` and `response`; by default those of the
+        engine.
     speed : tuple of float, optional
-        Range of speeds that `campbell` and `response` show; chosen by the case when not given.
-        [rpm]
+        Range of speeds for the kinds `campbell` and `response`; by default the range of the
+        case. [rpm]
     at : int or str, optional
-        Number or name of the link of a `response`; else the input.
+        Number or name of the link of a `response`; by default the input.
     width : float, optional
-        Of a page, 80 to 1200; letters keep their size. [mm]
+        Width of a page, 80 to 1200; the font size does not change. [mm]
     dark : bool, optional
-        Light on dark.
+        Whether to draw light lines on a dark ground.
     lang : {"en", "ru"}, optional
-        Of axes and titles.
+        Language of axes and titles.
 
     Returns
     -------
     Picture
-        Shown as SVG by a notebook; ``save`` writes it to a file, ``figure`` is for matplotlib.
+        A notebook shows the picture as SVG; ``save`` writes a file, ``figure`` is a matplotlib
+        figure.
 
     Raises
     ------
     CaseError
-        If matplotlib is not installed, or the case has nothing that could be drawn.
+        If matplotlib is not installed, or the case has nothing to draw.
     ValueError
-        If there is no such kind, gear, link or language, an option is not for the kind, an order
-        is not above 0, speeds are no range, or no page is so wide.
+        If the kind, gear, link or language does not exist, the kind does not have an option, an
+        order is not positive, the speeds are not a range, or the width is outside the limits.
 
     Examples
     --------

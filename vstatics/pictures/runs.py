@@ -1,4 +1,4 @@
-"""A run as pictures show it, and the words for its events."""
+"""Protocols of a run and of events for pictures, and labels of events."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from vstatics.pictures.drawing.style import Style
 
 
 class PicturedEvent(Protocol):
-    """An event of a run."""
+    """Event of a run."""
 
     @property
     def time(self) -> float:
-        """In s."""
+        """Time of the event in s."""
 
     @property
     def element(self) -> str:
-        """The name of whatever it happens to."""
+        """Name of the part that the event concerns."""
 
     @property
     def event(self) -> str:
-        """A key of `IMPORTANCE`."""
+        """Key of `IMPORTANCE`."""
 
     @property
     def word(self) -> str:
-        """The usual word for it, if it has one."""
+        """Usual word for the event, such as a synchronisation; can be empty."""
 
     @property
     def step(self) -> int | None:
-        """The number of a step of a sequence."""
+        """Number of the step of a sequence."""
 
 
 class PicturedRun(Protocol):
-    """A run over time."""
+    """Run over time."""
 
     @property
     def time(self) -> Floats:
@@ -48,11 +48,11 @@ class PicturedRun(Protocol):
 
     @property
     def speeds(self) -> Floats:
-        """Of links at each instant, in rad/s."""
+        """Speeds of links at each instant, in rad/s."""
 
     @property
     def events(self) -> Sequence[PicturedEvent]:
-        """In the order of their times."""
+        """Events in the order of time."""
 
     @property
     def case(self) -> Transmission | None:
@@ -61,13 +61,13 @@ class PicturedRun(Protocol):
 
 AnEvent = TypeVar("AnEvent", bound=PicturedEvent)
 NAME_LETTERS = 40
-"""Letters of a name."""
+"""Largest number of letters of a name in a label."""
 IMPORTANCE = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
-"""Event -> its place among the events of an instant that get a label."""
+"""Events -> rank; of simultaneous events, lower ranks get a label first."""
 
 
 def short(name: str) -> str:
-    """A name that fits into a margin, whoever wrote it.
+    """Return a printable name, cut to fit a margin.
 
     >>> short("C1"), short("a" * 50)
     ('C1', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa…')
@@ -77,7 +77,7 @@ def short(name: str) -> str:
 
 
 def event_word(event: PicturedEvent, style: Style) -> str:
-    """What happens, where it stands beside the name.
+    """Return the word for an event, with the number of a step of a sequence.
 
     >>> from types import SimpleNamespace
     >>> event_word(SimpleNamespace(event="step", word="step", step=2), Style())
@@ -89,7 +89,7 @@ def event_word(event: PicturedEvent, style: Style) -> str:
 
 
 def event_text(event: PicturedEvent, style: Style) -> str:
-    """What happens to what.
+    """Return the label of an event: the name of the part and the word.
 
     >>> from types import SimpleNamespace
     >>> event_text(SimpleNamespace(element="C1", event="locks", word="", step=None), Style())
@@ -99,7 +99,7 @@ def event_text(event: PicturedEvent, style: Style) -> str:
 
 
 def named_events(events: Sequence[AnEvent], most: int) -> list[AnEvent]:
-    """The events that get a label: all, or of many impacts and ends of slip before others."""
+    """Return the events that get a label; of many events, the most important."""
     if len(events) <= most:
         return list(events)
     first = sorted(range(len(events)), key=lambda place: (IMPORTANCE[events[place].event], place))

@@ -1,4 +1,4 @@
-"""`vstatics report`: a case and its results as one page of HTML."""
+"""`vstatics report`: write a case and its results as one HTML page."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ if TYPE_CHECKING:
 
 
 class PageOptions(NamedTuple):
-    """A page as it is asked for."""
+    """Options of the command: sections, digits, language, cases and duty cycle."""
 
     asked: AskedPage
     digits: int | None
     lang: Language
     settings: CaseOptions
     duty: CycleOptions | None = None
-    """None if its annex is not installed."""
+    """Options of the duty cycle; None if the annex `vehicle` is not installed."""
 
     @property
     def duty_files(self) -> list[str]:
-        """The file of the duty cycle, if it is given."""
+        """Files of the duty cycle, if it is given."""
         return self.duty.files if self.duty else []
 
 
@@ -134,7 +134,7 @@ def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOp
         ),
     )
     parts = asked.sections or asked.gears or asked.prints_all or page.duty_files
-    own = "--sections, --gears, --all, --duty"
+    options = "--sections, --gears, --all, --duty"
     if watch:
         refuse(
             (len(cases) > 1, "--watch: expected one case"),
@@ -148,18 +148,18 @@ def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOp
         return serve_page(cases[0], page.digits, page.lang, settings)
     assert output is not None  # noqa: S101 - it is required
     to = formats.each_by_itself(output, cases, ["html"], "a page", most=2)
-    if len(cases) == 1 and (found := _listing_in(cases[0])):
+    if len(cases) == 1 and (listing := _listing_in(cases[0])):
         if to.is_folder:
             raise click.UsageError(f"found boxes give one page: expected -o FILE, not {output}")
-        refuse((parts, f"{own}: found boxes have a page of their own"))
+        refuse((parts, f"{options}: found boxes have a page of their own"))
         with speaking(page.lang):
             status: int = higher("report_boxes")(
-                *found, cases[0], output, page.digits, page.asked.stamp
+                *listing, cases[0], output, page.digits, page.asked.stamp
             )
             return status
     takes = settings.on_page._replace(scenarios=True, of_runs=True)
     if len(cases) == 2 and not to.is_folder:
-        refuse((parts, f"{own}: two cases have a page of their own"))
+        refuse((parts, f"{options}: two cases have a page of their own"))
         with speaking(page.lang):
             return _report_two(cases, output, page._replace(settings=takes))
     to = to._replace(style=TextStyle(page.lang))
@@ -169,15 +169,14 @@ def report(cases: tuple[str, ...], output: str | None, watch: bool, page: PageOp
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the found boxes that a file lists, and its document; nothing of another file."""
+    """Return the listed gearboxes and the document of a file; None without a list."""
     if not module_of_method("listing_in"):
         return None
-    found: tuple[object, object] | None = higher("listing_in")(file)
-    return found
+    listing: tuple[object, object] | None = higher("listing_in")(file)
+    return listing
 
 
 def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
-    """Write the page of two cases; the exit status."""
     both, failed = [], False
     for label, outcome in zip("AB", arguments.calculate(cases, page.settings), strict=True):
         failed |= outcome.failed
@@ -185,9 +184,9 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
             from vstatics.page.report.pair.paged import paged
 
             file = os.path.basename(outcome.file)  # noqa: PTH119
-            told = naming_of(outcome), run_of(outcome)
-            own = label, outcome.results, file, outcome.problems, page.digits
-            both.append(paged(*own, *told))
+            scenario = naming_of(outcome), run_of(outcome)
+            options = label, outcome.results, file, outcome.problems, page.digits
+            both.append(paged(*options, *scenario))
     if len(both) == len(cases):
         from vstatics.page.report.pair.page import pair_page
 
@@ -199,29 +198,29 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
 def _shown(
     outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
-    """The page of a case."""
+    """Return the page of a case as the output of the command."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
-    own = asked._replace(gears=[results.case.gears[index].name for index in chosen])
+    chosen_page = asked._replace(gears=[results.case.gears[index].name for index in chosen])
 
     from vstatics.core.summary.sections import doubts
 
-    driven = None if cycle is None else cycle.of(results)
-    found = doubts(driven, outcome.file)
+    duty = None if cycle is None else cycle.of(results)
+    warnings = doubts(duty, outcome.file)
 
     def html(_: str | None) -> str:
-        from vstatics.page.report.html_page import page as whole
+        from vstatics.page.report.html_page import page as html_page
         from vstatics.page.report.material import gather
 
         run, naming = run_of(outcome), naming_of(outcome)
-        told = [*outcome.problems, *found]
-        material = gather(results, told, page.digits, run, naming, asked=own)
-        material = material._replace(summary=material.summary._replace(cycle=driven))
+        messages = [*outcome.problems, *warnings]
+        material = gather(results, messages, page.digits, run, naming, asked=chosen_page)
+        material = material._replace(summary=material.summary._replace(cycle=duty))
         if material.without and not quiet:
             files.say(f"vstatics report: no pictures: {material.without}")
         for key, part in material.parts.items():
             if part.without and not quiet:
                 files.say(f"vstatics report: no {key}: {part.without}")
-        return whole(material)
+        return html_page(material)
 
-    return texts.CaseOutput([], {"html": html}, problems=found)
+    return texts.CaseOutput([], {"html": html}, problems=warnings)

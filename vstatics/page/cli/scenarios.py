@@ -1,4 +1,4 @@
-"""The scenario that names a case, on its page."""
+"""Run and name of a scenario that is given instead of its case."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def run_of(outcome: CalculatedCase) -> PicturedRun | None:
-    """Return the run of a scenario, with enough instants for pictures; its problems are printed.
+    """Return the run of a scenario and print its problems; None for a case.
 
     Raises
     ------
     ReadError
-        If it can't begin, with the places of the reasons.
+        If the run cannot begin; the problems have the places of the reasons.
     """
     if outcome.scenario is None:
         return None
@@ -29,7 +29,7 @@ def run_of(outcome: CalculatedCase) -> PicturedRun | None:
 
 
 def naming_of(outcome: CalculatedCase) -> Naming:
-    """Return the name of the file, for a case without a name, and what happens in a scenario."""
+    """Return the file name and description by which a page names a case or a scenario."""
     from vstatics.page.report.material import Naming
 
     path, read = outcome.file, outcome.scenario

@@ -1,4 +1,4 @@
-"""`vstatics serve`: the page of a case on loopback, which follows its file and changes it."""
+"""`vstatics serve`: serve the page of a case on loopback and edit its file from there."""
 
 from __future__ import annotations
 
@@ -32,10 +32,11 @@ if TYPE_CHECKING:
     from vstatics.pictures.runs import PicturedRun
 
 TOKEN_BYTES = 24
-"""Of the secret part of the address, which has four characters for three of them."""
+"""Random bytes in the token of the address; the token has four characters per three bytes."""
 MOST_PORT = 65535
 GARBAGE = 50_000
-"""New objects before Python looks for such as refer to each other alone: a state is as many."""
+"""New objects before Python collects cyclic garbage: about as many as a state of the page has.
+"""
 
 
 @click.command()
@@ -96,13 +97,13 @@ def serve_page(
     Raises
     ------
     ReadError
-        If there is no such file, or the port is taken.
+        If the file does not exist or the port is already in use.
     UsageError
-        If it is standard input.
+        If the case is read from standard input.
     """
     if case == files.STDIN:
         raise click.UsageError("standard input is not saved again: expected a file")
-    files.read_input(case, regular=True)  # one in error has a page, one that is not there has none
+    files.read_input(case, regular=True)  # a missing file is an error, an invalid one is shown
     from vstatics.page.serve.server import PageServer
     from vstatics.page.serve.states import ShownStates
     from vstatics.page.serve.studio import Studio, StudioProcess
@@ -125,15 +126,15 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
     stop = asyncio.Event()
     loop = asyncio.get_running_loop()
     for signal in ENDING:
-        with contextlib.suppress(NotImplementedError):  # not every system has them
+        with contextlib.suppress(NotImplementedError):  # Windows has no signal handlers in a loop
             loop.add_signal_handler(signal, stop.set)
 
     def ready(address: str) -> None:
-        gc.freeze()  # what stays; looking through it again and again made some saves wait
+        gc.freeze()  # the imported modules stay; collecting them delayed some saves
         gc.set_threshold(GARBAGE)
         files.write_output(f"{address}\n", None)
         if opens:
-            import webbrowser  # it looks for browsers
+            import webbrowser  # slow: it searches for browsers
 
             loop.run_in_executor(None, webbrowser.open, address)
 
@@ -141,44 +142,44 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
 
 
 def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
-    """A case or a scenario as its files are, but with other texts in place of some."""
+    """Calculate a case or a scenario, with edited texts instead of some files."""
     from vstatics.core.readers.named.csv_files import noted_files
     from vstatics.page.serve.states import Calculated
 
-    known, named = _read(file, texts)
-    with noted_files() as noted:
+    texts_read, file_names = _read(file, texts)
+    with noted_files() as tables:
         outcome = calculate_one(
             file,
             settings.on_page._replace(scenarios=True, of_runs=True),
-            known,
+            texts_read,
             regular=True,
         )
-    if outcome.results is not None and len(known) < len(named):
-        return calculated(file, settings, texts)  # a file is back that was missing at first
+    if outcome.results is not None and len(texts_read) < len(file_names):
+        return calculated(file, settings, texts)  # a file that was missing has reappeared
     return Calculated(
         outcome.results,
         outcome.problems,
         naming_of(outcome),
-        known,
-        [*named, *sorted(noted)],
+        texts_read,
+        [*file_names, *sorted(tables)],
         _run_once(outcome),
         outcome.is_run,
     )
 
 
 def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
-    """The documents as far as they can be read, a scenario first, and the names of all."""
-    known, named = {}, [file]
-    with contextlib.suppress(ReadError):  # whoever calculates says why
-        known[file] = texts.get(file) or files.read_input(file, regular=True)[0]
-        if documents.is_a("scenario", known[file], file) and module_of_method("read_scenario"):
-            case = higher("read_scenario")(known[file], file).case_file
+    """Return the texts of readable documents, scenario first, and the names of all documents."""
+    texts_read, file_names = {}, [file]
+    with contextlib.suppress(ReadError):  # the calculation reports the reason
+        texts_read[file] = texts.get(file) or files.read_input(file, regular=True)[0]
+        if documents.is_a("scenario", texts_read[file], file) and module_of_method("read_scenario"):
+            case = higher("read_scenario")(texts_read[file], file).case_file
             if case:
-                named.append(case)
-                known[case] = texts.get(case) or files.read_input(case, regular=True)[0]
-    return known, named
+                file_names.append(case)
+                texts_read[case] = texts.get(case) or files.read_input(case, regular=True)[0]
+    return texts_read, file_names
 
 
 def _run_once(outcome: CalculatedCase) -> Callable[[], PicturedRun | None]:
-    """The run of a scenario, calculated when it is asked for, and then kept."""
+    """Return a function that calculates and caches the run of a scenario."""
     return cache(partial(run_of, outcome))

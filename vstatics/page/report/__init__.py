@@ -1,8 +1,8 @@
-"""A case and its results as one page of HTML that needs nothing from elsewhere.
+"""One HTML page of a case and its results, without any other file.
 
-Results go in. `material` gathers what the page shows, `html_page` writes it, `saving` writes it to
-a file. `tools` are the choices of units and links, and the buttons that save; `pair` compares two
-cases.
+`material` gathers the contents of the page from the results, `html_page` lays out the page, and
+`saving` writes it to a file. `tools` has the choice of units, the filter by a link and the buttons
+that save; `pair` compares two cases.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.page.report.html_page import page

@@ -1,4 +1,4 @@
-"""What of a case its page has: sections, gears, what is printed, a head that says whose it is."""
+"""Choice of the parts of a page: sections, gears, printed sections and a stamp."""
 
 from __future__ import annotations
 
@@ -26,27 +26,27 @@ _PLACES = {
     "conventions": ("Conventions", 160),
 } | {key: (part.name, part.place) for key, part in report_parts().items()}
 SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
-"""The sections of a page, of annexes too, by the words that choose them, in their order."""
+"""Sections of a page in order, including sections of annexes: key -> heading."""
 PRINTED = (
     *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
     *(key for key, part in report_parts().items() if part.is_printed),
 )
-"""Those that are printed where nobody asks for others."""
+"""Sections that are printed by default."""
 
 
 class AskedPage(NamedTuple):
-    """What of a case its page has.
+    """Choice of the parts of the page of a case.
 
     Parameters
     ----------
     sections : collection of str
-        Keys of `SECTIONS`; nothing is all. What is asked for is printed, too.
+        Keys of `SECTIONS`; empty for all. The chosen sections are printed, too.
     gears : sequence of str
-        Names of the only gears of which something is shown; nothing is all.
+        Names of the gears shown; empty for all.
     prints_all : bool
-        Whether everything is printed that the screen shows.
+        Whether to print everything that the screen shows.
     stamp : mapping of str to str
-        A head: who made it, for what, when.
+        Entries of the stamp at the head of the page, such as author, project and date.
     """
 
     sections: Collection[str] = ()
@@ -55,7 +55,7 @@ class AskedPage(NamedTuple):
     stamp: Mapping[str, str] = {}
 
     def has(self, section: str) -> bool:
-        """Whether there is a section.
+        """Check whether the page has a section.
 
         >>> AskedPage().has("input"), AskedPage(["flow"]).has("input")
         (True, False)
@@ -63,7 +63,7 @@ class AskedPage(NamedTuple):
         return section in (self.sections or SECTIONS)
 
     def prints(self, section: str) -> bool:
-        """Whether a section is printed.
+        """Check whether a section is printed.
 
         >>> AskedPage().prints("lever"), AskedPage(["lever"]).prints("lever")
         (False, True)
@@ -71,7 +71,7 @@ class AskedPage(NamedTuple):
         return self.prints_all or section in (self.sections or PRINTED)
 
     def in_full(self, section: str) -> bool:
-        """Whether all is printed that the screen shows in a section.
+        """Check whether print shows everything in a section that the screen shows.
 
         >>> AskedPage().in_full("flow"), AskedPage(["flow"]).in_full("flow")
         (False, True)
@@ -79,17 +79,17 @@ class AskedPage(NamedTuple):
         return self.prints_all or section in self.sections
 
     def shows(self, gear: str) -> bool:
-        """Whether something is shown of a gear."""
+        """Check whether the page shows a gear."""
         return gear in self.gears if self.gears else True
 
     def cut(self, grid: Grid) -> Grid:
-        """A table with rows and columns of the gears that are shown, where it has any."""
+        """Return a table without the rows and columns of gears that are not shown."""
         if not self.gears:
             return grid
         chosen = [
             place
-            for place, one in enumerate(grid.columns)
-            if one.over != "gear" or self.shows(one.heading)
+            for place, column in enumerate(grid.columns)
+            if column.over != "gear" or self.shows(column.heading)
         ]
         if grid.columns and grid.columns[0].heading == "gear":
             grid = grid._replace(rows=[row for row in grid.cells if self.shows(row[0].text)])
@@ -100,12 +100,12 @@ EVERYTHING = AskedPage()
 
 
 def section(name: str) -> str:
-    """A section by its word.
+    """Return the key of a section, or raise an error with the nearest key.
 
     Raises
     ------
     ValueError
-        If there is none.
+        If no section has this key.
 
     Examples
     --------

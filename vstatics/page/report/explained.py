@@ -1,4 +1,4 @@
-"""What `explain` tells of each gear, as parts of the page: its ratio first, then why."""
+"""Explanation of each gear on the page: its ratio first, then the equations behind it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,10 @@ from vstatics.page.report.material import Material
 
 
 def explained(material: Material) -> list[Sequence[Markup]]:
-    """Of each gear that is shown: its ratio as a formula, equations and signs.
+    """Return the explanation of each gear shown: ratio, equations and signs.
 
-    The matrix, which gears have in common, stands among the tables.
-
-    What is the same for all gears, that there is no formula, `no_formula` says once.
+    The matrix, which all gears share, is shown among the tables. `no_formula` gives the reason why
+    ratios have no formula once for all gears.
     """
     return [
         list(_explained(material, gear.name))
@@ -30,7 +29,6 @@ def explained(material: Material) -> list[Sequence[Markup]]:
 
 
 def _explained(material: Material, gear: str) -> Iterator[Markup]:
-    """A gear, or why no equations are written of it."""
     try:
         yield from _gear(explain_gear(material.results, gear), material.digits)
     except CaseError as error:
@@ -38,30 +36,30 @@ def _explained(material: Material, gear: str) -> Iterator[Markup]:
 
 
 def no_formula() -> str:
-    """Why no gear has a formula of its ratio, else nothing."""
+    """Return the reason why ratios have no formula, or an empty text."""
     return missing("formula", "the formula of the ratio")
 
 
-def _gear(one: Explanation, digits: int | None) -> Iterator[Markup]:
-    """The ratio first, then the rest in its order."""
+def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
+    """Yield the parts of an explanation, the ratio first."""
     if no_formula():
-        one = one._replace(reason="")
-    parts = sorted(sections(one, digits), key=lambda part: part.key != "ratio")
+        explanation = explanation._replace(reason="")
+    parts = sorted(sections(explanation, digits), key=lambda part: part.key != "ratio")
     for part in parts:
         if part.key == "matrix":
             continue
         shown = _lines(part.lines)
-        name, colon, rest = part.heading.partition(":")
-        note = [tag("span", f"{colon}{_typeset(rest)}", class_="note")] * bool(rest)
+        name, colon, comment = part.heading.partition(":")
+        note = [tag("span", f"{colon}{_typeset(comment)}", class_="note")] * bool(comment)
         yield tag("div", tag("h4", name, *note), scrolled(shown, name), class_="explained")
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
-"""What stands before an equation: a name, or blanks where it has that of the line above."""
+"""Start of a line before the equation: a name, or blanks below a named line."""
 
 
 def _lines(lines: Sequence[str]) -> Markup:
-    """Lines that go on below their equation, not below its name, where they are too long.
+    """Return equations as text whose long lines continue below the equation.
 
     >>> print(_lines(["in  M = 1", "2 M = 2"]))
     <pre style="--before: 4ch"><span>in  M = 1
@@ -69,7 +67,7 @@ def _lines(lines: Sequence[str]) -> Markup:
     </span></pre>
     """
     shown = _typeset(dedent("\n".join(lines))).split("\n")
-    before = [found.end() for found in map(_BEFORE.match, shown) if found]
+    before = [match.end() for match in map(_BEFORE.match, shown) if match]
     widest = max(before)
     spans = (
         tag("span", f"{line}\n", class_="whole" if end < widest or not end else False)
@@ -82,7 +80,7 @@ _MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) 
 
 
 def _typeset(text: str) -> str:
-    """Equations with the times and the eta of print; the page does so with numbers.
+    """Replace hyphens, crosses and eta of equations by typographic characters.
 
     >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-.5) = 1, u eta^x")
     '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-.5) = 1, u η^x'

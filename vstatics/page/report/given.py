@@ -1,7 +1,4 @@
-"""The input of a case as tables: what it is made of, and its gears.
-
-What a case gives for vibration as tables: inertias, springs, what is elastic of devices.
-"""
+"""The input of a case as tables: its parts, its gears, and its inertias and springs."""
 
 from __future__ import annotations
 
@@ -22,7 +19,7 @@ _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
     *("inertias", "masses", "springs"),
 )
-"""What has a place of its own on the page."""
+"""Keys of a case with separate tables or text on the page."""
 _LABELS = {"idle": "sign of idle mechanisms", "coast": "coasting"}
 
 
@@ -32,22 +29,24 @@ def given(
     digits: int | None = None,
     marked: Callable[[Iterable[Grid]], Iterator[Grid]] = iter,
 ) -> Iterator[Markup]:
-    """The input; `mapping` is the case as plain data: ``case`` of its result in JSON.
+    """Yield the input of a case: common values, then tables of parts.
 
     Parameters
     ----------
+    mapping : mapping
+        The case as plain data: ``case`` of its result in JSON.
     marked : callable, optional
-        What tables of this page have for its scripts.
+        Adds the marks for the scripts of the page to the tables.
     """
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
     labels = {key: _LABELS.get(key, key.replace("_", " ")) for key in common}
-    yield terms((tr(labels[key]), _said(one)) for key, one in common.items())
+    yield terms((tr(labels[key]), _said(value)) for key, value in common.items())
     yield from tables(marked(_grids(case, mapping, digits)))
 
 
 def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
-    """What the case is made of, and what its gears are given besides."""
+    """Yield tables of the parts of a case, and of further data of gears."""
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
         yield _elements(drawing, mapping["elements"])
@@ -56,9 +55,9 @@ def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -
     if case.shift_elements:
         yield _shift_elements(case).with_digits(digits)
     yield from torsion_grids(case)
-    besides = _gears(mapping["gears"])
-    if besides.rows:
-        yield besides
+    further = _gears(mapping["gears"])
+    if further.rows:
+        yield further
 
 
 def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Grid:
@@ -72,17 +71,20 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
 
 
 def _mechanisms(case: Transmission) -> Grid:
-    """Three-link mechanisms, with the links of planets where elements became these."""
+    """Return the table of mechanisms, with planet ratios where gear sets define them."""
     rows: list[Values] = [
         (
-            one.name,
-            *map(case.link_name, (one.first, one.second)),
-            case.link_name(one.third) if one.third else NOTHING,
-            *(_number_or_law(value) for value in (one.ratio, one.efficiency)),
-            *(_number_or_law(value) for value in (one.back_efficiency, one.planet_ratio)),
-            *_elastic(one),
+            mechanism.name,
+            *map(case.link_name, (mechanism.first, mechanism.second)),
+            case.link_name(mechanism.third) if mechanism.third else NOTHING,
+            *(_number_or_law(value) for value in (mechanism.ratio, mechanism.efficiency)),
+            *(
+                _number_or_law(value)
+                for value in (mechanism.back_efficiency, mechanism.planet_ratio)
+            ),
+            *_elastic(mechanism),
         )
-        for one in case.mechanisms
+        for mechanism in case.mechanisms
     ]
     headings = ("mechanism", "first", "second", "third", "ratio", "efficiency")
     more = ("efficiency backward", "planet ratio", *ELASTIC)
@@ -93,7 +95,7 @@ def _mechanisms(case: Transmission) -> Grid:
 
 
 def _number_or_law(value: float | None) -> Any:
-    """A number, with its unit if it was given with one, or a law in words."""
+    """Return a number, with the unit if given, or the description of a law."""
     if isinstance(value, OfLoad):
         return f"{value.given:g} N*m"
     if isinstance(value, Law):
@@ -106,23 +108,26 @@ def _number_or_law(value: float | None) -> Any:
 
 
 def _shift_elements(case: Transmission) -> Grid:
-    """Those of shift elements; how they slip, where any of them tells it."""
+    """Return the table of shift elements; drag and friction ratio only where given."""
     elements = case.shift_elements
-    drags, slips = any(one.drag for one in elements), any(one.static != 1 for one in elements)
+    drags, slips = (
+        any(element.drag for element in elements),
+        any(element.static != 1 for element in elements),
+    )
     rows = [
         (
-            one.name,
-            kind_of(one),
-            *map(case.link_name, (one.first, one.second)),
-            _number_or_law(one.drag) if drags else "",
-            one.capacity,
-            exact(one.static) if slips else "",
-            _said({key: value for key, value in one.friction._asdict().items() if value})
-            if one.friction
+            element.name,
+            kind_of(element),
+            *map(case.link_name, (element.first, element.second)),
+            _number_or_law(element.drag) if drags else "",
+            element.capacity,
+            exact(element.static) if slips else "",
+            _said({key: value for key, value in element.friction._asdict().items() if value})
+            if element.friction
             else "",
-            *_elastic(one),
+            *_elastic(element),
         )
-        for one in elements
+        for element in elements
     ]
     headings = ("shift element", "kind", "first", "second")
     more = (
@@ -134,16 +139,16 @@ def _shift_elements(case: Transmission) -> Grid:
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """What gears give besides the elements that they engage, which the table of gears has."""
+    """Return the table of the data of gears other than engaged elements."""
     rows = (
-        (name, _said({key: one for key, one in gear.items() if key != "engaged"}))
+        (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
     )
     return grid_of("What gears give besides", ["gear", "given"], (row for row in rows if row[1]))
 
 
 def _said(value: Any) -> str:
-    """Plain data in words.
+    """Describe plain data in words.
 
     >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
     'teeth: sun 48, ring 96; planets: 3'
@@ -151,31 +156,33 @@ def _said(value: Any) -> str:
     'rings: (link out, teeth 72); open drag: C_2 0.00666667'
     """
     if isinstance(value, Mapping):
-        pairs = ((_key(key), _inner(one, keyed=key in KEYED)) for key, one in value.items())
+        pairs = (
+            (_key(key), _inner(inner_value, keyed=key in KEYED))
+            for key, inner_value in value.items()
+        )
         return "; ".join(f"{key}: {inner}" for key, inner in pairs)
     return _inner(value)
 
 
 def _key(key: str) -> str:
-    """A key of a case as words."""
     return tr(str(key).replace("_", " "))
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""What has keys within; those of others are names."""
+"""Keys whose values have keys of the format within; other values are keyed by names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:
-    """Data within data; what is deeper still stands in brackets."""
+    """Describe data within data, with deeper levels in brackets."""
     if isinstance(value, bool):
         return tr("yes" if value else "no")
     if isinstance(value, Mapping):
         return ", ".join(
-            f"{_key(key) if keyed and spoken() != 'en' else key} {_single(one)}"
-            for key, one in value.items()
+            f"{_key(key) if keyed and spoken() != 'en' else key} {_single(item)}"
+            for key, item in value.items()
         )
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return ", ".join(_single(one, keyed=keyed) for one in value)
+        return ", ".join(_single(item, keyed=keyed) for item in value)
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
@@ -186,11 +193,11 @@ def _single(value: Any, *, keyed: bool = False) -> str:
 
 DAMPED = ("damping, N*m*s/rad", "loss factor")
 ELASTIC = ("stiffness, N*m/rad", *DAMPED)
-"""Columns of devices that are not rigid."""
+"""Columns of components that are not rigid."""
 
 
 def torsion_grids(case: Transmission) -> Iterator[Grid]:
-    """The inertias of links, and the springs, if there are any.
+    """Yield tables of the inertias and masses of links and of the springs, if any.
 
     Examples
     --------
@@ -204,36 +211,37 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
     ([['1', '0.15']], ['S2', '2 1 - 4 3', '1190.48', '0.00084'])
     """
     if case.inertias:
-        of_links = ((case.link_name(link), _number(one)) for link, one in case.inertias.items())
+        of_links = (
+            (case.link_name(link), _number(inertia)) for link, inertia in case.inertias.items()
+        )
         yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
     if case.masses:
-        of_links = ((case.link_name(link), _number(one)) for link, one in case.masses.items())
+        of_links = ((case.link_name(link), _number(mass)) for link, mass in case.masses.items())
         yield grid_of("Masses", ["link", "mass, kg"], of_links)
     if case.springs:
         rows: list[Values] = [
             (
-                one.name,
-                twist_text(case, one),
-                *_stiffness(one),
-                *_damped(one),
-                _limit(one),
-                _number(one.friction or None),
+                spring.name,
+                twist_text(case, spring),
+                *_stiffness(spring),
+                *_damped(spring),
+                _limit(spring),
+                _number(spring.friction or None),
             )
-            for one in case.springs
+            for spring in case.springs
         ]
         headings = ("spring", "twist", "stiffness, N*m/rad", "compliance, rad/(N*m)")
         more = (*DAMPED, "limit, N*m", "friction, N*m")
-        made = grid_of("Springs", (*headings, *more), rows, optional=more)
-        yield from in_both_units(case, [made])
+        grid = grid_of("Springs", (*headings, *more), rows, optional=more)
+        yield from in_both_units(case, [grid])
 
 
 def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
-    """Stiffness and damping of a device; nothing of one that is rigid."""
     return [_number(part.stiffness), *_damped(part)]
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
-    """Stiffness and compliance; of points how many there are."""
+    """Return stiffness and compliance, or the number of points of a characteristic."""
     if spring.strut:
         return [_number(spring.rate), word("strut")]
     if spring.points:
@@ -244,7 +252,7 @@ def _stiffness(spring: Spring) -> list[Cell]:
 
 
 def _limit(spring: Spring) -> Cell:
-    """The limit; of one that follows another spring its base, and how."""
+    """Return the torque limit, or the formula of a limit that depends on a second spring."""
     limit = spring.limit
     if isinstance(limit, SpringLimit):
         return Cell(
@@ -254,11 +262,10 @@ def _limit(spring: Spring) -> Cell:
 
 
 def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
-    """Viscous damping and loss factor."""
     given = damping(part.damping)
     return [_number(given.viscous or None), _number(given.loss_factor or None)]
 
 
 def _number(value: float | None) -> Cell:
-    """A number of any size."""
+    """Return a cell with six significant digits, for quantities of any magnitude."""
     return Cell(NOTHING if value is None else f"{value:.6g}", value, kind=float)

@@ -1,4 +1,4 @@
-"""The page: its head, its sections, its look, the data that it carries."""
+"""Layout of the HTML page: head, sections, style sheet and embedded data."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ from vstatics.pictures.paged.inline import palette, shared
 from vstatics.pictures.paged.parts import SCREEN, Part
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-"""A browser loads nothing from anywhere."""
+"""Content security policy that forbids a browser to load anything."""
 NOTHING = Markup()
 
 
 class PageFrame(NamedTuple):
-    """What stands around the sections of a page."""
+    """Parts of a page around the sections."""
 
     choice: Markup = NOTHING
-    """Stays in sight: what is chosen for several sections."""
+    """Links that choose a gear, in sight while the page scrolls."""
     panel: Markup = NOTHING
-    """Below the head of the page."""
+    """Panel below the head of the page."""
     scripts: Sequence[Markup] = ()
-    """After the page's own."""
+    """Additional scripts, after the script of every page."""
     end: Markup = NOTHING
-    """What stands at the end of the page, such as scripts with names."""
+    """End of the page, such as scripts that contain names."""
     style: Markup = NOTHING
     policy: str = POLICY
-    """Nothing where whoever sends the page says it."""
+    """Content security policy; empty if the server sends a header with the policy."""
     state: Mapping[str, object] = {}
     """Attributes of the body."""
     revision: int | None = None
-    """The first one that is shown, for the attribute of the page."""
+    """Number of the first state shown, for an attribute of the page."""
     named: object = None
-    """Plain data with names, which stay as they are; else the case of the document."""
+    """Plain data whose names are not translated; None for the case of the document."""
 
 
 BARE = PageFrame()
@@ -53,17 +53,18 @@ def _resource(name: str) -> Markup:
 
 
 SCRIPT = _resource("script.js")
-"""Of every page: its gears and tables."""
+"""Script of every page, for gears and tables."""
 
 
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\u\w{4})*)"|`([^`\\\n]*)`')
-"""A text in a script."""
+"""String literal in a script."""
 
 
 def in_language(script: Markup) -> Markup:
-    """A script with what it says in the language that is spoken.
+    """Translate the user-visible texts of a script to the spoken language.
 
-    That begins with a capital letter or has a blank, as nothing does that it compares.
+    A text is user-visible if it begins with a capital letter or contains a blank, which no key of
+    the scripts does.
 
     >>> from vstatics.core.texts import speaking
     >>> with speaking("ru"):
@@ -71,23 +72,27 @@ def in_language(script: Markup) -> Markup:
     say("Сортировать", `Передача ${name}`, "none")
     """
 
-    def said(found: re.Match[str]) -> str:
-        text = json.loads(found[0]) if found[1] else (found[2] or "").replace("${", "{")
-        own = tr(text) if text[:1].isupper() or " " in text else text
-        if own == text:
-            return found[0]
-        return json.dumps(own, ensure_ascii=False) if found[1] else f"`{own.replace('{', '${')}`"
+    def translated(match: re.Match[str]) -> str:
+        text = json.loads(match[0]) if match[1] else (match[2] or "").replace("${", "{")
+        translation = tr(text) if text[:1].isupper() or " " in text else text
+        if translation == text:
+            return match[0]
+        return (
+            json.dumps(translation, ensure_ascii=False)
+            if match[1]
+            else f"`{translation.replace('{', '${')}`"
+        )
 
-    return script if spoken() == "en" else Markup(_LITERAL.sub(said, script))
+    return script if spoken() == "en" else Markup(_LITERAL.sub(translated, script))
 
 
 def page(material: Material) -> str:
-    """The whole page, as HTML.
+    """Return the page of a case as HTML.
 
     Parameters
     ----------
     material : Material
-        See `gather`.
+        Contents of the page, from `gather`.
     """
     case = material.results.case
     title = material.naming.title(case.name, runs=material.has_run)
@@ -96,7 +101,7 @@ def page(material: Material) -> str:
 
 
 def choice(material: Material) -> Markup:
-    """What chooses a gear, if there is one."""
+    """Return the links that choose a gear; empty if no gear is shown."""
     gears = material.results.case.gears
     names = [gear.name for gear in gears if material.asked.shows(gear.name)]
     return chooser(names) if names else NOTHING
@@ -104,36 +109,36 @@ def choice(material: Material) -> Markup:
 
 def framed(
     title: str,
-    told: Iterable[Markup],
+    notes: Iterable[Markup],
     parts: Sequence[Part],
     document: dict[str, Any],
     frame: PageFrame = BARE,
 ) -> str:
-    """A page of sections with its contents, its look and the data that it carries.
+    """Return a page with sections, table of contents, style and embedded data.
 
     Parameters
     ----------
-    told : iterable of Markup
-        What stands below the title.
+    notes : iterable of Markup
+        Text below the title.
     document : dict
-        What the page shows, as JSON.
+        Contents of the page as JSON.
     frame : PageFrame, optional
-        What stands around them.
+        Parts around the sections.
     """
     links = (tag("a", tr(part.name), href=f"#{id_of(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
-    data = data.replace("<", "\\u003c")  # no text of the case ends the script that it stands in
+    data = data.replace("<", "\\u003c")  # a text of the case cannot end the script element
     body = tag(
         "body",
-        tag("header", tag("h1", title), *told, contents),
+        tag("header", tag("h1", title), *notes, contents),
         frame.panel,
         frame.choice,
         main,
         tag("script", Markup(data), type="application/json", id="result"),
-        *(tag("script", in_language(one)) for one in (SCRIPT, *frame.scripts)),
+        *(tag("script", in_language(script)) for script in (SCRIPT, *frame.scripts)),
         frame.end,
         **frame.state,
     )
@@ -155,21 +160,21 @@ def framed(
 def stamped_page(
     title: str,
     stamp: Mapping[str, str],
-    told: Iterable[Markup],
+    notes: Iterable[Markup],
     parts: Sequence[Part],
     document: dict[str, Any],
 ) -> str:
-    """Return a page of another document than a case; parameters as of `framed` and `stamped`."""
-    return framed(title, [*stamped(stamp), *told], parts, document)
+    """Return the page of a document other than a case; parameters as in `framed`."""
+    return framed(title, [*stamped(stamp), *notes], parts, document)
 
 
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """What a section shows below its heading, as it stands on the page of a document."""
+    """Return the body of a section, with the names of a document untranslated."""
     return printed(joined(*part.shown), _names(document.get("case")))
 
 
 def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """A section with its heading, as it stands on the page of a document."""
+    """Return a section with heading, with the names of a document untranslated."""
     return printed(_section(part), _names(document.get("case")))
 
 
@@ -179,7 +184,7 @@ def _section(part: Part) -> Markup:
 
 
 def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
-    """The head that says whose a page is, if anything does.
+    """Yield the stamp of a page, such as author and project, if given.
 
     >>> print(*stamped({"author": "A < B"}))
     <dl class="stamp"><div><dt>author</dt><dd>A &lt; B</dd></div></dl>
@@ -190,21 +195,21 @@ def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
 
 
 def about(material: Material) -> Iterator[Markup]:
-    """What stands below the title of the page of a case."""
+    """Yield the text below the title of the page of a case."""
     case = material.results.case
     yield from stamped(material.asked.stamp)
     if material.has_run:
         link = tag("a", tr(SECTIONS["run"]), href=f"#{id_of(SECTIONS['run'])}")
-        said = f": {material.naming.description}" if material.naming.description else ""
-        yield tag("p", filled(tr("Scenario, see {link}"), link=link), said, class_="told")
+        description = f": {material.naming.description}" if material.naming.description else ""
+        yield tag("p", filled(tr("Scenario, see {link}"), link=link), description, class_="told")
     if material.asked.gears:
         names = ", ".join(material.asked.gears)
-        told = tr(
+        note = tr(
             "Shown of {number} gears: {names}. Figures of the whole are of all gears.",
             number=len(case.gears),
             names=names,
         )
-        yield tag("p", told, class_="told")
+        yield tag("p", note, class_="told")
     if case.description:
         yield tag("p", case.description, class_="told")
     if case.source:
@@ -212,7 +217,7 @@ def about(material: Material) -> Iterator[Markup]:
 
 
 def _names(data: Any) -> Iterator[str]:
-    """All texts of plain data, among which are the names.
+    """Yield all texts of plain data, which include every name.
 
     >>> [*_names({"links": ["in", "-3"], "gears": {"R": {"speeds": {"in": 1}}}})]
     ['links', 'in', '-3', 'gears', 'R', 'speeds', 'in']
@@ -220,14 +225,14 @@ def _names(data: Any) -> Iterator[str]:
     if isinstance(data, str):
         yield data
     elif isinstance(data, dict | list):
-        for one in data:
-            yield from _names(one)
+        for item in data:
+            yield from _names(item)
             if isinstance(data, dict):
-                yield from _names(data[one])
+                yield from _names(data[item])
 
 
 def id_of(name: str) -> str:
-    """That of a section, in every language.
+    """Return the id of a section, which is the same in every language.
 
     >>> id_of("Power flow")
     'power-flow'
@@ -236,23 +241,24 @@ def id_of(name: str) -> str:
 
 
 def _styles(title: str) -> Markup:
-    """The style sheet, after what it takes from elsewhere: colours, letters, running title."""
     dark = f"@media screen and (prefers-color-scheme: dark) {{ :root {{ {palette(dark=True)} }} }}"
     light = f":root {{ {palette(dark=False)} }}"
     letters = f"figure svg {{ font-family: {FAMILIES}; stroke-linejoin: round; }}"
     running = f"@page {{ @top-left {{ content: {_quoted(title)}; }} }}"
     return joined(
-        *map(Markup, (f"{one}\n" for one in (light, dark, letters, running))),
+        *map(Markup, (f"{rule}\n" for rule in (light, dark, letters, running))),
         _resource("style.css"),
         _resource("print.css"),
     )
 
 
 def _quoted(text: str) -> str:
-    """A text in a style sheet, which it cannot end.
+    """Quote and escape a text for a style sheet, so that no text can end the style element.
 
     >>> print(_quoted('a "b" </style>'))
     "a \\22 b\\22  \\3c \\2f style\\3e "
     """
-    inner = "".join(one if one.isalnum() or one == " " else f"\\{ord(one):x} " for one in text)
+    inner = "".join(
+        letter if letter.isalnum() or letter == " " else f"\\{ord(letter):x} " for letter in text
+    )
     return f'"{inner}"'

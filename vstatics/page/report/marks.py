@@ -1,4 +1,4 @@
-"""Marks on the tables of a page: results of gears, and powers; see `pictures.paged.marks`."""
+"""Marks on the tables of a page for results of gears and for powers."""
 
 from __future__ import annotations
 
@@ -11,40 +11,43 @@ from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS
 from vstatics.pictures.paged.marks import with_mark
 
 _OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "ETA"} | {
-    one.key.replace("_", " "): one.key for one in QUANTITIES if one.rows == "one"
+    quantity.key.replace("_", " "): quantity.key
+    for quantity in QUANTITIES
+    if quantity.rows == "one"
 }
-"""Columns of the tables that have a row for each gear, and what their numbers are."""
-_WITH_ROWS = {one.key for one in QUANTITIES if one.columns == "gears"}
+"""Quantities by the headings of the table with a row per gear."""
+_WITH_ROWS = {quantity.key for quantity in QUANTITIES if quantity.columns == "gears"}
+"""Quantities whose tables have a column per gear."""
 
 
 def marked(grid: Grid) -> Grid:
-    """A table whose numbers say what they are, if they are results of gears.
+    """Return a table of results of gears with marks on the numbers.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.tables.result_tables import of_results
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -4.0)], [Gear()], link_names=["in", "out"])
-    >>> by_key = {one.key: marked(one) for one in of_results(solve(case))}
+    >>> by_key = {grid.key: marked(grid) for grid in of_results(solve(case))}
     >>> by_key["W"].cells[1][1].marks
     {'result': 'W', 'row': 'out', 'gear': '1', 'number': '-0.25'}
-    >>> [one.marks.get("result") for one in by_key["gears"].cells[0]][:3]
+    >>> [cell.marks.get("result") for cell in by_key["gears"].cells[0]][:3]
     [None, 'ETA', 'ratio']
     """
     if grid.key == "gears":
-        names = [_OF_GEARS.get(one.heading, "") for one in grid.columns]
+        names = [_OF_GEARS.get(column.heading, "") for column in grid.columns]
         return grid._replace(rows=[_of_gear(row, names) for row in grid.cells])
     if grid.key in _WITH_ROWS:
-        gears = [one.heading for one in grid.columns[1:]]
+        gears = [column.heading for column in grid.columns[1:]]
         return grid._replace(rows=[_of_row(row, grid.key, gears) for row in grid.cells])
     return grid
 
 
 def marked_powers(grid: Grid, gear: str) -> Grid:
-    """The table of powers of a gear with marks; rows are ``link ring``, ``mechanism P1.sun``.
+    """Return the table of powers of a gear with marks on the numbers.
 
-    Power of teeth, and of members of springs, has the unit that it is in alone: no script
-    calculates it.
+    Rows are named ``link ring``, ``mechanism P1.sun``. Powers of tooth meshes and of members of
+    springs are converted from their present unit, because no script recalculates them.
 
     Examples
     --------
@@ -57,16 +60,16 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
     [None, 'link 1', 'link 2', None, 'mechanism pair', 'mechanism pair.first']
     """
     kinds = {heading: kind for kind, heading in SECTIONS.items()}
-    names = [POWERS.get(one.heading, "") for one in grid.columns]
+    names = [POWERS.get(column.heading, "") for column in grid.columns]
     kind, owner, rows = "", "", []
     for level, row in zip(grid.levels, grid.cells, strict=True):
-        own = row[0].text
+        name = row[0].text
         if level == 1:
-            kind = kinds[own]
+            kind = kinds[name]
         elif level == 2:
-            owner = own
-        member = f".{own.partition(':')[0]}" * (level == 3)
-        if level == 2 or (level == 3 and kind == "mechanism" and ":" in own):
+            owner = name
+        member = f".{name.partition(':')[0]}" * (level == 3)
+        if level == 2 or (level == 3 and kind == "mechanism" and ":" in name):
             place = f"{kind} {owner}{member}"
             rows.append([*_of_powers(row, names, row=place, gear=gear)])
         else:
@@ -75,7 +78,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
 
 
 def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
-    """Powers that a script writes in other units, and does not calculate."""
+    """Yield the cells of powers that a script converts to other units without recalculation."""
     for cell, name in zip(cells, names, strict=True):
         if cell.kind is not float or name in ("", LOSS_SHARE):
             yield cell

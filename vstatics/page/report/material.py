@@ -1,4 +1,4 @@
-"""Everything that the page shows of a case, calculated once."""
+"""Contents of the page of a case, calculated once."""
 
 from __future__ import annotations
 
@@ -27,20 +27,20 @@ from vstatics.pictures.runs import PicturedRun
 
 
 class Naming(NamedTuple):
-    """What a case does not say of itself."""
+    """Name and description of a case from the file or the scenario."""
 
     name: str = ""
-    """Of the scenario that runs it; else of its file, for a case without a name."""
+    """Name of the scenario; without a scenario, name of the file."""
     description: str = ""
-    """Of the scenario."""
+    """Description of the scenario."""
 
     def title(self, case: str, *, runs: bool) -> str:
-        """The title of the page.
+        """Return the title of the page.
 
         Parameters
         ----------
         case : str
-            The name that the case has, if any.
+            Name of the case; can be empty.
         runs : bool
             Whether the page has a run.
 
@@ -60,32 +60,32 @@ UNNAMED = Naming()
 
 
 class Material(NamedTuple):
-    """What the page is made of."""
+    """Contents of the page of a case."""
 
     results: Results
     document: dict[str, Any]
-    """The result as ``vstatics run -f json`` writes it."""
+    """Result as written by ``vstatics run -f json``."""
     summary: Summary
     flows: Sequence[GearFlow]
     pictures: Pictures
     messages: Sequence[str]
-    """Of the input, then of the results."""
+    """Messages of the input, then of the results."""
     without: str
-    """Why there are no pictures at all, else nothing."""
+    """Reason why the page has no pictures at all; otherwise empty."""
     parts: Mapping[str, PagePart] = {}
-    """Sections of annexes, by the words that choose them."""
+    """Sections of annexes by keys of `SECTIONS`."""
     digits: int | None = None
-    """After the point; None: those that suit a number."""
+    """Digits after the point; None for a number that suits each quantity."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
     has_marks: bool = False
-    """Whether numbers say what they are, for a script that changes them."""
+    """Whether numbers carry marks for a script that changes them."""
 
     def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
-        """Tables as the page has them, with marks on their numbers if it has these."""
+        """Return tables with marks, if the page has marks."""
         if not self.has_marks:
             return iter(grids)
-        return (with_tool_marks(marked(one), self.results.case) for one in grids)
+        return (with_tool_marks(marked(grid), self.results.case) for grid in grids)
 
     @property
     def has_run(self) -> bool:
@@ -94,8 +94,8 @@ class Material(NamedTuple):
 
     @property
     def shown_flows(self) -> Sequence[GearFlow]:
-        """Of the gears that are shown."""
-        return [one for one in self.flows if self.asked.shows(one.gear)]
+        """Power flows of the gears shown."""
+        return [flow for flow in self.flows if self.asked.shows(flow.gear)]
 
 
 def gather(  # noqa: PLR0913 - what there is, and how it is shown
@@ -109,27 +109,26 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     has_marks: bool = False,
     drawn: Pictures | None = None,
 ) -> Material:
-    """What the page of a case shows.
+    """Calculate the contents of the page of a case.
 
     Parameters
     ----------
     results : Results
-        Of one case, not of arrays of variants.
+        Results of one case, not of arrays of variants.
     problems : iterable of Problem
-        Warnings of the input; those that are among the messages of the results already
-        do not come twice.
+        Warnings of the input; messages that the results repeat are left out.
     digits : int, optional
-        After the point, where they are not those that suit a number.
+        Digits after the point; by default a number that suits each quantity.
     motion : Motion, optional
-        A run of the case.
+        Run of the case.
     naming : Naming, optional
-        What the case does not say of itself: the name of its file, the scenario.
+        Names from the file and the scenario.
     asked : AskedPage, optional
-        What of it the page has.
+        Sections and gears of the page.
     has_marks : bool, optional
-        Whether numbers say what they are; see `vstatics.page.report.marks`.
+        Whether numbers carry marks; see `vstatics.page.report.marks`.
     drawn : Pictures, optional
-        What stands in place of the pictures that would be drawn.
+        Placeholders instead of pictures.
     """
     without = ""
     if drawn is None:
@@ -146,18 +145,19 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
         has_pictures=not without,
         has_marks=has_marks,
     )
-    told = []
-    for one in problems:
-        if not _is_among(one, results.messages):  # with its line, but not its file
-            line = one.place.line if one.place else 0
-            told.append(f"{one.severity}: {f'line {line}: ' if line else ''}{one.message}")
+    messages = []
+    for problem in problems:
+        if not _is_among(problem, results.messages):
+            # Lists of the page give the line, but not the file.
+            place = f"line {problem.place.line}: " if problem.place and problem.place.line else ""
+            messages.append(f"{problem.severity}: {place}{problem.message}")
     return Material(
         results,
         result_json.document(results),
         summarize(results),
         flows(results),
         drawn,
-        [*told, *map(str, results.messages)],
+        [*messages, *map(str, results.messages)],
         without,
         dict(_parts(request, asked)),
         digits,
@@ -168,14 +168,13 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
 
 
 def _parts(request: PartRequest, asked: AskedPage) -> Iterator[tuple[str, PagePart]]:
-    """Yield the sections of annexes that the page has."""
     for key in filter(asked.has, report_parts()):
         if part := part_of(key, request._replace(in_full=asked.in_full(key))):
             yield key, part
 
 
 def part_of(key: str, request: PartRequest) -> PagePart | None:
-    """Return a section of an annex; nothing where the case has nothing for it."""
+    """Return a section of an annex; None if the case lacks the data."""
     part: PagePart | None = module_of_part(key).part(request)
     return part
 
@@ -186,9 +185,9 @@ def module_of_part(key: str) -> ModuleType:
 
 
 def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
-    """Whether a message says it too: readers name fields, results name the parts."""
-    said = problem.message
+    """Check whether a message repeats a problem: readers name fields, results name parts."""
+    text = problem.message
     return any(
-        said.endswith(f": {one.text}" if one.gear else one.text.partition(": ")[2])
-        for one in messages
+        text.endswith(f": {message.text}" if message.gear else message.text.partition(": ")[2])
+        for message in messages
     )

@@ -1,4 +1,4 @@
-"""What a designer asks first, in one line, and what there is to watch, by weight."""
+"""The overview of a case: its main figures in one line, and its messages by severity."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Severities from the heaviest, and several of them."""
+"""Severities from the heaviest: singular -> plural."""
 
 
 def overview(material: Material) -> Iterator[Markup]:
-    """The line of the page's figures, each with the gear that it is of.
+    """Yield the line of main figures with the gear of each figure.
 
-    Gears and spread, the worst efficiency, the largest torque of a shift element, the
-    largest part of the power that circulates, and how many alerts of each weight.
+    The figures are the number of gears, the spread, the lowest efficiency, the largest torque of a
+    shift element, the largest share of circulating power, and the number of alerts by severity.
     """
     facts = [*_gears(material), *_efficiency(material), *_torque(material)]
     facts += [*_circulation(material), (tr("alerts"), _alerts(material.messages))]
@@ -31,19 +31,21 @@ def overview(material: Material) -> Iterator[Markup]:
 
 
 def alerts(messages: Sequence[str]) -> Iterator[Markup]:
-    """The messages, the heaviest first, in a list for each weight, which the line links to."""
+    """Yield a list of messages for each severity, the heaviest first."""
     for weight, name in WEIGHTS.items():
-        said = [tag("li", one, class_=weight) for one in _of_weight(messages, weight)]
-        if said:
-            yield tag("ul", *said, class_="messages", id=name)
+        items = [tag("li", message, class_=weight) for message in _of_weight(messages, weight)]
+        if items:
+            yield tag("ul", *items, class_="messages", id=name)
 
 
 def _gears(material: Material) -> Iterator[tuple[str, str]]:
-    made = material.summary.design
-    yield tr("gears"), str(len(made.gears))
-    if len(made.forward) > 1:
-        first, last = (_link(material, one, one) for one in (made.forward[0], made.forward[-1]))
-        spread = _number(material, made.spread)
+    design = material.summary.design
+    yield tr("gears"), str(len(design.gears))
+    if len(design.forward) > 1:
+        first, last = (
+            _link(material, gear, gear) for gear in (design.forward[0], design.forward[-1])
+        )
+        spread = _number(material, design.spread)
         yield (
             tr("spread"),
             filled(tr("{spread}, gear {first} to {last}"), spread=spread, first=first, last=last),
@@ -51,10 +53,9 @@ def _gears(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
-    """The least that a gear has."""
-    known = [one for one in material.summary.design.gears if not math.isnan(one.efficiency)]
+    known = [gear for gear in material.summary.design.gears if not math.isnan(gear.efficiency)]
     if known:
-        worst = min(known, key=lambda one: one.efficiency)
+        worst = min(known, key=lambda gear: gear.efficiency)
         yield (
             tr("lowest efficiency"),
             _in_gear(material, _number(material, worst.efficiency), worst.gear),
@@ -62,61 +63,59 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
-    """Of a shift element, with losses where they are known; in N*m where a load tells it."""
+    """Yield the largest torque of a shift element, with losses and in N*m where known."""
     largest = material.summary.largest
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):
             shown = quantity(key, loaded=loaded)
-            found = overall(largest.get(shown.key, ()))
-            if found is not None and found.gear:
+            extreme = overall(largest.get(shown.key, ()))
+            if extreme is not None and extreme.gear:
                 unit = tr(UNITS[shown.unit].text) if shown.unit else tr(RELATIVE)
-                value = rounded(abs(found.value), shown.decimals, material.digits)
-                said = joined(f"{value} {unit}")
+                value = rounded(abs(extreme.value), shown.decimals, material.digits)
+                text = joined(f"{value} {unit}")
                 if material.has_marks:
-                    said = _in_unit(value, unit, abs(found.value), found.gear, loaded=loaded)
-                said = joined(said, f", {found.row}")
-                yield tr("largest element torque"), _in_gear(material, said, found.gear)
+                    text = _in_unit(value, unit, abs(extreme.value), extreme.gear, loaded=loaded)
+                text = joined(text, f", {extreme.row}")
+                yield tr("largest element torque"), _in_gear(material, text, extreme.gear)
                 return
 
 
 def _in_unit(text: str, unit: str, value: float, gear: str, *, loaded: bool) -> Markup:
-    """A torque whose unit can be chosen."""
+    """Return a torque with marks for the choice of units."""
     marks = {"data_gear": gear, "data_value": value, "data_unit" if loaded else "data_scaled": "Nm"}
     return joined(tag("span", text, **marks), " ", tag("span", unit, class_="unit"))
 
 
 def _circulation(material: Material) -> Iterator[tuple[str, str]]:
-    """The largest part of the power that enters a gear."""
-    shares = ((one.shown.circulating_share, one.gear) for one in material.flows if one.shown)
-    known = [one for one in shares if not math.isnan(one[0])]
+    shares = ((flow.shown.circulating_share, flow.gear) for flow in material.flows if flow.shown)
+    known = [flow for flow in shares if not math.isnan(flow[0])]
     if known:
         share, gear = max(known, key=itemgetter(0))
         part = rounded(100 * share, 1, material.digits)
-        said = _in_gear(material, tr("{part} % of the input power", part=part), gear)
-        yield tr("largest circulation"), said if share > 0 else tr("none")
+        text = _in_gear(material, tr("{part} % of the input power", part=part), gear)
+        yield tr("largest circulation"), text if share > 0 else tr("none")
 
 
 def _alerts(messages: Sequence[str]) -> str:
-    """How many of each weight, each a link to them."""
     links = []
     for weight, name in WEIGHTS.items():
         count = len(_of_weight(messages, weight))
         if count:
-            said = tr(f"{{count}} {weight}|{{count}} {name}", count=count)
-            links += [", ", tag("a", said, href=f"#{name}", class_=weight)]
+            text = tr(f"{{count}} {weight}|{{count}} {name}", count=count)
+            links += [", ", tag("a", text, href=f"#{name}", class_=weight)]
     return joined(*links[1:]) if links else tr("none")
 
 
 def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
-    return [one for one in messages if one.startswith(f"{weight}:")]
+    return [message for message in messages if message.startswith(f"{weight}:")]
 
 
-def _in_gear(material: Material, said: str, gear: str) -> Markup:
-    return joined(said, ", ", _link(material, gear, tr("gear {gear}", gear=gear)))
+def _in_gear(material: Material, text: str, gear: str) -> Markup:
+    return joined(text, ", ", _link(material, gear, tr("gear {gear}", gear=gear)))
 
 
 def _link(material: Material, gear: str, text: str) -> str:
-    """A link to a gear that the page shows, else its name alone."""
+    """Return a link to a gear, or plain text if the page does not show the gear."""
     return gear_link(gear, text) if material.asked.shows(gear) else text
 
 

@@ -1,4 +1,4 @@
-"""Pictures of a case on its page."""
+"""Pictures on the page of a case."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn, of_each, picture_of
 
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")
-"""Of a case whose vehicle has an engine."""
+"""Pictures of a case whose vehicle has an engine."""
 
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
-    """The pictures of all gears that the page of a case has."""
+    """List the kinds of pictures that show all gears of a case."""
     return (*OF_ALL_GEARS, *(OF_A_VEHICLE if getattr(case.vehicle, "engine", ()) else ()))
 
 
 class Pictures(NamedTuple):
-    """Those of a case but for vibration and motion, by their kind."""
+    """Pictures of a case by kind, except pictures of vibration and of a run."""
 
     of_gears: Mapping[str, Sequence[Drawn]] = {}
-    """One of each gear that is shown."""
+    """Pictures of each gear shown, by kind."""
     of_all: Mapping[str, Drawn] = {}
     small_sticks: Sequence[Drawn] = ()
-    """One of each gear that is shown, for print."""
+    """Small stick diagrams of each gear shown, for print."""
     bare_stick: Drawn | None = None
-    """Of no gear, for print."""
+    """Stick diagram without a gear, for print."""
     flows: Drawn | None = None
-    """Of all gears that are shown, for print."""
+    """Power flow of all gears shown, for print."""
 
 
 def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
-    """All pictures of a case that its page has, but those of vibration and motion.
+    """Draw the pictures on the page of a case, except vibration and run.
 
-    Where no stick diagram can be drawn, the structure of each gear stands for it.
+    If no stick diagram can be drawn, the structure of each gear replaces it.
 
     Raises
     ------
@@ -65,9 +65,10 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
 def _sticks(
     results: Results, asked: AskedPage, gears: Sequence[int]
 ) -> tuple[Sequence[Drawn], Sequence[Drawn], Drawn | None]:
-    """Stick diagrams of gears, small ones for print, and that of none; or structures.
+    """Draw large and small stick diagrams of gears, and a diagram without a gear.
 
-    Beside the section of gears, which prints small ones, large ones are printed on demand only.
+    Structures replace diagrams that cannot be drawn. If the section of gears prints small diagrams,
+    the large ones are printed only on request.
     """
     in_full = asked.in_full("overview") and (asked.prints_all or not asked.has("gears"))
     for kind in ("stick", "structure"):
@@ -75,6 +76,6 @@ def _sticks(
         has_small = asked.has("gears") and not in_full and len(gears) > 1
         small = of_each(results, kind, gears, HALF) if has_small else []
         bare = picture_of(results, kind) if asked.has("overview") and not in_full else None
-        if any(one.sheets for one in (*sticks, *small)):
+        if any(drawn.sheets for drawn in (*sticks, *small)):
             break
     return sticks, small, bare

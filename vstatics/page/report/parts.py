@@ -1,4 +1,4 @@
-"""Parts of the page of a case that several sections have."""
+"""Parts of the page of a case that several sections share."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """The conventions of results; what is null in JSON is a dash on a page.
+    """List the conventions of results; a dash stands for null of the JSON result.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'
@@ -32,29 +32,29 @@ def conventions(said: Mapping[str, str]) -> Markup:
 
 
 def chooser(gears: Iterable[str]) -> Markup:
-    """Links to choose a gear by, for all that is shown of one; without a script all gears show."""
+    """Return links that choose the gear shown; without a script all gears are shown."""
     links = (gear_link(gear) for gear in gears)
     status = tag("span", role="status", class_="unseen")
     return tag("nav", tr("Gear"), *links, status, class_="chooser", aria_label=tr("Gear"))
 
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
-    """A picture that is printed only, up to so many sheets."""
-    kept = drawn._replace(sheets=drawn.sheets[:most])
-    shown = [*figures(kept, name, captioned=False, scrolls=False)]
-    rest = len(drawn.sheets) - len(kept.sheets)
-    if rest:
-        said = tr("{count} more sheet with --all.|{count} more sheets with --all.", count=rest)
-        shown.append(tag("p", said, class_="note"))
+    """Return a picture for print only, cut after a number of sheets."""
+    first_sheets = drawn._replace(sheets=drawn.sheets[:most])
+    shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
+    omitted = len(drawn.sheets) - len(first_sheets.sheets)
+    if omitted:
+        text = tr("{count} more sheet with --all.|{count} more sheets with --all.", count=omitted)
+        shown.append(tag("p", text, class_="note"))
     return tag("div", *shown, class_=PAPER)
 
 
 def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
-    """Small pictures of gears that are printed only, as far as they have room."""
+    """Return small pictures of gears for print only, as many as have room."""
     count = with_room(drawn)
     shown = (
         part
-        for gear, one in zip(gears[:count], drawn, strict=False)
-        for part in figures(one, tr("Gear {gear}", gear=gear), scrolls=False)
+        for gear, picture in zip(gears[:count], drawn, strict=False)
+        for part in figures(picture, tr("Gear {gear}", gear=gear), scrolls=False)
     )
     return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")

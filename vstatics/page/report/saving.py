@@ -1,4 +1,4 @@
-"""The page of a case as a file."""
+"""Writing the page of a case to a file."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ def write_report(
     Parameters
     ----------
     results : Results
-        Of one case.
+        Results of one case.
     path : path-like
-        The file, which is replaced.
+        File to write; an existing file is replaced.
     motion : Motion, optional
-        A run of the case, for a section on it.
+        Run of the case, which adds a section about it.
 
     Raises
     ------
     ValueError
-        If the name has the suffix of something else.
+        If the suffix of the file is not ``.html`` or ``.htm``.
     OSError
-        If it cannot be written.
+        If the file cannot be written.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The sections of the page of a case, in their order."""
+"""The sections of the page of a case."""
 
 from __future__ import annotations
 
@@ -27,31 +27,31 @@ from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
 ALREADY = ("ETA", "ratio")
-"""Columns of the results by gear that the table of gears has."""
+"""Columns of the results by gear that the table of gears contains already."""
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "none locked by friction"),
 }
-"""Of columns of the results by gear: the number that says that all is well, and it in words."""
+"""Columns of the results by gear -> number and statement if everything is correct."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
-"""Tables of ports, and of largest values; these have a key in units, too."""
+"""Keys of the tables of ports and of largest values; the latter also exist in units."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
-"""The table that the overview says in words."""
+"""Key of the table of the spread, which the overview gives in words."""
 SHIFTS = ("transitions", "margins", "margins by gear")
-"""Tables that are about what shifts, and what it can carry."""
+"""Keys of the tables of shifts and of torque margins of shift elements."""
 VEHICLE = ("vehicle gears", "vehicle")
-"""Tables of what a vehicle does."""
+"""Keys of the tables of a vehicle."""
 DUTY = ("duty", "duty members", "damage")
-"""Tables of a duty cycle."""
+"""Keys of the tables of a duty cycle."""
 
 
 def sections(material: Material) -> Iterator[Part]:
-    """Each section with its name; those that would be empty are left out."""
+    """Yield the sections of a page in order, without empty sections."""
     asked, pictures = material.asked, material.pictures.of_all
-    told = summary_grids(material.summary, [one.ports for one in material.flows])
-    gears, *others = (asked.cut(one).with_digits(material.digits) for one in told)
+    grids = summary_grids(material.summary, [flow.ports for flow in material.flows])
+    gears, *others = (asked.cut(grid).with_digits(material.digits) for grid in grids)
     others = [*material.marked(others)]
     every: dict[str, Iterable[Markup]] = {
         "overview": _overview(material),
@@ -65,9 +65,9 @@ def sections(material: Material) -> Iterator[Part]:
             if kind in pictures and not any(kind in part.drawn for part in material.parts.values())
         },
         "vehicle": _vehicle(material, others),
-        "duty": tables(one for one in others if one.key in DUTY),
+        "duty": tables(grid for grid in others if grid.key in DUTY),
         "largest": _largest(others),
-        "shifts": tables(without_missing(one) for one in others if one.key in SHIFTS),
+        "shifts": tables(without_missing(grid) for grid in others if grid.key in SHIFTS),
         "input": given(
             material.results.case, material.document["case"], material.digits, material.marked
         ),
@@ -82,7 +82,6 @@ def sections(material: Material) -> Iterator[Part]:
 
 
 def _overview(material: Material) -> Iterator[Markup]:
-    """What a designer asks first, the scheme, then what there is to watch."""
     yield from overview(material)
     if material.without:
         yield tag("p", tr("There are no pictures: {why}", why=material.without))
@@ -97,14 +96,14 @@ def _overview(material: Material) -> Iterator[Markup]:
 
 
 def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
-    """The table of gears, with a dot for each shift element that is engaged or holds.
+    """Yield the table of gears with a sign for each shift element that is engaged or holds.
 
-    The name of a gear chooses it for all that is shown of one.
+    The name of a gear is a link that chooses the gear for all sections.
     """
     results = material.results
-    made = gears_grid(material, grid)
-    rows = [[Cell(gear_link(first.text)), *others] for first, *others in made.cells]
-    yield table(made._replace(rows=rows), headed=False)
+    grid_of_gears = gears_grid(material, grid)
+    rows = [[Cell(gear_link(first.text)), *others] for first, *others in grid_of_gears.cells]
+    yield table(grid_of_gears._replace(rows=rows), headed=False)
     if results.case.freewheels:
         yield tag(
             "p",
@@ -112,12 +111,12 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
             class_="note",
         )
     small = material.pictures.small_sticks
-    if any(one.sheets for one in small):
+    if any(picture.sheets for picture in small):
         yield side_by_side([flow.gear for flow in material.shown_flows], small)
 
 
 def gears_grid(material: Material, grid: Grid) -> Grid:
-    """The gears of a summary with a sign for each shift element, and with marks."""
+    """Return the gears of a summary with signs for shift elements, and with marks."""
     results = material.results
     signs = [
         Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
@@ -134,7 +133,7 @@ def gears_grid(material: Material, grid: Grid) -> Grid:
 
 
 def _without_last_step(grid: Grid) -> Grid:
-    """A gear without a next one has no step."""
+    """Blank the step of a gear without a next gear."""
     step = [column.heading for column in grid.columns].index("step")
     blank = Cell("", math.nan, kind=float)
     rows = [
@@ -145,28 +144,28 @@ def _without_last_step(grid: Grid) -> Grid:
 
 
 def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
-    """A picture of each gear, or why there is none."""
+    """Yield a picture of each gear, or the reason why no picture is drawn."""
     drawn = material.pictures.of_gears.get(kind, ())
     if drawn and not _differ(drawn):
         yield from figures(drawn[0], name_of(drawn[0].kind))
         return
     names = [flow.gear for flow in material.shown_flows]
-    for name, one in zip(names, drawn, strict=bool(drawn)):
+    for name, picture in zip(names, drawn, strict=bool(drawn)):
         section = "gear" if kind == "stick" else kind
-        shown = figures(one, in_gear(one.kind, name), captioned=False)
+        shown = figures(picture, in_gear(picture.kind, name), captioned=False)
         yield of_gear(section, name, list(shown))
 
 
 def _differ(drawn: Sequence[Drawn]) -> bool:
-    """Whether gears have pictures, or reasons of their own why they have none."""
-    return any(one.sheets for one in drawn) or len({one.why for one in drawn}) > 1
+    """Check whether gears have pictures, or different reasons for having no picture."""
+    return any(picture.sheets for picture in drawn) or len({picture.why for picture in drawn}) > 1
 
 
 def _flows(material: Material) -> Iterator[Markup]:
-    """Of each gear the picture of its power, and the numbers."""
+    """Yield the power flow of each gear as a picture and as numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
     has_stick = _differ(material.pictures.of_gears.get("stick", ()))
-    section = "flow" if has_stick else "gear"  # where the links to a gear lead
+    section = "flow" if has_stick else "gear"  # links to a gear lead to its first section
     whole = material.pictures.flows
     if whole is not None:
         most = flow_sheets(len(material.parts))
@@ -196,12 +195,10 @@ def _power(flow: GearFlow, material: Material) -> Iterator[Markup]:
 
 
 def _no_power(flow: GearFlow) -> str:
-    """Why a gear has no flow of power."""
     return tr("{Why}, so there is no power to show", Why=tr(flow.note).capitalize())
 
 
 def _equations(material: Material) -> Iterator[Markup]:
-    """Of each gear its ratio, why it is so, and the equations behind all its numbers."""
     without = no_formula()
     if without:
         yield tag("p", tr("There are no formulas: {why}", why=without))
@@ -210,66 +207,69 @@ def _equations(material: Material) -> Iterator[Markup]:
 
 
 def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
-    """The largest speeds and torques; those in units are printed, if there are such."""
-    own = [one for one in summary if one.key.removesuffix(WITH_LOAD) in LARGEST]
-    loaded = [one for one in own if one.key.endswith(WITH_LOAD)]
+    """Yield the largest speeds and torques; print only the tables in units, if any."""
+    largest = [grid for grid in summary if grid.key.removesuffix(WITH_LOAD) in LARGEST]
+    loaded = [grid for grid in largest if grid.key.endswith(WITH_LOAD)]
     if loaded:
-        yield on_screen(tables(one for one in own if one not in loaded))
-    yield from tables(loaded or own)
+        yield on_screen(tables(grid for grid in largest if grid not in loaded))
+    yield from tables(loaded or largest)
 
 
 def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """What the vehicle does in each gear: numbers, its wheel force, the speeds of its engine."""
-    yield from tables(one for one in summary if one.key in VEHICLE)
+    """Yield the tables of the vehicle in each gear, traction and engine speeds."""
+    yield from tables(grid for grid in summary if grid.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):
         yield from figures(drawn[kind], name_of(kind))
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """What the summary has besides the gears, then all results, each number once."""
+    """Yield further tables of the summary, then results without a place in other sections."""
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
-    by_gear, *others = (one.with_digits(material.digits) for one in results)
+    by_gear, *others = (grid.with_digits(material.digits) for grid in results)
     elsewhere = {
         SPREAD,
         *SHIFTS,
         *VEHICLE,
         *DUTY,
         *LARGEST,
-        *(f"{one}{WITH_LOAD}" for one in LARGEST),
+        *(f"{key}{WITH_LOAD}" for key in LARGEST),
     }
     if not _has_further_ports(material):
         elsewhere.add(PORTS)
-    told = (one for one in summary if one.key not in elsewhere)
+    shown_tables = (grid for grid in summary if grid.key not in elsewhere)
     well = _well(by_gear)
     if well:
         yield tag(
-            "p", tr("In all gears: {what}.", what=", ".join(tr(WELL[one][1]) for one in well))
+            "p",
+            tr("In all gears: {what}.", what=", ".join(tr(WELL[heading][1]) for heading in well)),
         )
-    told_of = (*ALREADY, *well)
-    besides = by_gear.with_columns(
-        [n for n, one in enumerate(by_gear.columns) if one.heading not in told_of]
+    shown_columns = (*ALREADY, *well)
+    further = by_gear.with_columns(
+        [n for n, column in enumerate(by_gear.columns) if column.heading not in shown_columns]
     )
-    with_columns = [besides] * (len(besides.columns) > 1)
-    told = (without_zeros(one) if one.key == "sensitivity" else one for one in told)
-    yield from tables([*told, *material.marked([*with_columns, *others])])
+    with_columns = [further] * (len(further.columns) > 1)
+    shown_tables = (
+        without_zeros(grid) if grid.key == "sensitivity" else grid for grid in shown_tables
+    )
+    yield from tables([*shown_tables, *material.marked([*with_columns, *others])])
 
 
 def _has_further_ports(material: Material) -> bool:
-    """Whether a gear has more than an input and an output, which ratio and efficiency tell."""
-    return any(len(one.ports.rows) > INPUT_AND_OUTPUT for one in material.flows)
+    """Check whether a gear has more ports than an input and an output."""
+    return any(len(flow.ports.rows) > INPUT_AND_OUTPUT for flow in material.flows)
 
 
 INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:
-    """The columns that say of all gears that all is well."""
-    found = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
+    """List the columns that show a correct value in all gears."""
+    columns = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
     return [
         column.heading
-        for column, cells in found
+        for column, cells in columns
         if column.heading in WELL
         and all(
             cell.value is not None and abs(cell.value - WELL[column.heading][0]) < ROUNDED_NUMBER

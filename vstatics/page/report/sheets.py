@@ -1,4 +1,4 @@
-"""Room on paper: what of many pictures is printed, so that a case has ten sheets at most."""
+"""Room on paper: limits of the printed pictures, so that a case fits on ten sheets."""
 
 from __future__ import annotations
 
@@ -11,30 +11,30 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT
 from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn
 
 MOST_SHEETS = 10
-"""Of paper, for a case."""
+"""Largest number of printed sheets of a case."""
 STICK_ROOM = 1.7
-"""Of small stick diagrams. [sheets]"""
+"""Room for small stick diagrams. [sheets]"""
 FLOW_SHEETS = 5
-"""Of power flow where a case has nothing else; each of the next takes some."""
+"""Sheets of power flow in a case without sections of annexes."""
 LESS_BESIDE = 2
-"""Sheets that each section of an annex takes from those of power flow."""
+"""Sheets of power flow that each section of an annex replaces."""
 CAPTION = 22.0
-"""Height of a caption with its margins. [pt]"""
+"""Height of a caption with margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)
 
 
 def size_of(sheet: Markup) -> tuple[float, float]:
-    """Width and height of a picture [pt].
+    """Return the width and height of a picture in points.
 
     >>> size_of(Markup('<svg viewBox="0 0 482 300.5">'))
     (482.0, 300.5)
     """
-    found = _SIZE.search(sheet)
-    return (float(found[1]), float(found[2])) if found else (0.0, 0.0)
+    match = _SIZE.search(sheet)
+    return (float(match[1]), float(match[2])) if match else (0.0, 0.0)
 
 
 def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
-    """So many of some small pictures have room on so many sheets; two stand side by side.
+    """Return how many small pictures fit on a number of sheets, two in a row.
 
     >>> low, high = (Drawn("stick", [Markup(f'<svg viewBox="0 0 200 {h}">')]) for h in (60, 340))
     >>> with_room([low] * 20), with_room([high] * 20)
@@ -42,10 +42,10 @@ def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
     """
     rows: list[float] = []
     is_open = False
-    for number, one in enumerate(pictures):
-        sizes = [size_of(sheet) for sheet in one.sheets] or [(0.0, 0.0)]
+    for number, picture in enumerate(pictures):
+        sizes = [size_of(sheet) for sheet in picture.sheets] or [(0.0, 0.0)]
         wide, high = map(max, zip(*sizes, strict=True))
-        high *= min(1.0, PAGE.width / max(wide, 1.0))  # one that is wider is drawn smaller
+        high *= min(1.0, PAGE.width / max(wide, 1.0))  # wider pictures are scaled down
         is_small = wide <= HALF.width
         if is_small and is_open:
             rows[-1] = max(rows[-1], high + CAPTION)
@@ -59,17 +59,17 @@ def with_room(pictures: Sequence[Drawn], sheets: float = STICK_ROOM) -> int:
 
 
 def flow_sheets(others: int) -> int:
-    """Return the number of printed sheets of power flow where annexes have so many sections."""
+    """Return the number of printed sheets of power flow in a page with sections of annexes."""
     return FLOW_SHEETS - LESS_BESIDE * others
 
 
 def left_out(names: Sequence[str]) -> Iterator[Markup]:
-    """What says that pictures of gears are not printed."""
+    """Yield a note about gears whose pictures are not printed."""
     if names:
-        said = tr(
+        note = tr(
             "Not printed: diagram of gear {gears}; --all prints all of them.|"
             "Not printed: diagrams of gears {gears}; --all prints all of them.",
             gears=", ".join(names),
             count=len(names),
         )
-        yield tag("p", said, class_="note")
+        yield tag("p", note, class_="note")

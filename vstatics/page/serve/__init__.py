@@ -1,11 +1,13 @@
-"""The page of a case on loopback, made anew when its file is saved, with fields for its numbers.
+"""The page of a case on loopback, updated when its file is saved, with fields for its numbers.
 
-Whoever opens files tells how a case is calculated from texts of its documents. `document_fields`
-finds the numbers in these, `awaited` has what stands in place of pictures until they are looked
-at, `page` makes the page and its sections of what is calculated, `states` keeps what was shown,
-tries and saves, `watched_files` tells whether others did; `studio` makes what is awaited, in
-another process. In the browser `serve.js` asks, tries, saves and shows, and `patches.js` writes
-numbers into the elements that have others. `requests` reads what a browser sends, and refuses
-what no page of ours does; `answers` are what it gets; `connections` bounds them; `server` brings
-all together.
+`states` calculates the case, keeps the latest states of the page, tries changed numbers and saves
+them; the caller supplies the function that calculates a case from the texts of its documents.
+`document_fields` finds the numbers in these texts, `number_fields` draws a field and a slider for
+each, and `watched_files` detects files changed by another program. `page` writes the page and its
+sections. `awaited` has placeholders of pictures and slow sections, which `studio` draws in another
+process when they come into sight.
+
+`server` handles connections: `connections` limits them, `requests` reads and checks requests,
+`answers` has the responses. In the browser `serve.js` requests states and shows, tries and saves
+them, and `patches.js` updates the numbers of the page.
 """

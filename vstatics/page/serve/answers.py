@@ -1,4 +1,4 @@
-"""What a browser gets: a head that lets it do little with it, and a body."""
+"""HTTP responses: a head with strict security fields, and a body."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ HTML, JSON, TEXT, EVENTS = (
 
 
 class HttpAnswer(NamedTuple):
-    """A status, fields and a body."""
+    """HTTP response: status, content type, body and further header fields."""
 
     status: int
     kind: str
@@ -36,13 +36,13 @@ class HttpAnswer(NamedTuple):
 
     @property
     def data(self) -> bytes:
-        """All of it, as it is sent."""
+        """Bytes of the whole response."""
         fields = {**self.fields, "Content-Length": f"{len(self.body)}"}
         return head(self.status, self.kind, fields) + self.body
 
 
 def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
-    """The head of an answer."""
+    """Return the head of a response as bytes."""
     lines = [f"HTTP/1.1 {status} {HTTPStatus(status).phrase}", f"Content-Type: {kind}"]
     policy = {"Content-Security-Policy": policy_in(spoken())}
     lines += [f"{name}: {value}" for name, value in {**_ALWAYS, **policy, **fields}.items()]
@@ -50,25 +50,25 @@ def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
 
 
 def html(text: str) -> HttpAnswer:
-    """A page, or a part of one."""
+    """Return a page or a part of a page as a response."""
     return HttpAnswer(200, HTML, text.encode(errors="backslashreplace"))
 
 
-def as_json(told: dict[str, Any], status: int = 200) -> HttpAnswer:
-    """What is told to the script of the page."""
-    text = json.dumps(told, ensure_ascii=False, allow_nan=False)
+def as_json(data: dict[str, Any], status: int = 200) -> HttpAnswer:
+    """Return data for the script of the page as a response."""
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False)
     return HttpAnswer(status, JSON, text.encode(errors="backslashreplace"))
 
 
 def refusal(error: RefusedError) -> HttpAnswer:
-    """Why a request is not answered."""
+    """Return the response to a refused request, with the reason as text."""
     return HttpAnswer(error.status, TEXT, f"{error.why}\n".encode(), error.fields)
 
 
-def event(told: dict[str, Any]) -> bytes:
-    r"""An event for a page that listens.
+def event(data: dict[str, Any]) -> bytes:
+    r"""Return a server-sent event with data for the script of the page.
 
     >>> event({"number": 3})
     b'data: {"number": 3}\n\n'
     """
-    return f"data: {json.dumps(told)}\n\n".encode()
+    return f"data: {json.dumps(data)}\n\n".encode()

@@ -1,4 +1,4 @@
-"""What stands in place of pictures and slow sections until somebody looks at them."""
+"""Placeholders of pictures and slow sections until they come into sight."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from vstatics.pictures.paged.parts import Part, PartRequest
 from vstatics.pictures.runs import PicturedRun
 
 OF_GEARS = ("stick", "flow", "lever", "modes")
-"""Pictures of which each gear has one."""
+"""Kinds of pictures that show a single gear."""
 OF_ALL_GEARS = ("campbell",)
-"""Pictures of sections of annexes that show all gears."""
+"""Kinds of pictures in sections of annexes that show all gears."""
 OF_RUN = ("shift", "plan", "stick")
 SOON, LATER = tuple(report_parts()), ("equations",)
-"""Sections that are made behind the others: those with numbers at once, others when looked at."""
+"""Sections requested right after loading, and sections requested when in sight."""
 QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
 
 
 def awaited(name: str, *, soon: bool = False) -> Markup:
-    """What is asked for by its name when it comes into sight, or at once.
+    """Return a placeholder, which the script replaces when in sight, or at once.
 
     >>> print(awaited("flow:2"))
     <div class="awaited" data-awaited="flow:2"></div>
@@ -38,7 +38,7 @@ def awaited(name: str, *, soon: bool = False) -> Markup:
 
 
 def awaited_pictures(results: Results) -> Pictures:
-    """Those of a case, none of them drawn."""
+    """Return placeholders of all pictures of a case."""
     gears = range(1, len(results.case.gears) + 1)
     return Pictures(
         {kind: [_drawn(f"{kind}:{gear}") for gear in gears] for kind in ("stick", "flow", "lever")},
@@ -51,29 +51,31 @@ def _drawn(name: str, *, soon: bool = False) -> Drawn:
 
 
 def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
-    """The sections in their order, those in place that are not made yet."""
-    made = {part.name: part for part in sections(material)}
+    """Yield the sections in order, with placeholders of slow sections."""
+    quick = {part.name: part for part in sections(material)}
     case = material.results.case
-    there = {key: module_of_part(key).has_part(case, runs=runs) for key in report_parts()}
-    there["equations"] = True
+    has_section = {key: module_of_part(key).has_part(case, runs=runs) for key in report_parts()}
+    has_section["equations"] = True
     for key, name in SECTIONS.items():
-        if name in made:
-            yield made[name]
-        elif there.get(key):
+        if name in quick:
+            yield quick[name]
+        elif has_section.get(key):
             yield Part(name, [awaited(key, soon=key in SOON)])
 
 
 def awaited_part(
     name: str, material: Material, run: Callable[[], PicturedRun | None]
 ) -> Markup | None:
-    """What was awaited, by its name; None if nothing has that name.
+    """Draw the part for a placeholder; None if no part has the name.
 
     Parameters
     ----------
     name : str
+        Name of the placeholder.
     material : Material
+        Contents of the page.
     run : callable
-        Gives the run of a scenario, or raises a `CaseError`; None of a case.
+        Returns the run of a scenario or raises a `CaseError`; returns None for a case.
     """
     try:
         return _section(name, material, run) or _picture(name, material.results, run)
@@ -82,7 +84,7 @@ def awaited_part(
 
 
 def _section(name: str, material: Material, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """A section, pictures in it still awaited."""
+    """Return a section with placeholders of pictures."""
     shown: Iterable[Markup] = ()
     if name in report_parts():
         motion = run() if name == "run" else None
@@ -91,21 +93,20 @@ def _section(name: str, material: Material, run: Callable[[], PicturedRun | None
             shown = part.shown(material.digits)
     elif name == "equations":
         parts = sections(material._replace(asked=AskedPage([name])))
-        shown = (one for part in parts for one in part.shown)
+        shown = (markup for part in parts for markup in part.shown)
     return joined(*shown) or None
 
 
 def _awaited_picture(
     kind: str, gears: Sequence[int] = (), motion: PicturedRun | None = None
 ) -> Drawn:
-    """The place of a picture of a section."""
     if motion is not None:
         return Drawn(kind, [awaited(f"run-picture:{kind}", soon=kind == "shift")])
     return _drawn(":".join([kind, *map(str, gears)]))
 
 
 def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """A picture, or why it is not drawn."""
+    """Return a picture, or the reason why no picture is drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):
@@ -121,10 +122,10 @@ def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None])
 
 
 def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
-    """A picture of a gear; where there is no stick diagram its structure."""
+    """Draw a picture of a gear; the structure replaces a stick diagram that cannot be drawn."""
     if kind == "modes":
         return picture_of(results, kind, [gear])
-    [made] = of_each(results, kind, [gear], PAGE)
-    if kind == "stick" and not made.sheets:
-        [made] = of_each(results, "structure", [gear], PAGE)
-    return made
+    [drawn] = of_each(results, kind, [gear], PAGE)
+    if kind == "stick" and not drawn.sheets:
+        [drawn] = of_each(results, "structure", [gear], PAGE)
+    return drawn

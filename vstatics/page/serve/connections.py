@@ -1,4 +1,4 @@
-"""How many may be connected, and how long they may take: whoever is slowest makes room."""
+"""Limits on the number and duration of connections: the slowest makes room for new ones."""
 
 from __future__ import annotations
 
@@ -8,34 +8,34 @@ from collections.abc import Iterator
 from typing import Literal
 
 MOST_CONNECTED = 200
-"""Below what a process may have open, with room for files."""
+"""Largest number of connections, below the limit of open files of a process."""
 MOST_LISTENING = 32
-"""Pages that listen for events; a browser has at most six."""
+"""Largest number of pages that listen for events; a browser has at most six."""
 WRITE_SECONDS = 10.0
-"""So long whoever reads an answer may take."""
+"""Time a browser can take to receive a response. [s]"""
 LINGERING_SECONDS, LINGERING_BYTES = 2.0, 16_000_000
-"""What is still sent of a body that nobody reads is thrown away, so that the answer arrives."""
+"""Limits for discarding the unread body of a refused request, so that the response arrives."""
 
 Phase = Literal["slow", "busy", "listening"]
-"""Who waits for whom: we for what is sent or taken, a page for an answer, for events."""
+"""Phase of a connection: data sent or received, answer calculated, or waiting for events."""
 
 
 class Connections:
-    """Those that there are, in their order."""
+    """Open connections and phases, ordered by the last change of phase."""
 
     def __init__(self) -> None:
-        """None yet."""
+        """Begin without connections."""
         self._phases: dict[asyncio.Task[None], Phase] = {}
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Return the number of connections."""
         return len(self._phases)
 
     @contextlib.contextmanager
     def joined(self) -> Iterator[bool]:
-        """One more for a while; whether there is room. The slowest of others makes it."""
+        """Register the current connection within the context; yield whether room was left."""
         task = asyncio.current_task()
-        assert task is not None  # noqa: S101 - this is called in one
+        assert task is not None  # noqa: S101 - the server calls this within a task
         has_room = len(self) < MOST_CONNECTED or self._end_first("slow")
         if not has_room:
             yield False
@@ -47,18 +47,18 @@ class Connections:
             self._phases.pop(task, None)
 
     def now(self, phase: Phase) -> None:
-        """What the connection of this task does from now on; it is the last one that does."""
+        """Set the phase of the current connection, which becomes the last in order."""
         task = asyncio.current_task()
-        if self._phases.pop(task, None) is None or task is None:  # type: ignore[arg-type] # None is no key
+        if self._phases.pop(task, None) is None or task is None:  # type: ignore[arg-type] # None is not a key
             return
         if phase == "listening" and [*self._phases.values()].count(phase) >= MOST_LISTENING:
             self._end_first(phase)
         self._phases[task] = phase
 
     def _end_first(self, phase: Phase) -> bool:
-        """End the one that has been longest in a phase, if there is one."""
-        for task, own in self._phases.items():
-            if own == phase:
+        """End the connection that has been longest in a phase, if any."""
+        for task, task_phase in self._phases.items():
+            if task_phase == phase:
                 del self._phases[task]
                 task.cancel()
                 return True
@@ -73,12 +73,12 @@ class Connections:
 
 
 async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
-    """Send all of it.
+    """Send all data.
 
     Raises
     ------
     OSError
-        If nobody takes it in time.
+        If the browser does not receive the data in time.
     """
     writer.write(data)
     async with asyncio.timeout(WRITE_SECONDS):
@@ -86,7 +86,7 @@ async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
 
 
 async def linger(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    """Throw away what still comes, for a while, so that an answer is not lost with it."""
+    """Discard data that still arrive for a while, so that the response is not lost."""
     with contextlib.suppress(OSError, TimeoutError, RuntimeError):
         writer.write_eof()
         async with asyncio.timeout(LINGERING_SECONDS):

@@ -1,4 +1,4 @@
-"""Numbers of documents that can be changed: by the paths of a sweep, where they stand in a text."""
+"""Numbers in the documents of a case: their paths as in a sweep, their places in the text."""
 
 from __future__ import annotations
 
@@ -24,97 +24,97 @@ from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
-"""Keys of a scenario below which names stand that may look like numbers."""
+"""Keys of a scenario whose values are names, which can look like numbers."""
 
 _TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
-"""Units of what may move straight as well."""
+"""Units of quantities that can also belong to links that move straight."""
 _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
-"""What points of a torque are over, and in what their first numbers are."""
+"""Abscissas of the points of a torque -> units of the abscissas."""
 
 Texts = Mapping[str, bytes]
-"""What files hold, by their names."""
+"""Contents of files by name."""
 
 
 class DocumentNumber(NamedTuple):
-    """A number that can be changed."""
+    """A number in a document that can be changed."""
 
     field: PageField
     file: str
     keys: Keys
     start: int
-    """Place of the number in the text of its file."""
+    """Offset of the number in the text of the file."""
 
 
 class CaseDocuments(NamedTuple):
-    """A case, or a scenario and its case, as they are written; a deck has no numbers to change.
+    """Texts of a case, or of a scenario and a case; a deck has no numbers to change.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        The scenario first, if there is one.
+        Contents of the files by name; a scenario precedes its case.
     """
 
     texts: Texts
     numbers: Mapping[str, DocumentNumber]
-    """By their paths."""
+    """Numbers by path."""
 
     @property
     def fields(self) -> list[PageField]:
-        """All of them in their order."""
-        return [one.field for one in self.numbers.values()]
+        """Fields of all numbers, in the order of the documents."""
+        return [number.field for number in self.numbers.values()]
 
     def with_changes(self, changes: Mapping[str, float]) -> dict[str, bytes]:
-        """The texts with other numbers; only those of files that change.
+        """Return the texts of the files that change, with other numbers.
 
         Raises
         ------
         ValueError
-            If a path names no number here; with what was expected.
+            If a path does not name a number of the documents, or a value is not valid there.
         """
         by_file: dict[str, dict[Keys, float]] = {}
         for path, value in changes.items():
             if path not in self.numbers:
                 raise ValueError(f"there is no number {path!r} to change")
-            one = self.numbers[path]
-            by_file.setdefault(one.file, {})[one.keys] = value
-        made = {
+            number = self.numbers[path]
+            by_file.setdefault(number.file, {})[number.keys] = value
+        new_texts = {
             file: with_written(self.texts[file], spots_of(file, self.texts[file]), values)
             for file, values in by_file.items()
         }
-        return {file: data for file, data in made.items() if data != self.texts[file]}
+        return {file: data for file, data in new_texts.items() if data != self.texts[file]}
 
 
 def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
-    r"""The documents of a case, with all numbers that a field can change.
+    r"""Return the documents of a case with all numbers that a field can change.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        A scenario and then its case, or the case alone.
+        Contents of the files by name; a scenario precedes its case.
     case : Transmission
-        What was read of it.
+        The case that was read from these texts.
 
     Examples
     --------
     >>> from vstatics import loads
     >>> text = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -78/30}}\ngears: {1: []}"
-    >>> made = documents_of({"a.yaml": text.encode()}, loads(text))
-    >>> made.fields
+    >>> documents = documents_of({"a.yaml": text.encode()}, loads(text))
+    >>> documents.fields
     [PageField(path='D.ratio', value=-2.6, unit='', whole=False, same=())]
-    >>> made.with_changes({"D.ratio": -3.0})["a.yaml"].decode()
+    >>> documents.with_changes({"D.ratio": -3.0})["a.yaml"].decode()
     'links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: -3}}\ngears: {1: []}'
     """
     *scenario, of_case = texts
-    found = [one for file in scenario for one in _of_scenario(file, texts[file], case)]
-    found += _of_case(of_case, texts[of_case], case)
+    candidates = [number for file in scenario for number in _of_scenario(file, texts[file], case)]
+    candidates += _of_case(of_case, texts[of_case], case)
     numbers: dict[str, DocumentNumber] = {}
-    for one in found:  # a name that both documents have is that of the scenario, as in a sweep
-        numbers.setdefault(one.field.path, one)
+    for number in candidates:  # the scenario wins where both have the path, as in a sweep
+        numbers.setdefault(number.field.path, number)
     return CaseDocuments(texts, _with_same(numbers))
 
 
 def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
-    """Return the numbers, each with the paths of all others at its place in the text."""
+    """Add to each number the paths of further numbers at the same place in the text."""
     places: dict[tuple[str, int], list[str]] = {}
     for path, number in numbers.items():
         places.setdefault((number.file, number.start), []).append(path)
@@ -128,7 +128,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Where the numbers of a case or of a scenario stand; nothing of a deck or a workbook."""
+    """Find the numbers in the text of a case or scenario; none in a deck or workbook."""
     try:
         document = case_document(data, file, None)
     except ReadError:
@@ -138,10 +138,10 @@ def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
 
 
 def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Numbers of a scenario, which a sweep names as they stand there."""
-    found = decode(data, file)
-    root = yaml_tree(found)
-    spots = number_spots(found.source.text, root)
+    """Yield the numbers of a scenario, with the paths of the text as in a sweep."""
+    text = decode(data, file)
+    root = yaml_tree(text)
+    spots = number_spots(text.source.text, root)
     for keys, spot in spots.items():
         if not any(key in _NO_NUMBERS for key in keys):
             unit = spot.unit or _unit(bare_unit(SCENARIO, keys) or _over(root, keys), keys, case)
@@ -149,31 +149,31 @@ def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[Documen
 
 
 def _over(root: Node, keys: Keys) -> str:
-    """In what a number is that stands first in a point, by what the points are over."""
-    *owner, points, _, place = ("", "", *keys)
+    """Return the unit of the abscissa of a point, which depends on the key `over`."""
+    *owner_keys, points, _, place = ("", "", *keys)
     if points != "points" or place != "1":
         return ""
     node: Node | None = root
-    for key in [*owner[2:], "over"]:
+    for key in [*owner_keys[2:], "over"]:
         node = child(node, key) if node else None
     return _ABSCISSAS.get(node.text, "") if isinstance(node, Scalar) else ""
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """A unit, but not where links move straight, or controls are pressures: it may be another."""
-    pressed = keys[0] == "controls" and any(one.friction for one in case.shift_elements)
+    """Return a unit, or nothing where links can move straight or controls are pressures."""
+    pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Numbers of a case that a sweep can vary."""
+    """Yield the numbers of a case that a sweep can vary."""
     shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
         path = dotted(by_name(keys))
-        known = case_path(path, case)
-        if known is None and not _is_target(path, case):
+        number = case_path(path, case)
+        if number is None and not _is_target(path, case):
             continue
-        whole = bool(known and known.part and known.part.kind == "count")
+        whole = bool(number and number.part and number.part.kind == "count")
         unit = spot.unit or _unit(bare_unit(shape, keys), keys, case)
         yield DocumentNumber(PageField(path, spot.value, unit, whole), file, keys, spot.start)
 

@@ -1,7 +1,7 @@
-"""Numbers of a case that are changed on its page: a field and a slider for each.
+"""Fields and sliders for the numbers of a case on its page.
 
-Both carry in ``data-path`` the path by which a sweep varies the number, so that whoever reacts to
-their event ``input`` knows what changes.
+Field and slider have the attribute ``data-path``, the path by which a sweep varies the number, so
+that a script can handle their event ``input``.
 """
 
 from __future__ import annotations
@@ -24,40 +24,40 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Numbers that have the name of a link behind them."""
+"""Numbers whose path ends with the name of a link."""
 _PARTS = ("load", "mesh_efficiency")
-"""Of a case, in the place of a name."""
+"""Parts of a case that can be the first word of a path instead of a name."""
 _REACH = 2.0
-"""A slider goes so many times as far as its number."""
+"""Ratio of the range of a slider to the number."""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
-"""Of numbers that a case keeps in units of their own."""
+"""Units of numbers that a case stores in other units than SI, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
-"""What a case has without saying it; nobody changes it here."""
+"""Default values; a number equal to the default gets no field."""
 
 
 SCRIPT, STYLE = (
     Markup((files(__package__) / f"number_fields.{kind}").read_text(encoding="utf-8"))
     for kind in ("js", "css")
 )
-"""What reads the fields, and how they look."""
+"""Script and style sheet of the fields."""
 
 
 class PageField(NamedTuple):
-    """A number that can be changed."""
+    """A number that can be changed on the page."""
 
     path: str
-    """As a sweep names it: ``P1.teeth.sun``."""
+    """Path of the number as in a sweep: ``P1.teeth.sun``."""
     value: float
     unit: str = ""
-    """In which the value is; nothing for a bare number."""
+    """Unit of the value; empty for a bare number."""
     whole: bool = False
-    """Whether it counts teeth or something else."""
+    """Whether the number is a count, such as teeth."""
     same: tuple[str, ...] = ()
-    """Paths of other numbers that are the same one in the document, by an alias of YAML."""
+    """Paths of numbers that are an alias of the number in a YAML document."""
 
     @property
     def owner(self) -> str:
-        """What has the number: the path without its last words.
+        """Owner of the number: the path without the words of the quantity.
 
         >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Where its slider ends: teeth stay numbers of teeth, ratios can turn their sign.
+        """Ends of the slider: tooth numbers stay positive, ratios can change sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))
@@ -80,7 +80,7 @@ class PageField(NamedTuple):
 
     @property
     def step(self) -> float:
-        """By which the keys up and down change it: a power of 10, some hundredth of its slider.
+        """Step of the keys up and down: a power of 10, about a hundredth of the range.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).step, PageField("D1.ratio", -2.5).step
         (1.0, 0.1)
@@ -92,32 +92,32 @@ class PageField(NamedTuple):
 
 
 def case_fields(case: Transmission) -> Iterator[PageField]:
-    """The numbers that a case gives itself: teeth, ratios, efficiencies, loads, given values.
+    """Yield the numbers given in a case: teeth, ratios, efficiencies, loads, speeds.
 
-    Numbers that its drawing makes of others are none, neither are drags of nothing, nor what
-    stands at the first point of an efficiency that follows a law.
+    Numbers that follow from a drawing, drag of zero, and the first point of an efficiency with a
+    characteristic are left out.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism
     >>> gear = Gear(speeds={2: 0.5})
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5, 0.9, name="D")], [gear])
-    >>> [(one.path, one.value) for one in case_fields(case)]
+    >>> [(field.path, field.value) for field in case_fields(case)]
     [('gears.1.speeds.2', 0.5), ('D.ratio', -2.5), ('D.efficiency', 0.9)]
     """
-    own, derived = _relative(case), {*_derived(case)}
-    derived |= {f"{one.name}.efficiency" for one in case.mechanisms if one.points}
+    relative, derived = _relative(case), {*_derived(case)}
+    derived |= {f"{mechanism.name}.efficiency" for mechanism in case.mechanisms if mechanism.points}
     for path in known_paths(case):
         number = case_path(path, case)
-        assert number is not None  # noqa: S101 - it is known
+        assert number is not None  # noqa: S101 - a path of `known_paths`
         if path.startswith("gears.*") or path in derived:
             continue
         try:
-            value = own[path] if path in own else own_number_at(number, case)
-        except ValueError:  # the case has none there
+            value = relative[path] if path in relative else own_number_at(number, case)
+        except ValueError:  # the case does not give this number
             continue
-        unsaid = _UNSAID.get(owner_and_key(path)[2], _UNSAID.get(number.quantity))
-        if value is None or value == unsaid:
+        default = _UNSAID.get(owner_and_key(path)[2], _UNSAID.get(number.quantity))
+        if value is None or value == default:
             continue
         unit = next((unit for end, unit in _UNITS.items() if path.endswith(end)), "")
         whole = number.part is not None and number.part.kind == "count"
@@ -125,20 +125,20 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
 
 
 def _derived(case: Transmission) -> Iterator[str]:
-    """Numbers of mechanisms that follow from the elements of a drawing."""
+    """Yield the paths of numbers of mechanisms that follow from gear sets of a drawing."""
     drawing = drawing_of(case)
     given = (
-        {one.name for one in drawing.mechanisms}
+        {mechanism.name for mechanism in drawing.mechanisms}
         if drawing
-        else {one.name for one in case.mechanisms}
+        else {mechanism.name for mechanism in case.mechanisms}
     )
-    for one in case.mechanisms:
-        if one.name not in given:
-            yield from (f"{one.name}.{quantity}" for quantity in OF_MECHANISM)
+    for mechanism in case.mechanisms:
+        if mechanism.name not in given:
+            yield from (f"{mechanism.name}.{quantity}" for quantity in OF_MECHANISM)
 
 
 def _relative(case: Transmission) -> Mapping[str, float]:
-    """Given speeds and torques of gears that are relative to those of the input, by paths."""
+    """Return given speeds and torques of gears relative to the input, by path."""
     return {
         f"gears.{gear.name}.{kind}.{case.link_name(link)}": value
         for gear in case.gears
@@ -149,14 +149,14 @@ def _relative(case: Transmission) -> Mapping[str, float]:
 
 
 def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterator[Markup]:
-    """Fields with their sliders, in a group for each part that has numbers.
+    """Yield fields with sliders, grouped by owner.
 
     Parameters
     ----------
     fields : iterable of PageField
-        Those of a part follow each other.
+        Fields, those of one owner in succession.
     fixed : bool
-        Whether none can be changed, as in a deck.
+        Whether to disable the fields, as for a deck.
 
     Examples
     --------
@@ -164,20 +164,20 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
     >>> group.count('data-path="P1.teeth.sun"'), group.count('step="1"')
     (2, 2)
     """
-    for _, owned in groupby(fields, lambda one: one.owner):
+    for _, owned in groupby(fields, lambda field: field.owner):
         group = [*owned]
-        rows = (_row(one, fixed=fixed) for one in group)
+        rows = (_row(field, fixed=fixed) for field in group)
         yield tag("fieldset", tag("legend", _owner(group[0].path)), *rows)
 
 
 def _owner(path: str) -> str:
-    """Return the owner of a number: a name, or a part of the case that this program names."""
+    """Return the owner of a number: a name, or a translated part of the case."""
     (kind, *gear), _ = owner_and_number(path)
     return dotted([_word(kind), *gear]) if gear or kind in _PARTS else kind
 
 
 def _name(words: Sequence[str]) -> str:
-    """A number of something; behind given speeds and torques stands the name of a link.
+    """Return the name of a number without the owner; names of links are not translated.
 
     >>> _name(["teeth", "small_sun"]), _name(["speeds", "ratio"])
     ('teeth small_sun', 'speeds ratio')
@@ -187,7 +187,7 @@ def _name(words: Sequence[str]) -> str:
 
 
 def _word(key: str) -> str:
-    """A key of a case as it stands there, else in the language of the page."""
+    """Return a key of a case, translated unless the page is in English."""
     return key if spoken() == "en" else tr(key.replace("_", " "))
 
 
@@ -199,7 +199,7 @@ def _row(field: PageField, *, fixed: bool) -> Markup:
     unit = f", {tr(field.unit)}" if field.unit else ""
     label = f"{field.path if spoken() == 'en' else f'{_owner(field.path)} {name}'}{unit}"
     typed = {"class_": "field", "autocomplete": "off", "data_step": digits_of(field.step)}
-    if field.limits[0] >= 0:  # some telephones have no minus beside such digits
+    if field.limits[0] >= 0:  # some telephones have no minus sign on this keyboard
         typed["inputmode"] = "decimal"
     moved = {"class_": "slider", "step": "1" if field.whole else "any", "min": low, "max": high}
     return tag(

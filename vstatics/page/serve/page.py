@@ -1,4 +1,4 @@
-"""The page of a case with its panel, and each of its sections as a text of its own."""
+"""The served page of a case with its panel, and its sections one by one."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from vstatics.page.serve.number_fields import PageField, case_fields, shown_fiel
 from vstatics.pictures.paged.parts import SCREEN, Part
 
 CHANGE = "Change"
-"""The section of fields."""
+"""Heading of the section of fields."""
 
 
 def _resource(name: str) -> Markup:
@@ -45,7 +45,7 @@ _STYLE = joined(toolbar.STYLE, number_fields.STYLE, _resource("serve.css"))
 
 
 _OF_RUNS = [module(part.scripts) for part in report_parts().values() if part.scripts]
-_RUN_SCRIPTS = [script for own in _OF_RUNS for script in own.SCRIPTS]
+_RUN_SCRIPTS = [script for run_module in _OF_RUNS for script in run_module.SCRIPTS]
 """Scripts of a page with a run."""
 
 
@@ -55,12 +55,12 @@ def _hashed(script: Markup) -> str:
 
 
 SCRIPTS = (SCRIPT, toolbar.SCRIPT, *_RUN_SCRIPTS, *_OWN_SCRIPTS)
-"""All that a page may have."""
+"""All scripts that a page can have."""
 
 
 @cache
 def policy_in(language: Language) -> str:
-    """A browser runs these scripts and no others, and asks nobody else for anything."""
+    """Return the content security policy, which allows only `SCRIPTS` and the server."""
     with speaking(language):
         scripts = " ".join(map(_hashed, SCRIPTS))
     return (
@@ -73,7 +73,7 @@ def policy_in(language: Language) -> str:
 def material_of(
     results: Results, problems: Iterable[Problem], digits: int | None, naming: Naming
 ) -> Material:
-    """What is calculated for the page but pictures and slow sections."""
+    """Calculate the contents of the page except pictures and slow sections."""
     return gather(
         results,
         problems,
@@ -87,23 +87,23 @@ def material_of(
 
 
 def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> list[Part]:
-    """The sections of the page; without fields in documents those of the case, which stay."""
+    """Return the sections of the page; without fields of documents, the fields are disabled."""
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
-    told = toolbar.tools_of(material.results.case, digits=material.digits)
-    first = first._replace(shown=[*first.shown, told])  # it is made anew with its section
+    tools = toolbar.tools_of(material.results.case, digits=material.digits)
+    first = first._replace(shown=[*first.shown, tools])  # replaced together with the section
     return [*([changed] if shown else []), first, *others]
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """Each section by its id."""
+    """Return the sections as HTML by id."""
     return {id_of(part.name): section_alone(part, material.document) for part in parts}
 
 
 def told(problems: Iterable[Problem]) -> str:
-    """Errors in lines, in the wording of a compiler, each with its line and a caret.
+    """Return errors in the format of a compiler, with source line and caret.
 
     >>> from vstatics.core.errors import Place
     >>> print(told([Problem("E107", "no", (), Place("a.yaml", 2, 3, "a b"))]))
@@ -112,22 +112,22 @@ def told(problems: Iterable[Problem]) -> str:
         ^
     """
     lines = []
-    for one in problems:
-        lines.append(str(one))
-        if one.place is not None and one.place.text.strip():
-            lines += [f"  {line}" for line in excerpt(one.place)]
+    for problem in problems:
+        lines.append(str(problem))
+        if problem.place is not None and problem.place.text.strip():
+            lines += [f"  {line}" for line in excerpt(problem.place)]
     return "\n".join(lines)
 
 
 def page_of(
     material: Material, parts: Sequence[Part], *, runs: bool, state: Mapping[str, Any]
 ) -> str:
-    """The whole page.
+    """Return the whole page.
 
     Parameters
     ----------
     state : mapping
-        What its script starts from: see `states.Shown`.
+        Initial state for its script, see `states.Shown`.
     """
     title = _title(material, runs=runs)
     state = {**state, "head": head_of(material, runs=runs)}
@@ -140,13 +140,13 @@ def _title(material: Material, *, runs: bool) -> str:
 
 
 def head_of(material: Material, *, runs: bool) -> str:
-    """What tells whether a page with another head, or other gears, must be made as a whole."""
+    """Return a digest that changes when the page must be reloaded as a whole."""
     parts = [_title(material, runs=runs), *about(material), choice(material)]
     return hashlib.sha256("\n".join(parts).encode(errors="backslashreplace")).hexdigest()[:16]
 
 
 def page_of_errors(file: str, state: Mapping[str, Any]) -> str:
-    """The page of a case that could not be read yet."""
+    """Return the page of a case that has never been valid."""
     return _framed(file, [], [], {}, Markup(), state)
 
 
@@ -164,7 +164,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
         choice=chosen,
         panel=joined(toolbar.toolbar(), _panel(state)),
         scripts=[toolbar.SCRIPT, *(_RUN_SCRIPTS if has_run else ()), *_OWN_SCRIPTS],
-        style=joined(_STYLE, *(own.STYLE for own in _OF_RUNS if has_run)),
+        style=joined(_STYLE, *(run_module.STYLE for run_module in _OF_RUNS if has_run)),
         policy="",
         state={"data_state": state["state"], "data_digest": state["digest"]},
         revision=state["revision"],
@@ -173,7 +173,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 
 
 def _panel(state: Mapping[str, Any]) -> Markup:
-    """What saves, and says what is wrong; what has nothing to say is hidden."""
+    """Return the panel of buttons, errors and conflicts; parts without content are hidden."""
     errors = state["errors"]
     buttons = {"save": tr("Save"), "revert": tr("Revert"), "undo": tr("Undo")}
     choices = {"keep-mine": tr("Keep my numbers"), "take-file": tr("Take the file")}
@@ -183,12 +183,21 @@ def _panel(state: Mapping[str, Any]) -> Markup:
     )
     return tag(
         "div",
-        tag("div", *(tag("button", said, id=one, hidden=True) for one, said in buttons.items())),
+        tag(
+            "div",
+            *(
+                tag("button", text, id=button_id, hidden=True)
+                for button_id, text in buttons.items()
+            ),
+        ),
         tag("pre", errors, id="errors", role="alert", hidden=not errors),
         tag(
             "div",
             tag("p", asked),
-            *(tag("button", said, id=one, hidden=True) for one, said in choices.items()),
+            *(
+                tag("button", text, id=button_id, hidden=True)
+                for button_id, text in choices.items()
+            ),
             id="conflict",
             role="alert",
             hidden=True,

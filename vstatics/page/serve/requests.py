@@ -1,4 +1,4 @@
-"""What a browser sends, read within bounds; what no page of ours would send is refused."""
+"""Requests of a browser, read within limits; requests from other pages are refused."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from urllib.parse import parse_qsl
 
 HOST = "127.0.0.1"
 MOST_HEAD = 16_384
-"""Bytes of a request line and its fields."""
+"""Largest size of a request line and its fields. [bytes]"""
 MOST_BODY = 1_000_000
 MOST_CHANGES = 10_000
 READ_SECONDS = 10.0
-"""So long a request may take to come in."""
+"""Time a browser can take to send a request. [s]"""
 _LINE = re.compile(r"([A-Za-z]{1,16}) (/[\x21-\x7e]*) HTTP/1\.[01]")
 _FIELD = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([\x20-\x7e\x80-\xff\t]*?)[ \t]*")
 METHODS = {"": "GET", "events": "GET", "shown": "GET", "part": "GET", "try": "POST", "save": "POST"}
-"""What there is below the token, and how it is asked for."""
+"""Routes below the token -> HTTP methods."""
 
 
 class RefusedError(Exception):
-    """A request that is not answered: the status, and why."""
+    """A refused request, with the HTTP status and the reason."""
 
     def __init__(self, status: int, why: str, fields: dict[str, str] | None = None) -> None:
         super().__init__(why)
@@ -34,22 +34,22 @@ class RefusedError(Exception):
 
 
 class Request(NamedTuple):
-    """What was asked for."""
+    """A request of the page."""
 
     method: str
     route: str
     """A key of `METHODS`."""
     query: dict[str, str]
     fields: list[tuple[str, str]]
-    """Names in small letters."""
+    """Header fields with names in lower case."""
 
     def all_of(self, name: str) -> list[str]:
-        """The values of a field, as often as it stands there."""
-        return [value for one, value in self.fields if one == name]
+        """Return all values of a header field."""
+        return [value for field, value in self.fields if field == name]
 
 
 async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> Request:
-    """The head of a request, if it is one of a page of ours.
+    """Read the head of a request and check the sender.
 
     Raises
     ------
@@ -68,7 +68,7 @@ async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> R
 
 
 def checked(head: bytes, port: int, token: str) -> Request:
-    r"""A request whose host, origin, path and method are those of a page of ours.
+    r"""Check host, origin, path and method of a request.
 
     Raises
     ------
@@ -82,10 +82,10 @@ def checked(head: bytes, port: int, token: str) -> Request:
     """
     first, *lines = head.decode("latin-1").removesuffix("\r\n\r\n").split("\r\n")
     line = _LINE.fullmatch(first)
-    found = [_FIELD.fullmatch(one) for one in lines]
-    if not line or not all(found):
+    matches = [_FIELD.fullmatch(field) for field in lines]
+    if not line or not all(matches):
         raise RefusedError(400, "no request of HTTP/1.1")
-    fields = [(one[1].lower(), one[2]) for one in found if one]
+    fields = [(match[1].lower(), match[2]) for match in matches if match]
     request = Request(line[1], "", {}, fields)
     _check_sender(request, f"{HOST}:{port}")
     path, _, query = line[2].partition("?")
@@ -98,20 +98,20 @@ def checked(head: bytes, port: int, token: str) -> Request:
     return request._replace(route=route, query=dict(parse_qsl(query)))
 
 
-def _check_sender(request: Request, own: str) -> None:
-    """That it is meant for this server, and comes from its page if it comes from one."""
-    if request.all_of("host") != [own]:
-        raise RefusedError(403, f"expected the host {own}, once")
-    if any(one != f"http://{own}" for one in request.all_of("origin")):
+def _check_sender(request: Request, host: str) -> None:
+    """Check that a request is meant for the server and does not come from a foreign page."""
+    if request.all_of("host") != [host]:
+        raise RefusedError(403, f"expected the host {host}, once")
+    if any(origin != f"http://{host}" for origin in request.all_of("origin")):
         raise RefusedError(403, "comes from another page")
-    # a browser tells one of them with every POST; a script that knows the address need not
+    # A browser sends this field with every POST; a script that knows the address need not.
     sites = request.all_of("sec-fetch-site")
-    if request.method == "POST" and any(one != "same-origin" for one in sites):
+    if request.method == "POST" and any(origin != "same-origin" for origin in sites):
         raise RefusedError(403, "comes from another page")
 
 
 async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[str, float]:
-    """The numbers that a request has in its body, by their paths.
+    """Read the changed numbers in the body of a request, by path.
 
     Raises
     ------
@@ -137,12 +137,12 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
 
 
 def changes_of(body: bytes) -> dict[str, float]:
-    """The numbers of a body.
+    """Return the changed numbers of a body.
 
     Raises
     ------
     RefusedError
-        If it is anything but `{"changes": {path: number}}`.
+        If the body is not `{"changes": {path: number}}`.
 
     Examples
     --------

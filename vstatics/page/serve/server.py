@@ -1,4 +1,4 @@
-"""The server: one page, its sections and pictures, events for those who look at it, saving."""
+"""The HTTP server of a page: its sections and pictures, events for open pages, and saving."""
 
 from __future__ import annotations
 
@@ -24,30 +24,30 @@ from vstatics.page.serve.states import ChangedMeanwhileError, RefusedChangeError
 from vstatics.page.serve.studio import StudioProcess
 
 LOOK_SECONDS = 0.02
-"""Between two looks at the files."""
+"""Interval of checks of the files. [s]"""
 BEAT_SECONDS = 10.0
-"""So often a page that listens hears something."""
+"""Interval of comments that keep the events of a page alive. [s]"""
 END_TRIES, END_SECONDS = 20, 0.1
-"""So often, and so long each time, the end waits for the process of the studio."""
+"""Attempts to end the process of the studio, and the time of each [s]."""
 
 T = TypeVar("T")
 
 
 class PageServer:
-    """Serves the page of one case.
+    """HTTP server of the page of one case.
 
     Parameters
     ----------
     make : callable
-        Gives the states of the case.
+        Returns the states of the case.
     studio : StudioProcess
-        Makes what is awaited.
+        Draws pictures and slow sections.
     token : str
-        Without which nothing is answered.
+        Secret part of the address; requests without this token are refused.
     """
 
     def __init__(self, make: Callable[[], ShownStates], studio: StudioProcess, token: str) -> None:
-        """Calculate nothing yet."""
+        """Prepare the server without calculating."""
         self._make = make
         self._studio = studio
         self._token = token
@@ -56,24 +56,24 @@ class PageServer:
         self._connections = Connections()
         self._news = asyncio.Event()
         self._numbers = ThreadPoolExecutor(1, "numbers")
-        """What changes states runs here, one after the other."""
+        """Thread of all calls that change states, so that they run one after another."""
         self._pictures = ThreadPoolExecutor(1, "pictures")
 
     async def serve(self, port: int, ready: Callable[[str], None], stop: asyncio.Event) -> None:
-        """Serve until it is to stop.
+        """Serve until the event `stop` is set.
 
         Parameters
         ----------
         port : int
-            0 takes one that is free.
+            Port to listen on; 0 for any free port.
         ready : callable
-            Is told the address when it can be opened.
+            Called with the address when it can be opened.
         stop : Event
 
         Raises
         ------
         OSError
-            If the port is taken.
+            If the port is already in use.
         """
         server = await asyncio.start_server(
             self._connected, HOST, port, limit=MOST_HEAD, backlog=1024
@@ -96,7 +96,7 @@ class PageServer:
                 pool.shutdown(wait=False)
 
     async def _end_pictures(self) -> None:
-        """End what is being made, but not a process in the middle of its start."""
+        """End the process of the studio, except in the middle of its start."""
         closed = self._in(self._pictures, self._studio.close)
         for _ in range(END_TRIES):
             self._studio.stop()
@@ -104,40 +104,42 @@ class PageServer:
                 return
 
     def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
-        context = copy_context()  # it has the language
+        context = copy_context()  # the context holds the language
         return asyncio.get_running_loop().run_in_executor(pool, context.run, work)
 
     async def _watch(self) -> None:
-        """Look whether a file has changed, and tell it."""
+        """Check the files for changes, and inform the listening pages."""
         while True:
             await asyncio.sleep(LOOK_SECONDS)
             if self._states.is_old() and await self._in(self._numbers, self._look_again):
-                self._tell()
-                self._in(self._numbers, self._file_state)  # what all who are told ask for
+                self._wake_listeners()
+                self._in(
+                    self._numbers, self._file_state
+                )  # cached for the pages that ask for it next
 
     def _look_again(self) -> bool:
         return self._states.look_again()
 
-    def _tell(self) -> None:
-        """Wake those who listen."""
+    def _wake_listeners(self) -> None:
+        """Wake the listening pages."""
         self._news.set()
         self._news = asyncio.Event()
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """One connection from its begin to its end."""
+        """Handle one connection."""
         writer.transport.set_write_buffer_limits(0)
         try:
             with self._connections.joined() as has_room:
                 if has_room:
-                    await self._one(reader, writer)
+                    await self._respond(reader, writer)
         except (OSError, EOFError, TimeoutError, asyncio.CancelledError):
-            pass  # whoever asked is gone, or too slow
-        except Exception as error:  # noqa: BLE001 - the others are to go on
+            pass  # the browser has closed the connection or is too slow
+        except Exception as error:  # noqa: BLE001 - other connections continue
             writer.write(refusal(RefusedError(500, f"an error of vstatics: {error!r}")).data)
         finally:
             writer.transport.abort() if writer.transport.get_write_buffer_size() else writer.close()
 
-    async def _one(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    async def _respond(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         try:
             request = await read_request(reader, self._port, self._token)
             if request.route == "events":
@@ -152,7 +154,7 @@ class PageServer:
         await send(writer, answer.data)
 
     async def _answer(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
-        """What was asked for.
+        """Return the response to a request.
 
         Raises
         ------
@@ -171,7 +173,7 @@ class PageServer:
                 return await self._in(self._numbers, partial(self._tried, changes))
         digest = "".join(request.all_of("if-match")).strip('"')
         answer = await self._in(self._numbers, partial(self._saved, changes, digest))
-        self._tell()
+        self._wake_listeners()
         return answer
 
     def _file_state(self) -> HttpAnswer:
@@ -192,30 +194,30 @@ class PageServer:
             raise RefusedError(422, str(error)) from None
 
     async def _awaited(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
-        """A picture or a section of a state, unless whoever asked does not wait for it."""
+        """Return a picture or section of a state, unless the browser has stopped waiting."""
         number, name = request.query.get("number", ""), request.query.get("name", "")
         shown = self._states.kept(number)
         if shown is None or shown.material is None:
             raise RefusedError(404, "this state is not kept")
         work = partial(self._studio.part, shown.calculated.texts, name)
-        made = self._in(self._pictures, work)
+        part = self._in(self._pictures, work)
         gone = asyncio.ensure_future(reader.read(1))
-        both: list[asyncio.Future[Any]] = [made, gone]
-        await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
+        either: list[asyncio.Future[Any]] = [part, gone]
+        await asyncio.wait(either, return_when=asyncio.FIRST_COMPLETED)
         gone.cancel()
-        if not made.done():
-            made.cancel()
+        if not part.done():
+            part.cancel()
             raise ConnectionResetError
-        text = made.result()
+        text = part.result()
         if text is None:
             raise RefusedError(404, "there is no such part")
         return html(text)
 
     async def _listened(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Tell the state of the files now, and whenever it changes."""
+        """Send the state of the files now and after each change."""
         self._connections.now("listening")
         await send(writer, answers.head(200, answers.EVENTS, {}) + b"retry: 500\n\n")
-        listening = asyncio.ensure_future(self._told(writer))
+        listening = asyncio.ensure_future(self._send_states(writer))
         gone = asyncio.ensure_future(reader.read(1))
         try:
             await asyncio.wait([listening, gone], return_when=asyncio.FIRST_COMPLETED)
@@ -224,16 +226,16 @@ class PageServer:
             gone.cancel()
             await asyncio.gather(listening, gone, return_exceptions=True)
 
-    async def _told(self, writer: asyncio.StreamWriter) -> None:
-        """Tell states until nobody listens."""
-        told = 0
+    async def _send_states(self, writer: asyncio.StreamWriter) -> None:
+        """Send states until the page stops listening."""
+        sent = 0
         while True:
             news, shown = self._news, self._states.shown
-            if shown.number != told:
-                told = shown.number
+            if shown.number != sent:
+                sent = shown.number
                 await send(writer, answers.event(self._states.told_of(shown)))
             try:
-                async with asyncio.timeout(BEAT_SECONDS):  # `wait_for` may lose a cancellation
+                async with asyncio.timeout(BEAT_SECONDS):  # `wait_for` can lose a cancellation
                     await news.wait()
             except TimeoutError:
                 await send(writer, b": here\n\n")

@@ -1,4 +1,4 @@
-"""What is shown of a case: as its files are, and with numbers that are tried; numbers are saved."""
+"""States of a page: those of the files as saved, and those with numbers under trial."""
 
 from __future__ import annotations
 
@@ -27,69 +27,69 @@ from vstatics.pictures.paged.parts import Part
 from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
-"""So long a file in error is left to whoever may still be writing it."""
+"""Time before an invalid, perhaps half-written file is read again. [s]"""
 SETTLE_SECONDS = 0.005
-"""Time between a new file and the last comparison, for whoever writes when a file appears."""
+"""Time before the last comparison, for editors that react to a new file. [s]"""
 MOST_KEPT = 32
-"""So many tried states have their pictures drawn when they are looked at."""
+"""Number of tried states whose pictures can still be drawn."""
 
 
 class Calculated(NamedTuple):
-    """What became of a case."""
+    """Result of the calculation of a case."""
 
     results: Results | None
     problems: Sequence[Problem]
-    """With their places."""
+    """Problems with places."""
     naming: Naming
     texts: Texts
-    """A scenario, if there is one, and then the case; what could not be read is left out."""
+    """Contents of the readable files by name; a scenario precedes the case."""
     files: Sequence[str] = ()
-    """All that were read, or would have been."""
+    """Names of all files that were read or are missing."""
     run: Callable[[], PicturedRun | None] = lambda: None
-    """Of a scenario; raises a `CaseError` if it can't begin."""
+    """Function that returns the run of a scenario, or raises a `CaseError`."""
     is_run: bool = False
 
 
 Calculate = Callable[[Texts], Calculated]
-"""Texts stand in place of what is in the files of their names."""
+"""Function that calculates the case; the argument replaces the contents of some files."""
 
 
 class Shown(NamedTuple):
     """A state of the page."""
 
     number: int
-    """Grows from each to the next."""
+    """Number of the state, increasing."""
     calculated: Calculated
     material: Material | None
-    """None where there are no results."""
+    """Contents of the page; None without results."""
     errors: str
 
     @property
     def state(self) -> str:
-        """How the body of the page tells it."""
+        """State of the page for the attribute of the body."""
         return "error" if self.errors else "good"
 
 
 class ChangedMeanwhileError(Exception):
-    """The files are no longer those on which somebody's numbers stand."""
+    """A request is based on files that have changed since."""
 
 
 class RefusedChangeError(Exception):
-    """A change that can't be made, and why."""
+    """A change that cannot be made, with the reason."""
 
 
 class ShownStates:
-    """What is shown of one case."""
+    """States of the page of one case."""
 
     shown: Shown
-    """Of the files as they are."""
+    """State of the files."""
     good: Shown | None = None
-    """The last of them that had results."""
+    """Last state of the files that had results."""
     _documents = CaseDocuments({}, {})
-    """Of that one."""
+    """Documents of the last state with results."""
 
     def __init__(self, calculate: Calculate, file: str, digits: int | None = None) -> None:
-        """Calculate the case as its files are."""
+        """Calculate the case from the files."""
         self.file = file
         self._calculate = calculate
         self._digits = digits
@@ -102,80 +102,84 @@ class ShownStates:
             pass
 
     def look_again(self) -> bool:
-        """Calculate the case anew if a file has changed; whether one has.
+        """Calculate the case again if a file has changed; return whether one has.
 
-        Files are looked at before they are read: a change in between shows the next time. So
-        does one of a file in error, which may be written only by half.
+        Files are checked before they are read, so a change in between is noticed at the next check.
+        An invalid file is checked twice, because it can be half-written.
         """
         signature = signature_of(self._files)
         if signature == self._signature:
             return False
-        made = self._shown({})
-        if made.errors:
+        shown = self._shown({})
+        if shown.errors:
             time.sleep(WRITE_SECONDS)
             if signature_of(self._files) != signature:
                 return False
-        self._take(made)
-        new = [file for file in self._files if file not in signature]
-        self._signature = {**signature, **signature_of(new)}
+        self._take(shown)
+        found_files = [file for file in self._files if file not in signature]
+        self._signature = {**signature, **signature_of(found_files)}
         return True
 
     def is_old(self) -> bool:
-        """Whether a file has changed since."""
+        """Check whether a file has changed since the last calculation."""
         return signature_of(self._files) != self._signature
 
     @property
     def digest(self) -> str:
-        """Of the documents as they were read last."""
+        """Digest of the documents when last read."""
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """A state of the files, or one tried not long ago, by its number as it is written."""
-        of_files = (one for one in (self.shown, self.good) if one and str(one.number) == number)
+        """Return a state of the files, or a recently tried state, by its number as text."""
+        of_files = (
+            state for state in (self.shown, self.good) if state and str(state.number) == number
+        )
         return next(of_files, self._kept.get(number))
 
     def tried(self, changes: Mapping[str, float]) -> Shown:
-        """What would be shown if numbers were others; a file in error stays so.
+        """Return the state of the page with changed numbers.
 
         Raises
         ------
         RefusedChangeError
+            If the numbers cannot be changed.
         """
         return self._shown(self._changed(changes)) if changes else self.shown
 
     def saved(self, changes: Mapping[str, float], digest: str = "") -> Shown:
-        """Write other numbers into the documents, and show these.
+        """Write changed numbers into the documents, and return the new state.
 
         Parameters
         ----------
         changes : mapping of str to float
-            By their paths.
+            New values by path.
         digest : str, optional
-            Of the documents on which the changes stand; without it those that are there now.
+            Digest of the documents on which the changes are based.
 
         Raises
         ------
         ChangedMeanwhileError
+            If the documents have changed since.
         RefusedChangeError
-            If they can't be made, no case could be read then, or nothing can be written.
+            If a number cannot be changed or written, or the case would be invalid.
         """
         self.look_again()
         if digest and digest != self.digest:
             raise ChangedMeanwhileError
         texts = self._changed(changes)
-        made = self._shown(texts)
-        if made.material is None:
-            raise RefusedChangeError(made.errors)
+        shown = self._shown(texts)
+        if shown.material is None:
+            raise RefusedChangeError(shown.errors)
         self._write(texts)
-        self._take(made)
+        self._take(shown)
         self._signature = signature_of(self._files)
-        return made
+        return shown
 
     def _write(self, texts: Texts) -> None:
-        """Put new texts into their files, all of them or none.
+        """Write new contents into all files or no file.
 
-        The files are compared once more when the new ones are ready beside them: an editor that
-        writes as soon as it sees a new file loses nothing.
+        The files are compared again when the new files are ready, so that a save by an editor in
+        that moment is not lost.
 
         Raises
         ------
@@ -183,13 +187,13 @@ class ShownStates:
         """
         file = self.file
         try:
-            with ExitStack() as ready:
+            with ExitStack() as stack:
                 for file, data in texts.items():
                     old = self.shown.calculated.texts[file]
-                    ready.enter_context(replacing(file, expected=old))(data)
+                    stack.enter_context(replacing(file, expected=old))(data)
                 time.sleep(SETTLE_SECONDS)
         except ChangedFileError:
-            self._signature = {}  # read again, whatever its time says
+            self._signature = {}  # forces a new calculation
             raise ChangedMeanwhileError from None
         except OSError as error:
             raise RefusedChangeError(str(unwritable(file, error))) from None
@@ -205,29 +209,31 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """A state of the files, some of them with other texts."""
-        made = self._calculate(texts)
+        """Calculate a state from the files, with other contents of some."""
+        calculated = self._calculate(texts)
         material = None
-        if made.results is not None:
-            material = material_of(made.results, made.problems, self._digits, made.naming)
-        errors = told(one for one in made.problems if one.severity == "error")
+        if calculated.results is not None:
+            material = material_of(
+                calculated.results, calculated.problems, self._digits, calculated.naming
+            )
+        errors = told(problem for problem in calculated.problems if problem.severity == "error")
         self._number += 1
-        shown = self._kept[str(self._number)] = Shown(self._number, made, material, errors)
+        shown = self._kept[str(self._number)] = Shown(self._number, calculated, material, errors)
         while len(self._kept) > MOST_KEPT:
             del self._kept[next(iter(self._kept))]
         return shown
 
     def _take(self, shown: Shown) -> None:
-        """A state of the files is that which is shown."""
+        """Make a state the present state of the files."""
         self.shown = shown
-        made = shown.calculated
-        self._files = list(dict.fromkeys([self.file, *made.texts, *made.files]))
-        if made.results is not None:
+        calculated = shown.calculated
+        self._files = list(dict.fromkeys([self.file, *calculated.texts, *calculated.files]))
+        if calculated.results is not None:
             self.good = shown
-            self._documents = documents_of(made.texts, made.results.case)
+            self._documents = documents_of(calculated.texts, calculated.results.case)
 
     def page(self) -> str:
-        """The page of the files as they are, or as they were before they were in error."""
+        """Return the page of the present state, or of the last state with results."""
         state, good = self.told_of(self.shown), self.good
         if good is None or good.material is None:
             return page_of_errors(self.file, state)
@@ -236,7 +242,7 @@ class ShownStates:
         return page_of(good.material, self._parts(good), runs=runs, state=state)
 
     def _parts(self, shown: Shown) -> list[Part]:
-        assert shown.material is not None  # noqa: S101 - asked of what has results
+        assert shown.material is not None  # noqa: S101 - called for states with results
         return parts_of(shown.material, self._fields, runs=shown.calculated.is_run)
 
     @property
@@ -244,15 +250,17 @@ class ShownStates:
         return self._documents.fields
 
     def answer(self, shown: Shown) -> dict[str, Any]:
-        """A state for the script of the page; without sections where nothing can be shown."""
+        """Return a state for the script of the page; sections only with results."""
         number, answer = self._answered
-        if number == shown.number and shown is self.shown:  # several pages ask for it
+        if (
+            number == shown.number and shown is self.shown
+        ):  # several open pages request the same state
             return answer
         answer = self.told_of(shown)
         if shown.material is not None:
             parts = self._parts(shown)
             answer["sections"] = sections_of(shown.material, parts)
-            answer["fields"] = {one.path: one.value for one in self._fields}
+            answer["fields"] = {field.path: field.value for field in self._fields}
             answer["head"] = head_of(shown.material, runs=shown.calculated.is_run)
             answer["document"] = shown.material.document
         if shown is self.shown:
@@ -260,7 +268,7 @@ class ShownStates:
         return answer
 
     def told_of(self, shown: Shown) -> dict[str, Any]:
-        """Its number, and whether it is good."""
+        """Return the number, digest, condition and errors of a state."""
         return {
             "number": shown.number,
             "revision": shown.number,

@@ -1,4 +1,4 @@
-"""Pictures and slow sections, made in a process of their own: numbers do not wait for them."""
+"""Pictures and slow sections, drawn in a separate process so that numbers do not wait."""
 
 from __future__ import annotations
 
@@ -23,69 +23,71 @@ if TYPE_CHECKING:
 
 
 GENTLE = 15
-"""How far the process of pictures stands back."""
+"""Niceness of the process that draws pictures."""
 
 
 class Studio:
-    """Makes parts of a page from the texts of its documents, and keeps the last case.
+    """Draws parts of a page from the texts of documents, and caches the last case.
 
     Parameters
     ----------
     calculate : callable
-        As of `vstatics.page.serve.states.ShownStates`; it goes to another process.
+        As for `vstatics.page.serve.states.ShownStates`; sent to another process.
     digits : int, optional
-        After the point.
+        Digits after the point.
     language : str
-        In which the page speaks.
+        Language of the page.
     """
 
     def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
-        """Nothing is calculated yet."""
+        """Begin without a case."""
         self._calculate = calculate
         self._digits = digits
         self._language = language
         self._texts: Texts | None = None
-        self._made: tuple[Calculated, Material] | None = None
+        self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """A part by its name, as HTML; None if there is no such part."""
+        """Return a part by name as HTML; None if no part has the name."""
         with speaking(self._language):
             return self._part(texts, name)
 
     def _part(self, texts: Texts, name: str) -> str | None:
         if texts != self._texts:
-            self._texts, self._made = texts, None
-            made = self._calculate(texts)
-            if made.results is not None:
-                material = material_of(made.results, made.problems, self._digits, made.naming)
-                self._made = made, material
-        if self._made is None:
+            self._texts, self._case = texts, None
+            calculated = self._calculate(texts)
+            if calculated.results is not None:
+                material = material_of(
+                    calculated.results, calculated.problems, self._digits, calculated.naming
+                )
+                self._case = calculated, material
+        if self._case is None:
             return None
-        calculated, material = self._made
+        calculated, material = self._case
         shown = awaited_part(name, material, calculated.run)
         return None if shown is None else shown_alone(Part(name, [shown]), material.document)
 
 
 class StudioProcess:
-    """A studio in another process, which is started when something is asked of it.
+    """A studio in another process, which starts with the first request.
 
-    Its methods are called by one thread, but for `stop`.
+    All methods except `stop` are called from one thread.
     """
 
     def __init__(self, studio: Studio) -> None:
-        """Nothing is started yet."""
+        """Prepare the process without a start."""
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """As that of the studio; what can't be made is missing."""
+        """Return a part as `Studio.part` does; None if drawing fails."""
         try:
-            [(_, made)] = self._processes.each(_made, [(dict(texts), name)])
-        except CaseError:  # the process died, or the program has a fault
+            [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
+        except CaseError:  # the process died or raised an error
             return None
-        return made
+        return part_html
 
     def stop(self) -> None:
-        """End what the process is at, if it has started: it is missing then."""
+        """Terminate a started process in the middle of work."""
         for process in multiprocessing.active_children():
             process.terminate()
 
@@ -94,13 +96,13 @@ class StudioProcess:
         self._processes.__exit__(None)
 
 
-def _made(studio: Studio, item: tuple[Texts, str]) -> str | None:
+def _part_of(studio: Studio, item: tuple[Texts, str]) -> str | None:
     _give_way()
     return studio.part(*item)
 
 
 @cache
 def _give_way() -> None:
-    """Let the process of a picture take what the numbers of a newer state leave."""
+    """Lower the priority of the process once, in favour of the calculation of new states."""
     if hasattr(os, "nice"):
         os.nice(GENTLE)

@@ -1,4 +1,4 @@
-"""Whether files have changed: looked at without reading, and by what they hold."""
+"""Detection of changed files, by their metadata and by their contents."""
 
 from __future__ import annotations
 
@@ -11,20 +11,25 @@ from vstatics.page.serve.document_fields import Texts
 
 
 def digest_of(texts: Texts) -> str:
-    """What tells documents from others."""
-    made = hashlib.sha256()
+    """Return a digest of the names and contents of documents."""
+    digest = hashlib.sha256()
     for file, data in texts.items():
         for part in (os.fsencode(file), data):
-            made.update(len(part).to_bytes(8, "big") + part)
-    return made.hexdigest()
+            digest.update(len(part).to_bytes(8, "big") + part)
+    return digest.hexdigest()
 
 
 def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """What tells, without reading, that a file has changed; nothing of one that is not there."""
-    found: dict[str, tuple[int, ...]] = {}
+    """Return the metadata that change with each file; empty for a missing file."""
+    signature: dict[str, tuple[int, ...]] = {}
     for file in files:
-        found[file] = ()
+        signature[file] = ()
         with suppress(OSError, ValueError):
-            about = os.stat(file)  # noqa: PTH116
-            found[file] = (about.st_mtime_ns, about.st_ctime_ns, about.st_size, about.st_ino)
-    return found
+            status = os.stat(file)  # noqa: PTH116
+            signature[file] = (
+                status.st_mtime_ns,
+                status.st_ctime_ns,
+                status.st_size,
+                status.st_ino,
+            )
+    return signature

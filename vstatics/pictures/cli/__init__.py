@@ -1,5 +1,5 @@
-"""The command `vstatics plot`, which draws pictures of every kind.
+"""The command `vstatics plot`, which draws all kinds of pictures.
 
-`plot` reads the case, scenario, sweep or found gearboxes of a picture, and writes SVG, PNG or PDF.
-The pictures themselves stand in `vstatics.pictures` and in the annexes that draw their results.
+`plot` reads a case, scenario, sweep or list of gearboxes and writes SVG, PNG or PDF. The functions
+that draw are in `vstatics.pictures` and in the annexes of the results.
 """

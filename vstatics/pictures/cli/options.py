@@ -1,4 +1,4 @@
-"""Options of `vstatics plot`; those of kinds of pictures that are not installed are left out."""
+"""Options of `vstatics plot`, limited to the kinds of pictures that are installed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vstatics.pictures.drawing.style import PAGE_WIDTH, Excitation, Style
 
 
 class AskedPicture(NamedTuple):
-    """A picture as it is asked for."""
+    """Options of a picture on the command line."""
 
     kind: str
     gears: tuple[str, ...] = ()
@@ -39,7 +39,7 @@ class AskedPicture(NamedTuple):
 
     @property
     def of_kinds(self) -> dict[str, object]:
-        """The values of options that not all kinds have."""
+        """Values of options that only some kinds of pictures have."""
         return {
             **{name: getattr(self, name) for name in ("merge", "wheels", "orders", "at", "speed")},
             "order": self.order != "free",
@@ -50,12 +50,12 @@ class AskedPicture(NamedTuple):
 
     @property
     def columns(self) -> tuple[str, tuple[str, ...], str, str] | None:
-        """The columns of a written sweep, if any is named."""
+        """Columns of a written sweep, if any is named."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
 
     def style(self, lang: Language, height: float) -> Style:
-        """The look of the picture on pages of a height [pt]."""
+        """Return the style of the picture on pages of a height [pt]."""
         return Style(
             lang,
             self.dark,
@@ -69,7 +69,7 @@ class AskedPicture(NamedTuple):
 
 
 def _of_kinds(name: str, option: Option) -> Iterator[Option]:
-    """Yield an option if a kind of picture has it."""
+    """Yield an option if a kind of picture has the option."""
     if any(name in kind.options for kind in picture_kinds().values()):
         yield option
 
@@ -174,4 +174,4 @@ options = gathered(
     ),
     click.option("--dark", is_flag=True, help="Light on dark, for a screen."),
 )
-"""All of them; a command gets `asked`, and `output`."""
+"""Decorator for all options; a command gets the arguments `asked` and `output`."""

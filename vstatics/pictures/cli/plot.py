@@ -1,4 +1,4 @@
-"""`vstatics plot`: a picture of a case."""
+"""`vstatics plot`: draw a picture of a case."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 _FLAGS = {"columns": "x, --y, --z, --by"}
-"""Options that are several on the command line."""
+"""Option of a kind -> names of the corresponding command-line options."""
 
 
 def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:
-    """List the kinds of pictures in the help of a command."""
+    """Insert the list of kinds of pictures into the help of a command."""
     lines = (
-        f"{kind:13}" + own.help.replace("\n", "\n" + " " * 17)
-        for kind, own in picture_kinds().items()
+        f"{kind:13}" + record.help.replace("\n", "\n" + " " * 17)
+        for kind, record in picture_kinds().items()
     )
     command.__doc__ = (command.__doc__ or "").replace("KINDS", "\n    ".join(lines))
     return command
@@ -93,14 +93,14 @@ def plot(
     Exit status: 0 done; 1 a case is in error, a gear is tied up, or there is
     nothing to draw; 2 wrong use.
     """
-    own, ratios = picture_kinds()[asked.kind], asked.ratios
+    record, ratios = picture_kinds()[asked.kind], asked.ratios
     of_case = {"columns": asked.columns, "coast": settings.coast is not None}
     refuse(
         *_misplaced(asked.kind, asked.of_kinds),
         (cases and ratios is not None, "--ratios: without a case"),
         (not cases and ratios is None, "Missing argument 'CASE...'."),
         (
-            (own.plots or ratios is not None) and settings[:3] != CaseOptions()[:3],
+            (record.plots or ratios is not None) and settings[:3] != CaseOptions()[:3],
             "--from, --coast, --idle: they are of a case",
         ),
         *_misplaced(asked.kind, of_case),
@@ -111,11 +111,11 @@ def plot(
     style = asked.style(lang, math.inf if is_stream(to.output) else PAGE_HEIGHT)
     if ratios is not None:
         return _plot_ratios(ratios, asked.gears, to, style)
-    if own.plots:
-        status: int = higher(own.plots)(cases, to, style, asked)
+    if record.plots:
+        status: int = higher(record.plots)(cases, to, style, asked)
         return status
     takes = settings._replace(
-        scenarios=True, of_runs="motion" in own.options, of_vibration=own.shows == "vibration"
+        scenarios=True, of_runs="motion" in record.options, of_vibration=record.shows == "vibration"
     )
     if len(cases) > 1 and not to.is_folder:
         return _plot_two(calculate(cases, takes), to, asked, style)
@@ -124,14 +124,13 @@ def plot(
 
 
 def _misplaced(kind: str, given: Mapping[str, object]) -> list[tuple[bool, str]]:
-    """Rules for options that a kind of picture does not have."""
+    """List the rules against options that a kind of picture does not have."""
     return [(True, f"--{_FLAGS.get(name, name)}: {why}") for name, why in misplaced(kind, given)]
 
 
 def _plot_ratios(
     ratios: list[float], gears: Sequence[str], to: formats.Destination, style: Style
 ) -> int:
-    """Draw the plan of ratios alone."""
     from vstatics.pictures.plan.wanted import case_of_ratios
 
     with wrong_value("--ratios"):
@@ -142,28 +141,28 @@ def _plot_ratios(
 
 
 def _chosen(case: Transmission, gears: Sequence[str]) -> list[int]:
-    """Return the numbers of the gears that are asked for."""
+    """Return the numbers of the chosen gears, without repetitions."""
     return [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
 
 
 def _asked_case(
     outcome: CalculatedCase, results: Results, asked: AskedPicture, style: Style
 ) -> tuple[PairedCase, Style]:
-    """Return a case as it is drawn, with its run, and the style with the speeds of a scenario.
+    """Return the case to draw with the run, and the style with the speeds of a scenario.
 
     Raises
     ------
     BadParameter
-        If there is no such gear or link.
+        If a gear or link does not exist.
     """
-    has, chosen, motion = (
+    kind_options, chosen, motion = (
         picture_kinds()[asked.kind].options,
         _chosen(results.case, asked.gears),
         None,
     )
-    if "motion" in has and outcome.scenario is not None:
+    if "motion" in kind_options and outcome.scenario is not None:
         results, motion = higher("drawn_run")(outcome, results, asked.out)
-    if "orders" in has:
+    if "orders" in kind_options:
         style = _excited(outcome, results, style)
     name = os.path.basename(outcome.file)  # noqa: PTH119
     return PairedCase(name, results, chosen, motion), style
@@ -175,7 +174,7 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
     Raises
     ------
     BadParameter
-        If there is no such link.
+        If the link does not exist.
     """
     excited = style.excited
     if excited.at:
@@ -189,7 +188,6 @@ def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
 def _plot_two(
     outcomes: Iterable[CalculatedCase], to: formats.Destination, asked: AskedPicture, style: Style
 ) -> int:
-    """Draw two cases on one sheet; the exit status."""
     both, failed = [], False
     for outcome in outcomes:
         failed |= outcome.failed
@@ -213,7 +211,6 @@ def _refuse_without_suffix(output: str) -> None:
 def _shown(
     outcome: CalculatedCase, results: Results, form: Format, asked: AskedPicture, style: Style
 ) -> texts.CaseOutput:
-    """A picture of a case."""
     (_, results, chosen, motion), style = _asked_case(outcome, results, asked, style)
     try:
         drawn = pages(results, asked.kind, form, style, chosen, motion=motion)

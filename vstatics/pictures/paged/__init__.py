@@ -1,6 +1,6 @@
-"""Pictures within pages of HTML, and the parts of pages that annexes provide.
+"""Pictures within HTML pages, and the parts of pages that annexes provide.
 
-`inline` makes an SVG part of a page. `drawn` has a picture of a case as a page has it, or why it
-is not drawn. `marks` says what numbers are, for scripts. `parts` has sections and figures, and what
-an annex is asked for, and gives, for a section of its own.
+`inline` embeds an SVG in a page. `drawn` draws a picture of a case for a page, or gives the reason
+why the picture cannot be drawn. `marks` marks numbers for scripts. `parts` has sections, figures,
+and the protocols by which an annex provides a section.
 """

@@ -1,4 +1,4 @@
-"""Pictures of a case as a page of HTML has them, or why they are not drawn."""
+"""Pictures of a case for an HTML page, or the reasons why pictures are not drawn."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
 
 PRINTED_WIDTH = 182.0
-"""Between the margins of A4, as the style sheet has them. [mm]"""
+"""Width between the margins of A4, equal to the style sheet. [mm]"""
 COLUMN_GAP = 4.0
-"""Between two pictures side by side. [mm]"""
+"""Gap between two pictures side by side. [mm]"""
 PAGE = Style(titled=False, width=PRINTED_WIDTH * POINTS_PER_MILLIMETRE, height=PAGE_HEIGHT)
 HALF = PAGE._replace(width=(PRINTED_WIDTH - COLUMN_GAP) / 2 * POINTS_PER_MILLIMETRE)
 
 
 class Drawn(NamedTuple):
-    """A picture, or why there is none."""
+    """A picture, or the reason why no picture is drawn."""
 
     kind: str
     sheets: Sequence[Markup]
-    """It may be too long for one."""
+    """Sheets of a picture, several for a long picture."""
     why: str = ""
 
 
 class Draw(Protocol):
-    """Draws a picture for a page, or leaves a place for it."""
+    """Function that draws a picture for a page, or leaves a placeholder."""
 
     def __call__(
         self, kind: str, gears: Sequence[int] = (), motion: PicturedRun | None = None
     ) -> Drawn:
-        """Return a picture of a kind, of some gears by their numbers from 1, or of a run."""
+        """Return a picture of a kind, of gears by number from 1, or of a run."""
 
 
 def bare_stick(draw: Draw, motion: PicturedRun) -> Drawn:
-    """Return the stick diagram of no gear, for a run; if it can't be drawn, the structure."""
+    """Return the stick diagram of a run without a gear, or else the structure."""
     stick = draw("stick", motion=motion)
     return stick if stick.sheets else draw("structure", motion=motion)
 
@@ -53,26 +53,26 @@ def name_of(kind: str) -> str:
 
 
 def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PAGE) -> list[Drawn]:
-    """A picture of each of some gears, or why one has none."""
+    """Draw a picture of each gear, or give the reason why a picture is missing."""
     try:
-        made = of_each_gear(results, kind, in_spoken(style), gears)
-    except CaseError:  # of one of them, perhaps
+        svgs_of_gears = of_each_gear(results, kind, in_spoken(style), gears)
+    except CaseError:  # perhaps only in a single gear
         return [picture_of(results, kind, [number], style=style) for number in gears]
     end = tr(", small") * (style is HALF)
     labels = (f"{_label(results, kind, [number])}{end}" for number in gears)
     return [
         Drawn(kind, _inlined(svgs, _own(kind, [number], style), label))
-        for number, svgs, label in zip(gears, made, labels, strict=True)
+        for number, svgs, label in zip(gears, svgs_of_gears, labels, strict=True)
     ]
 
 
 def in_spoken(style: Style) -> Style:
-    """The same in the language of the page."""
+    """Return a style in the language of the page."""
     return style._replace(language=spoken())
 
 
 def _own(kind: str, gears: Sequence[int], style: Style) -> str:
-    """What ids of a picture begin with, unlike those of the others of a page."""
+    """Return the prefix of the ids of a picture, unique on a page."""
     return ".".join(["small"] * (style is HALF) + [kind, *map(str, gears)])
 
 
@@ -95,17 +95,17 @@ def picture_of(
     motion: PicturedRun | None = None,
     style: Style = PAGE,
 ) -> Drawn:
-    """A picture of a case, of some of its gears by their numbers from 1, or of a run."""
+    """Draw a picture of a case, of gears by number from 1, or of a run."""
     try:
-        made = pages(results, kind, "svg", in_spoken(style), gears, motion=motion)
+        svgs = pages(results, kind, "svg", in_spoken(style), gears, motion=motion)
     except CaseError as error:
         return Drawn(kind, [], " ".join(str(error).split()))
-    own, label = _own(kind, gears, style), _label(results, kind, gears)
+    prefix, label = _own(kind, gears, style), _label(results, kind, gears)
     if motion is not None:
-        own, label = f"run-{own}", tr("{picture}, run", picture=label)
-    return Drawn(kind, _inlined(made, own, label))
+        prefix, label = f"run-{prefix}", tr("{picture}, run", picture=label)
+    return Drawn(kind, _inlined(svgs, prefix, label))
 
 
-def _inlined(svgs: Sequence[bytes], own: str, label: str) -> list[Markup]:
-    """Pages within HTML; the first has its own prefix, further ones have their numbers."""
-    return [inline(svg, f"{own}-{n}" if n else own, label) for n, svg in enumerate(svgs)]
+def _inlined(svgs: Sequence[bytes], prefix: str, label: str) -> list[Markup]:
+    """Embed the sheets of a picture; sheets after the first have a number in the prefix."""
+    return [inline(svg, f"{prefix}-{n}" if n else prefix, label) for n, svg in enumerate(svgs)]

@@ -1,6 +1,6 @@
-"""Pictures as SVG that stands within HTML: own ids, colours that follow the screen.
+"""SVG pictures embedded in HTML, with unique ids and colours that follow the screen.
 
-The looks of their parts are said once for a page instead of once for each part.
+Attributes of appearance that elements share become rules of one style sheet per page.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
     f"colour{number}": pair
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
-"""Colours of pictures on paper and on a dark screen, by the name of their variable."""
+"""Names of variables -> colours of pictures on paper and on a dark screen."""
 _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
@@ -26,15 +26,15 @@ _COLOURED = ("style", "fill", "stroke")
 
 
 def palette(*, dark: bool) -> str:
-    """The variables of the colours, for a style sheet."""
+    """Return the colour variables for a style sheet."""
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
 def inline(svg: bytes, prefix: str, label: str) -> Markup:
-    """An SVG as it stands within HTML.
+    """Embed an SVG in HTML.
 
-    Two pictures of matplotlib have the same ids: here they get a prefix. Colours become the
-    variables of the page. Its parts can be read, too, each by its title.
+    Ids get a prefix, because two pictures of matplotlib have the same ids. Colours become variables
+    of the page. The elements stay accessible by their titles.
 
     Examples
     --------
@@ -42,14 +42,16 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
     >>> inline(svg, "plan", "plan").partition(">")[2]
     '<g id="plan-a" fill="var(--ink)" /></svg>'
     """
-    root = ET.fromstring(svg)  # noqa: S314 - our own, not from anywhere else
-    if len(root) and root[0].tag.endswith("}title"):  # the page says it beside the picture
+    root = ET.fromstring(svg)  # noqa: S314 - written by this program
+    if len(root) and root[0].tag.endswith("}title"):  # the page has a caption
         del root[0]
     for element in root.iter():
         element.tag = _local(element.tag)
-        kept = sorted(element.attrib.items(), key=lambda one: (is_look(one[0]), one[0]))
+        attributes = sorted(
+            element.attrib.items(), key=lambda attribute: (is_look(attribute[0]), attribute[0])
+        )
         element.attrib = {
-            _local(key): _rewritten(_local(key), value, prefix) for key, value in kept
+            _local(key): _rewritten(_local(key), value, prefix) for key, value in attributes
         }
     style = f"--width: {root.attrib.get('width', '100%')}"
     for key in ("width", "height", "version", "font-family"):
@@ -59,7 +61,7 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
 
 
 def _local(name: str) -> str:
-    """A name without its namespace, as HTML has it."""
+    """Return a name without the XML namespace."""
     return name.rpartition("}")[2]
 
 
@@ -73,13 +75,13 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
     return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)
 
 
-def _variable(found: re.Match[str]) -> str:
-    name = _COLOUR_NAMES.get(found[0])
-    return f"var(--{name})" if name else found[0]
+def _variable(match: re.Match[str]) -> str:
+    name = _COLOUR_NAMES.get(match[0])
+    return f"var(--{name})" if name else match[0]
 
 
 def colour_name(colour: str) -> str:
-    """The name of the variable that has a colour of pictures.
+    """Return the name of the variable of a colour.
 
     >>> colour_name(Style().colour(3)), colour_name(Style().ink)
     ('colour3', 'ink')
@@ -94,7 +96,7 @@ _LOOK = re.compile(f'(?: {_KEY}="[^"<>]*")+(?=[ />])')
 
 
 def shared(page: Markup) -> tuple[Markup, Markup]:
-    """A page whose pictures share their looks, and the rules of a style sheet for these.
+    """Move attributes of appearance that elements share to rules of a style sheet.
 
     Examples
     --------
@@ -104,7 +106,7 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
     <text x="1" class="l0">a</text><text x="2" class="l0">b</text>
     .l0{fill:red}
 
-    A class of its own stays beside it.
+    An existing class is retained.
 
     >>> print(shared(Markup('<path fill="red" class="wire"/><path fill="red"/>'))[0])
     <path class="l0 wire"/><path class="l0"/>
@@ -114,22 +116,22 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
     names = {look: f' class="l{number}"' for number, look in enumerate(often)}
 
     def short(part: re.Match[str]) -> str:
-        made = _LOOK.sub(lambda look: names.get(look[0], look[0]), part[0], count=1)
-        classes = _CLASS.findall(made)
+        shortened = _LOOK.sub(lambda look: names.get(look[0], look[0]), part[0], count=1)
+        classes = _CLASS.findall(shortened)
         if len(classes) < 2:
-            return made
-        first = made.index(' class="')
-        return f'{made[:first]} class="{" ".join(classes)}"{_CLASS.sub("", made[first:])}'
+            return shortened
+        first = shortened.index(' class="')
+        return f'{shortened[:first]} class="{" ".join(classes)}"{_CLASS.sub("", shortened[first:])}'
 
     rules = []
     for number, look in enumerate(often):  # ``fill="none"`` is ``fill:none``
-        said = re.findall(r'([-a-z]+)="([^"]*)"', look)
-        rules.append(f".l{number}{{{';'.join(f'{key}:{value}' for key, value in said)}}}")
+        declarations = re.findall(r'([-a-z]+)="([^"]*)"', look)
+        rules.append(f".l{number}{{{';'.join(f'{key}:{value}' for key, value in declarations)}}}")
     return Markup(_TAG.sub(short, page)), Markup("\n".join(rules))
 
 
 def is_look(key: str) -> bool:
-    """Whether an attribute of a part says what it looks like.
+    """Check whether an attribute of an element determines the appearance.
 
     >>> is_look("stroke-width"), is_look("d")
     (True, False)

@@ -1,8 +1,8 @@
-"""Marks on numbers of a page, by which a script finds the number that it changes.
+"""Marks on numbers of a page, by which a script finds the numbers to change.
 
-``data-result`` is the key of the quantity in JSON, ``data-row`` the name of its row there, where
-it has rows, ``data-gear`` the gear, ``data-number`` the number with all digits, empty where there
-is none. A page that stays as it is has no marks.
+``data-result`` is the key of the quantity in JSON, ``data-row`` the name of the row of a table,
+``data-gear`` the gear, and ``data-number`` the number with all digits, empty for a missing number.
+A page without scripts has no marks.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from vstatics.core.tables.grid import Cell
 
 
 def with_mark(cell: Cell, result: str, **place: str) -> Cell:
-    """Return a number that says what it is.
+    """Return a cell with marks for the quantity, the place and all digits of a number.
 
     >>> with_mark(Cell("1.5", 1.5), "ratio", gear="R").marks
     {'result': 'ratio', 'gear': 'R', 'number': '1.5'}
@@ -23,7 +23,7 @@ def with_mark(cell: Cell, result: str, **place: str) -> Cell:
 
 
 def digits_of(value: float) -> str:
-    """A number with all its digits; nothing for one that does not exist.
+    """Return a number with all digits; an empty text if the number does not exist.
 
     >>> digits_of(0.1), digits_of(3.0), digits_of(float("nan"))
     ('0.1', '3', '')

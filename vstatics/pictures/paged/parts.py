@@ -1,4 +1,4 @@
-"""Parts of a page: sections, figures, the part of a gear, and the parts of annexes."""
+"""Parts of a page: sections, figures, the part of a gear, and sections of annexes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.pictures.paged.drawn import Draw, Drawn
 from vstatics.pictures.runs import PicturedRun
 
 SCREEN, PAPER = "screen", "paper"
-"""Classes of what stays on the screen, and of what stands on paper in its place."""
+"""CSS classes of elements for the screen only, and for paper only."""
 
 
 class Part(NamedTuple):
@@ -25,50 +25,50 @@ class Part(NamedTuple):
 
 
 class PartRequest(NamedTuple):
-    """The case, and the look, of a section that an annex provides."""
+    """Data of a case and appearance for a section that an annex provides."""
 
     results: Results
     draw: Draw
     gears: Sequence[int] = ()
-    """Numbers of the only gears that are shown; all if it is empty."""
+    """Numbers of the gears shown; empty for all."""
     motion: PicturedRun | None = None
-    """A run of the case."""
+    """Run of the case."""
     in_full: bool = True
-    """Whether all of it is printed."""
+    """Whether print shows everything."""
     has_pictures: bool = True
-    """Whether anything can be drawn."""
+    """Whether pictures can be drawn."""
     has_marks: bool = False
-    """Whether the page has scripts, for which numbers say what they are."""
+    """Whether numbers carry marks for scripts of the page."""
 
     def shows(self, gear: int) -> bool:
-        """Whether something is shown of a gear, by its number."""
+        """Check if the page shows a gear."""
         return not self.gears or gear in self.gears
 
 
 class PagePart(Protocol):
-    """A section that an annex provides, ready to be shown."""
+    """Section that an annex provides."""
 
     @property
     def without(self) -> str:
-        """Why it is left out, if it is."""
+        """Reason why the section has no pictures; otherwise empty."""
 
     @property
     def drawn(self) -> Collection[str]:
-        """Kinds of pictures of the whole case that need not stand elsewhere, too."""
+        """Kinds of pictures of the whole case that other sections omit."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield all of it, numbers with so many digits after the point."""
+        """Yield the contents, with numbers rounded to a number of digits after the point."""
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:
-    """A picture with its name.
+    """Return a picture with a caption.
 
     Parameters
     ----------
     captioned : bool
-        False where headings say the name.
+        Whether to add the caption; False if a heading has the name.
     scrolls : bool
-        False on paper.
+        Whether wide pictures scroll; False on paper.
     """
     caption = [tag("figcaption", name)] * captioned
     return tag("figure", *caption, scrolled(picture, name) if scrolls else picture)
@@ -77,7 +77,7 @@ def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool 
 def figures(
     drawn: Drawn, name: str, *, captioned: bool = True, scrolls: bool = True
 ) -> Iterator[Markup]:
-    """A picture with its name, in as many parts as it has, or why there is none."""
+    """Yield the sheets of a picture with captions, or the reason for a missing picture."""
     if drawn.why:
         yield tag("p", tr("{name}: not drawn. {why}", name=name, why=drawn.why))
     for number, sheet in enumerate(drawn.sheets, 1):
@@ -90,7 +90,7 @@ def figures(
 
 
 def gear_link(gear: str, text: str = "") -> Markup:
-    """A link that chooses a gear.
+    """Return a link that chooses a gear.
 
     >>> gear_link("R")
     '<a href="#gear=R" data-choose="R">R</a>'
@@ -99,14 +99,14 @@ def gear_link(gear: str, text: str = "") -> Markup:
 
 
 def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: bool = True) -> Markup:
-    """What a section shows of a gear, below its name.
+    """Return the part of a section about a gear, with the gear as heading.
 
     Parameters
     ----------
     section : str
-        What stands before the name of the gear in the address of this part.
+        Prefix of the address of the part, before the name of the gear.
     is_printed : bool
-        False for what stays on the screen.
+        Whether to print the part.
     """
     head = tag("h3", tr("Gear {gear}", gear=gear))
     look = False if is_printed else SCREEN
@@ -114,16 +114,16 @@ def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: boo
 
 
 def on_screen(shown: Iterable[Markup]) -> Markup:
-    """What is not printed."""
+    """Return elements that are not printed."""
     return tag("div", *shown, class_=SCREEN)
 
 
 def address(section: str, gear: str) -> str:
-    """The name of a gear as the end of an address, which has no blanks."""
+    """Return the address of the part about a gear, without blanks."""
     return f"{section}={quote(gear, safe='')}"
 
 
 def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
-    """Figures in a line, each below its name."""
-    shown = (tag("div", tag("dt", name), tag("dd", said)) for name, said in facts)
+    """Return figures in a line, each below a name."""
+    shown = (tag("div", tag("dt", name), tag("dd", text)) for name, text in facts)
     return tag("dl", *shown, class_="overview")

@@ -1,5 +1,5 @@
-"""The generalised kinematic plan: speeds of all links over that of the output.
+"""The generalised kinematic plan: speeds of all links over the output speed.
 
-`conditions` says what holds in a gear, `rays` calculates plans, `panel` draws one, `course` the
-run of a case through it, `key` says what its signs are; `picture` puts panels together.
+`conditions` has the constraints of a gear, `rays` calculates plans, `panel` draws a plan, `course`
+the run of a case in a plan, `key` explains the signs, and `picture` arranges plans on pages.
 """

@@ -1,4 +1,4 @@
-"""What holds in a gear of what is engaged and given, and what of it leaves the output free."""
+"""Constraints on speeds in a gear, and the parts of them that leave the output free."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from vstatics.core.statics.speeds import solve_speeds
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_STATES = 300
-"""Of a gear that are tried."""
+"""Largest number of sets of constraints that are tried for a gear."""
 
 
 class Condition(NamedTuple):
-    """What an engaged element, or a given speed, says: one link turns with another, or so fast."""
+    """Constraint on the speed of a link: equal to a second link, or given."""
 
     link: int
     other: int
     speed: float | SpeedOf = 0.0
-    """Of the link, where the other is the housing. [-]"""
+    """Speed of the link, if the second link is the housing. [-]"""
 
 
 Conditions = frozenset[Condition]
 
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
-    """What is engaged and given in a gear; two elements that do the same are one."""
+    """Return the constraints of a gear; equivalent shift elements give a single constraint."""
     engaged = (case.shift_elements[number - 1] for number in gear.engaged)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])
@@ -41,7 +41,9 @@ def _condition(element: ShiftElement) -> Condition:
 
 
 def carrying(case: Transmission, gear: PictureState) -> Conditions:
-    """The same without what is engaged and carries no torque, as a dog clutch that waits.
+    """Return the constraints of a gear without engaged elements that carry no torque.
+
+    An example is the preselected dog clutch of a dual-clutch transmission.
 
     Examples
     --------
@@ -58,22 +60,22 @@ def carrying(case: Transmission, gear: PictureState) -> Conditions:
 
 
 def elements_of(case: Transmission, gear: Gear, some: Conditions) -> tuple[int, ...]:
-    """The numbers of the engaged elements of a gear that say some of what holds in it."""
+    """Return the numbers of the engaged elements that impose some of the constraints."""
     return tuple(
         number for number in gear.engaged if _condition(case.shift_elements[number - 1]) in some
     )
 
 
 class FreeOutputs:
-    """Whether conditions leave the output free; what was found is kept."""
+    """Cached checks whether constraints leave the output speed free."""
 
     def __init__(self, case: Transmission) -> None:
-        """Of a case."""
+        """Begin with an empty cache for a case."""
         self._case = case
         self._known: dict[tuple[int, int, Conditions], bool] = {}
 
     def is_free(self, first: int, last: int, chosen: Conditions) -> bool:
-        """Whether the output may have any speed while the input has its own."""
+        """Check whether the output speed is free while the input speed is given."""
         key = first, last, chosen
         if key not in self._known:
             speeds = speeds_under(self._case, first, last, sorted(chosen))
@@ -81,22 +83,22 @@ class FreeOutputs:
         return self._known[key]
 
     def largest(self, gear: PictureState, given: Conditions) -> Iterator[tuple[Condition, ...]]:
-        """The largest parts of the conditions of a gear under which its output is free.
+        """Yield the largest subsets of the constraints of a gear that leave the output free.
 
-        Of a smallest part that determines the output one condition at least has to go, so only
-        these ways are followed.
+        From a minimal subset that determines the output at least one constraint must be removed,
+        so only these removals are followed.
 
         Raises
         ------
         CaseError
-            If there are too many.
+            If the gear has too many such subsets.
         """
-        found: list[Conditions] = []
+        maximal: list[Conditions] = []
         seen: set[Conditions] = set()
         waiting = [given]
         while waiting:
             chosen = waiting.pop()
-            if chosen in seen or any(larger >= chosen for larger in found):
+            if chosen in seen or any(larger >= chosen for larger in maximal):
                 continue
             seen.add(chosen)
             if len(seen) > MOST_STATES:
@@ -105,14 +107,14 @@ class FreeOutputs:
                 )
                 raise CaseError("E406", f"{message}: its elements do the same in many ways")
             if self.is_free(gear.input, gear.output, chosen):
-                found = [one for one in found if not chosen > one] + [chosen]
+                maximal = [condition for condition in maximal if not chosen > condition] + [chosen]
                 continue
             needed = chosen
-            for one in sorted(chosen):
-                if not self.is_free(gear.input, gear.output, needed - {one}):
-                    needed -= {one}
-            waiting += [chosen - {one} for one in sorted(needed)]
-        yield from (tuple(sorted(one)) for one in found)
+            for condition in sorted(chosen):
+                if not self.is_free(gear.input, gear.output, needed - {condition}):
+                    needed -= {condition}
+            waiting += [chosen - {condition} for condition in sorted(needed)]
+        yield from (tuple(sorted(condition)) for condition in maximal)
 
 
 def speeds_under(
@@ -122,10 +124,10 @@ def speeds_under(
     state: Sequence[Condition],
     output: float | None = None,
 ) -> list[float]:
-    """Speeds of all links, NaN for what is free; that of the output may be given [-]."""
+    """Return relative speeds of all links, NaN if free; the output speed can be given."""
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
-    speeds = {c.link: c.speed for c in state if c.other == HOUSING}
-    pairs = [{c.link, c.other} for c in state if c.other != HOUSING]
+    speeds = {condition.link: condition.speed for condition in state if condition.other == HOUSING}
+    pairs = [{condition.link, condition.other} for condition in state if condition.other != HOUSING]
     engaged = [
         next(n for n, element in enumerate(case.shift_elements, 1) if set(element.links) == pair)
         for pair in pairs

@@ -1,4 +1,4 @@
-"""The run of a case through its kinematic plan: where it is on the abscissa, and when."""
+"""The run of a case in a kinematic plan: position on the abscissa over time."""
 
 from __future__ import annotations
 
@@ -21,90 +21,97 @@ from vstatics.pictures.plan.rays import KinematicPlan
 from vstatics.pictures.runs import PicturedEvent, PicturedRun, event_text, named_events
 
 COURSE_HEIGHT = 60.0
-"""Of the time below a plan, without its events. [pt]"""
+"""Height of the time axis below a plan, without the names of events. [pt]"""
 MOST_PLAN_EVENTS = 14
-"""Events that are named."""
+"""Largest number of named events."""
 MOST_COURSE_POINTS = 4000
-"""That are drawn."""
+"""Largest number of drawn instants."""
 ON_PLAN = 5e-3
-"""A run is on a plan where what holds all over it holds, to this part of the largest speed."""
+"""Tolerance for speeds of a run on a plan, relative to the largest speed. [-]"""
 EVENT_NAME_WIDTH = 150.0
-"""Names of events are wrapped to this width. [pt]"""
+"""Width to which names of events are wrapped. [pt]"""
 
 
 class PlanCourse(NamedTuple):
-    """A run as a plan has it."""
+    """A run in the coordinates of a plan."""
 
     time: Floats
-    """[s]"""
+    """Instants. [s]"""
     output: Floats
-    """The abscissa: output speed by input speed; NaN where the input stands. [-]"""
+    """Abscissa: output speed per input speed; NaN with the input at rest. [-]"""
     paths: Floats
-    """Shape (instants, rays): speed of each ray's links by the input speed. [-]"""
+    """Link speed of each ray per input speed, shape (instants, rays). [-]"""
     on_plan: NDArray[np.bool_]
-    """Whether all that holds on the plan holds: its elements stick."""
+    """Whether all constraints of the plan hold, at each instant."""
 
     @property
     def visits(self) -> bool:
-        """Whether the run is on the plan for a while."""
+        """Whether the run stays on the plan for an interval."""
         both = self.on_plan[:-1] & self.on_plan[1:] & (np.diff(self.time) > 0)
         return bool(both.any())
 
     def masked(self, values: Floats, *, on_plan: bool) -> Floats:
-        """Values on the plan or off it; NaN elsewhere. What is off reaches back onto it."""
-        kept = self.on_plan if on_plan else ~self.on_plan
+        """Return values on or off the plan, NaN elsewhere; both parts meet at transitions."""
+        mask = self.on_plan if on_plan else ~self.on_plan
         if not on_plan:
-            kept = kept | np.r_[kept[1:], False] | np.r_[False, kept[:-1]]
-        return np.where(kept, values, np.nan)
+            mask = mask | np.r_[mask[1:], False] | np.r_[False, mask[:-1]]
+        return np.where(mask, values, np.nan)
 
 
 def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> PlanCourse:
-    """A run in the coordinates of a plan."""
-    kept = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
+    """Convert a run to the coordinates of a plan."""
+    instants = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
     columns = {name: place for place, name in enumerate(motion.links)}
-    own = range(1, case.own_links + 1)
-    speeds = {link: motion.speeds[kept, columns[case.link_name(link)]] for link in own}
-    turns, out = speeds[plan.input], speeds[plan.output]
+    links = range(1, case.own_links + 1)
+    speeds = {link: motion.speeds[instants, columns[case.link_name(link)]] for link in links}
+    w_input, out = speeds[plan.input], speeds[plan.output]
     largest = np.abs(motion.speeds).max()
-    moving = np.abs(turns) > ON_PLAN * largest
-    by = np.where(moving, turns, np.nan)
+    moving = np.abs(w_input) > ON_PLAN * largest
+    nonzero_input = np.where(moving, w_input, np.nan)
     on_plan = moving.copy()
-    for one in _rigid(case, plan):
-        fast = speeds[one.other] if one.other != HOUSING else _given(one.speed, speeds, turns)
-        on_plan &= np.abs(speeds[one.link] - fast) <= ON_PLAN * largest
-    paths = [speeds[ray.links[0]] / by for ray in plan.rays]
-    return PlanCourse(motion.time[kept], out / by, np.stack(paths, axis=1), on_plan)
+    for condition in _rigid(case, plan):
+        fast = (
+            speeds[condition.other]
+            if condition.other != HOUSING
+            else _given(condition.speed, speeds, w_input)
+        )
+        on_plan &= np.abs(speeds[condition.link] - fast) <= ON_PLAN * largest
+    paths = [speeds[ray.links[0]] / nonzero_input for ray in plan.rays]
+    return PlanCourse(motion.time[instants], out / nonzero_input, np.stack(paths, axis=1), on_plan)
 
 
 def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
-    """What holds on a plan, but for elements that twist: their links need not turn alike."""
-    for one in plan.state:
-        same = [each for each in case.shift_elements if {*each.links} == {one.link, one.other}]
-        if not same or any(each.stiffness is None for each in same):
-            yield one
+    """Yield the constraints of a plan, except those of elastic shift elements."""
+    for condition in plan.state:
+        elements = [
+            element
+            for element in case.shift_elements
+            if {*element.links} == {condition.link, condition.other}
+        ]
+        if not elements or any(element.stiffness is None for element in elements):
+            yield condition
 
 
-def _given(speed: float | SpeedOf, speeds: dict[int, Floats], turns: Floats) -> Floats:
-    """A speed that a gear gives, over that of the input or of another link."""
+def _given(speed: float | SpeedOf, speeds: dict[int, Floats], w_input: Floats) -> Floats:
     if isinstance(speed, SpeedOf):
         return speed.factor * speeds[speed.link]
-    return speed * turns
+    return speed * w_input
 
 
 def right_of(motion: PicturedRun, style: Style) -> float:
-    """Width that the names of events need [pt]."""
+    """Return the width of the names of events [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return LEADER + widest(_name(event, style) for event in named) + LEADER / 2
 
 
 def high_of(motion: PicturedRun, style: Style) -> float:
-    """Height of the time below a plan [pt]."""
+    """Return the height of the time axis below a plan [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
-    return max(COURSE_HEIGHT, sum(height(_name(one, style)) + LABEL_GAP for one in named))
+    return max(COURSE_HEIGHT, sum(height(_name(event, style)) + LABEL_GAP for event in named))
 
 
 def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
-    """What the run goes over of each ray, and how it leaves and reaches the plan."""
+    """Draw the run along each ray, and the paths that leave and reach the plan."""
     for place, ray in enumerate(plan.rays):
         is_port = plan.input in ray.links or plan.output in ray.links
         look = link_look(ray.links[0], pen.style)
@@ -115,7 +122,7 @@ def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
 
 
 def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: PicturedRun) -> None:
-    """The abscissa of the run over time, which goes down, below the plan."""
+    """Draw the abscissa of the run over time, which runs downwards, below the plan."""
     (wide, high), style = pen.size, pen.style
     gears = [pen.across(mark.output) for mark in plan.marks]
     pen.lines([((x, 0.0), (x, high)) for x in gears], **gear_look(style))
@@ -130,8 +137,8 @@ def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: PicturedRu
     pen.scale("left", numbers)
     pen.name("left", style.text("time, s"), widest(tick_texts(numbers)) + 14)
     ends = [
-        LineEnd(pen.y.part(one.time), [_name(one, style)])
-        for one in named_events(motion.events, MOST_PLAN_EVENTS)
+        LineEnd(pen.y.part(event.time), [_name(event, style)])
+        for event in named_events(motion.events, MOST_PLAN_EVENTS)
     ]
     beside(pen, "right", ends)
 
@@ -143,6 +150,6 @@ def _name(event: PicturedEvent, style: Style) -> str:
 def visited(
     case: Transmission, plans: Sequence[KinematicPlan], motion: PicturedRun
 ) -> list[tuple[KinematicPlan, PlanCourse]]:
-    """The plans on which the run is at any time, with its course."""
+    """Return the plans that the run visits, each with the course."""
     every = [(plan, course(case, plan, motion)) for plan in plans]
     return [(plan, run) for plan, run in every if run.visits]

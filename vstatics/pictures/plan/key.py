@@ -1,4 +1,4 @@
-"""The signs of a kinematic plan, and what is said of them."""
+"""Signs of a kinematic plan and the legend."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from vstatics.pictures.drawing.words import TURN_TOGETHER
 from vstatics.pictures.plan.rays import KinematicPlan
 
 PORT_RAY_WIDTH, RAY_WIDTH = 2.6, 1.4
-"""Lines of input and output, and of others. [pt]"""
+"""Line widths of the rays of input and output, and of other links. [pt]"""
 PATH: Look = {"linestyle": (0, (1, 1.5)), "width": 0.9}
-"""Of a run off a plan."""
+"""Line style of a run off a plan."""
 BROAD: Look = {"width": 6.0, "alpha": 0.3}
-"""Of a run on a plan."""
+"""Line style of a run on a plan."""
 
 
 def gear_look(style: Style) -> Look:
-    """The vertical of a gear."""
+    """Return the line style of the vertical of a gear."""
     return {"color": style.faint, "width": 0.9, "linestyle": (0, (4, 3)), "zorder": 0.6}
 
 
 def dot_look(style: Style) -> Look:
-    """What makes a gear."""
+    """Return the style of the dot at the shift element of a gear."""
     return {"marker": "o", "color": style.ink, "markersize": 4.5, "zorder": 4, "width": 1.5}
 
 
 def unit_look(style: Style) -> Look:
-    """The point in which all rays meet."""
+    """Return the style of the point where all rays meet."""
     size = {"markersize": 9, "markerfacecolor": "none", "markeredgecolor": style.ink}
     return dot_look(style) | {"zorder": 3, **size}
 
@@ -42,24 +42,24 @@ def unit_look(style: Style) -> Look:
 def plan_note(
     case: Transmission, shown: Sequence[KinematicPlan], left_out: Sequence[str], style: Style
 ) -> str:
-    """Which links are input and output, which gears are on no plan; why there is none."""
+    """Return the note about input, output and gears that are not on a plan."""
     off = f"{style.text('not on a plan')}: {', '.join(left_out)}"
-    said = [off] * bool(left_out)
+    notes = [off] * bool(left_out)
     for english, links in (
         ("input", dict.fromkeys(plan.input for plan in shown)),
         ("output", dict.fromkeys(plan.output for plan in shown)),
     ):
         names = [case.link_name(link) for link in links]
         if names and names not in ([english], [style.text(english)]):
-            said.append(f"{style.text(english)}: {', '.join(names)}")
+            notes.append(f"{style.text(english)}: {', '.join(names)}")
     if len(left_out) == len(case.gears):
-        told_apart = style.text(
+        reason = style.text(
             "no two gears of different ratios are told apart by one element",
         )
-        said.append(told_apart)
+        notes.append(reason)
     elif not shown:
-        said.append(style.text("the run is on no plan"))
-    return "; ".join(said)
+        notes.append(style.text("the run is on no plan"))
+    return "; ".join(notes)
 
 
 def plan_signs(
@@ -68,14 +68,14 @@ def plan_signs(
     style: Style,
     runs: Sequence[NDArray[np.bool_]] = (),
 ) -> list[Meaning]:
-    """The signs of plans.
+    """Return the legend of plans.
 
     Parameters
     ----------
     ranges : sequence of AxisScale
-        The abscissa of each.
+        Abscissa of each plan.
     runs : sequence of ndarray
-        Of each, when a run is on it.
+        Instants at which a run is on the plan, for each plan.
     """
     ink = {"color": style.ink}
     element = "element of the gear: holds a link, or joins two"

@@ -1,4 +1,4 @@
-"""One kinematic plan: rays with their names, gears, scales."""
+"""Drawing of a kinematic plan: rays with names, gears, scales."""
 
 from __future__ import annotations
 
@@ -28,51 +28,51 @@ from vstatics.pictures.plan.key import PORT_RAY_WIDTH, RAY_WIDTH, dot_look, gear
 from vstatics.pictures.plan.rays import KinematicPlan, Mark
 
 TO_TEXTS = 0.65 * LEADER
-"""From the axes to the texts along them. [pt]"""
+"""Distance between the axes and the texts around. [pt]"""
 LEAST_PLAN_HEIGHT = 108.0
-"""Of the axes. [pt]"""
+"""Least height of the axes. [pt]"""
 UPRIGHT_NAME = 78.0
-"""Gears with their elements that run upwards are wrapped to this width. [pt]"""
+"""Width to which vertical labels of gears are wrapped. [pt]"""
 NARROW_ABSCISSA = 0.4
-"""Where gears take less of the abscissa from 0 on, it does not reach to 0."""
+"""Least share of the gears in the range from 0, for an abscissa that includes 0."""
 
 
 class DrawnPlan(NamedTuple):
-    """A plan with what follows from it."""
+    """A plan with scales, labels and dimensions."""
 
     plan: KinematicPlan
     run: PlanCourse | None
     x: AxisScale
     y: AxisScale
     names: Sequence[Sequence[str]]
-    """Of the links of each ray, wrapped."""
+    """Wrapped names of the links of each ray."""
     head: str
     note: str
-    """Below that."""
+    """Line below the head."""
     top: GearRow
     foot: GearRow
 
     @property
     def above(self) -> float:
-        """What stands over the axes [pt]."""
+        """Height of the labels above the axes [pt]."""
         texts = [height(text) + 2 for text in (self.head, self.note) if text]
         return TO_TEXTS + self.top.height + 4 + sum(texts)
 
     @property
     def below(self) -> float:
-        """Numbers below the axes, with the lines to their places [pt]."""
+        """Height of the numbers below the axes, with leaders [pt]."""
         return TO_TEXTS + self.foot.height
 
     def left(self, style: Style) -> float:
-        """Width of the names of rays [pt]."""
+        """Return the width of the names of rays [pt]."""
         return width_of(self.ends(style))
 
     def high(self, style: Style) -> float:
-        """Height of the axes, so that no name covers another [pt]."""
+        """Return the least height of the axes at which names do not overlap [pt]."""
         return max(LEAST_PLAN_HEIGHT, height_of(self.ends(style)))
 
     def ends(self, style: Style) -> list[LineEnd]:
-        """The names of rays at the left."""
+        """Return the names of rays at the left end."""
         return [
             LineEnd(
                 self.y.part(ray.at(self.x.low)),
@@ -83,36 +83,36 @@ class DrawnPlan(NamedTuple):
         ]
 
     def ticks(self) -> list[float]:
-        """Of the ordinates."""
+        """Return the ticks of the ordinate."""
         return ticks(self.y.low, self.y.high, 6)
 
 
 class GearRow(NamedTuple):
-    """Texts above or below a plan, each near to its vertical."""
+    """Labels above or below a plan, each near the vertical of a gear."""
 
     labels: list[Label]
     upright: bool
     height: float
-    """[pt]"""
+    """Height of the row. [pt]"""
 
 
 def drawn_plan(
     case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
 ) -> DrawnPlan:
-    """A plan with its scales and texts, its axes in a width [pt], with a run if there is one."""
+    """Lay out a plan with axes of a width [pt], and a run, if any."""
     x = _abscissa(plan, has_run=run is not None)
-    reached = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
-    room = 0.05 * (max(reached) - min(reached))
-    y = AxisScale(min(reached) - room, max(reached) + room)
+    ordinates = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
+    room = 0.05 * (max(ordinates) - min(ordinates))
+    y = AxisScale(min(ordinates) - room, max(ordinates) + room)
     names = [[wrapped(case.link_name(link), SHORT_NAME) for link in ray.links] for ray in plan.rays]
-    one = DrawnPlan(plan, run, x, y, names, "", "", *_rows(case, plan, x, wide, style))
-    room = one.left(style) + wide
+    drawn = DrawnPlan(plan, run, x, y, names, "", "", *_rows(case, plan, x, wide, style))
+    room = drawn.left(style) + wide
     head, note = (wrapped(text, room) for text in _heads(case, plan, style))
-    return one._replace(head=head, note=note)
+    return drawn._replace(head=head, note=note)
 
 
 def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
-    """From the first gear to the last; from 0 on where gears take a good part of that."""
+    """Return the range of the gears, extended to 0 unless the range would become too wide."""
     outputs = [mark.output for mark in plan.marks]
     low, high = min(outputs), max(outputs)
     whole = min(low, 0.0), max(high, 0.0)
@@ -123,12 +123,12 @@ def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
 
 
 def mark_name(case: Transmission, mark: Mark) -> str:
-    """The names of gears that are one on a plan."""
+    """Return the names of the gears at a mark."""
     return ", ".join(case.gears[number - 1].name for number in mark.gears)
 
 
 def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
-    """What all gears of a plan have in common: elements and speeds, links that stand."""
+    """Return the common elements and speeds of all gears, and the links at rest."""
     parts = []
     if plan.engaged:
         parts.append(f"{style.text('engaged')}: {', '.join(plan.engaged)}")
@@ -141,7 +141,7 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
 def _rows(
     case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
 ) -> tuple[GearRow, GearRow]:
-    """The gears with the elements that make them above a plan, 1/i of each below it."""
+    """Return the row of gears with shift elements above a plan, and of 1/i below."""
     at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
@@ -158,68 +158,69 @@ def _rows(
         for between, longest in (("\n", wide), (": ", UPRIGHT_NAME))
     )
     outputs = sorted({round(mark.output, 9) + 0.0 for mark in plan.marks})
-    scale = [Label(x.part(one) * wide, number(one), style.ink) for one in outputs]
-    common = [one for one in (0.0, 1.0) if one not in outputs and x.low < one < x.high]
-    scale += [Label(x.part(one) * wide, f"{one:.0f}", style.soft) for one in common]
+    scale = [Label(x.part(x_value) * wide, number(x_value), style.ink) for x_value in outputs]
+    common = [
+        x_value for x_value in (0.0, 1.0) if x_value not in outputs and x.low < x_value < x.high
+    ]
+    scale += [Label(x.part(x_value) * wide, f"{x_value:.0f}", style.soft) for x_value in common]
     return _near(across, turned, wide), _near(scale, scale, wide)
 
 
 def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
-    """Texts across if each can stand near to its vertical, else upwards."""
+    """Return horizontal labels if each has room near the vertical, else vertical labels."""
     sizes = [across_size(label.text) for label in across]
     wanted = [label.at for label in across]
     places = spread(wanted, sizes, 0.0, wide)
-    if all(abs(one - other) <= LEADER for one, other in zip(places, wanted, strict=True)):
+    if all(abs(place - vertical) <= LEADER for place, vertical in zip(places, wanted, strict=True)):
         return GearRow(across, upright=False, height=max(height(a.text) for a in across))
-    return GearRow(turned, upright=True, height=widest(one.text for one in turned))
+    return GearRow(turned, upright=True, height=widest(place.text for place in turned))
 
 
-def draw_plan(pen: Pen, case: Transmission, one: DrawnPlan, above: float, left: float) -> None:
-    """A plan with all its labels but those of ordinates.
+def draw_plan(pen: Pen, case: Transmission, drawn: DrawnPlan, above: float, left: float) -> None:
+    """Draw a plan with all labels except those of the ordinate.
 
     Parameters
     ----------
     above, left : float
-        From the axes to its heads, which begin like those beside it. [pt]
+        Distance from the axes to the heads, equal for all plans in a row. [pt]
     """
     pen.frame()
-    _draw_rays(pen, case, one.plan)
-    _draw_gears(pen, case, one.plan)
-    beside(pen, "left", one.ends(pen.style))
-    along(pen, "top", one.top.labels, upright=one.top.upright)
-    along(pen, "bottom", one.foot.labels, upright=one.foot.upright)
+    _draw_rays(pen, case, drawn.plan)
+    _draw_gears(pen, case, drawn.plan)
+    beside(pen, "left", drawn.ends(pen.style))
+    along(pen, "top", drawn.top.labels, upright=drawn.top.upright)
+    along(pen, "bottom", drawn.foot.labels, upright=drawn.foot.upright)
     top = pen.size[1] + above
-    if one.head:
-        pen.text(-left, top, one.head, bold=True, **BELOW)
-        top -= height(one.head) + 2
-    if one.note:
-        pen.text(-left, top, one.note, color=pen.style.soft, **BELOW)
+    if drawn.head:
+        pen.text(-left, top, drawn.head, bold=True, **BELOW)
+        top -= height(drawn.head) + 2
+    if drawn.note:
+        pen.text(-left, top, drawn.note, color=pen.style.soft, **BELOW)
 
 
 def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
-    """The line of each link, and those of what stands."""
+    """Draw the ray of each link and the axes at zero speed."""
     (wide, high), ends = pen.size, (pen.x.low, pen.x.high)
-    rest = [((0.0, pen.up(0.0)), (wide, pen.up(0.0)))]
+    axes = [((0.0, pen.up(0.0)), (wide, pen.up(0.0)))]
     if ends[0] < 0 < ends[1]:
-        rest.append(((pen.across(0.0), 0.0), (pen.across(0.0), high)))
-    pen.lines(rest, color=pen.style.ink, width=0.8)
+        axes.append(((pen.across(0.0), 0.0), (pen.across(0.0), high)))
+    pen.lines(axes, color=pen.style.ink, width=0.8)
     for ray in plan.rays:
         is_port = plan.input in ray.links or plan.output in ray.links
         places = [(pen.across(end), pen.up(ray.at(end))) for end in ends]
         names = " = ".join(map(case.link_name, ray.links))
         sign = "−" if ray.slope < 0 else "+"
-        said = f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
+        title = f"{names}: {number(ray.start)} {sign} {number(abs(ray.slope))}·(1/i)"
         for look in link_looks(ray.links, pen.style):
-            pen.line(*places, title=said, width=PORT_RAY_WIDTH if is_port else RAY_WIDTH, **look)
+            pen.line(*places, title=title, width=PORT_RAY_WIDTH if is_port else RAY_WIDTH, **look)
 
 
 def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
-    """A vertical for each gear, and what stops or joins links there."""
     style = pen.style
     for mark in plan.marks:
         x, name = pen.across(mark.output), gear_title(mark_name(case, mark), style)
-        said = f"{name}: 1/i {number(mark.output)}"
-        pen.line((x, 0.0), (x, pen.size[1]), title=said, **gear_look(style))
+        title = f"{name}: 1/i {number(mark.output)}"
+        pen.line((x, 0.0), (x, pen.size[1]), title=title, **gear_look(style))
         for text, y in _stops(case, plan, mark, style):
             pen.line((x, pen.up(y)), title=f"{name}: {text}", **dot_look(style))
     if plan.has_unit_point and pen.x.low < 1 < pen.x.high:
@@ -229,7 +230,7 @@ def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
 def _stops(
     case: Transmission, plan: KinematicPlan, mark: Mark, style: Style
 ) -> Iterator[tuple[str, float]]:
-    """What holds a link where its ray crosses the abscissa, or joins two whose rays meet."""
+    """Yield each shift element of a gear, and the speed at the dot."""
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
     for element in (case.shift_elements[place - 1] for place in mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]

@@ -1,4 +1,4 @@
-"""The generalised kinematic plan as a picture; see `rays` for what it shows."""
+"""Pages of generalised kinematic plans; see `rays` for the theory."""
 
 from __future__ import annotations
 
@@ -31,34 +31,34 @@ from vstatics.pictures.plan.rays import KinematicPlan, off_plans, plans
 from vstatics.pictures.runs import PicturedRun
 
 MOST_PLAN_WIDTH, LEAST_PLAN_WIDTH = 300.0, 92.0
-"""Width of the axes of a plan at most; two plans stand side by side where they have the other."""
+"""Largest width of the axes of a plan, and least width of two plans side by side. [pt]"""
 ABSCISSA_NAME_HEIGHT = 18.0
-"""For the name of the abscissa, below the scale. [pt]"""
+"""Height of the name of the abscissa, below the scale. [pt]"""
 ORDINATE_NAME_WIDTH = 18.0
-"""For the name of the ordinates, beside the scale. [pt]"""
+"""Width of the name of the ordinate, right of the scale. [pt]"""
 AFTER_SCALE = 8.0
-"""From a scale to its name, or to the next plan. [pt]"""
+"""Distance from a scale to the name, or to the next plan. [pt]"""
 PLAN_GAP = 7.0
-"""Between plans. [pt]"""
+"""Distance between plans. [pt]"""
 
 
 class PlanSheet(NamedTuple):
-    """What all pages of a picture share; lengths in points."""
+    """Common layout of all pages of a picture; lengths in points."""
 
     case: Transmission
     motion: PicturedRun | None
     left_out: Sequence[str]
-    """Names of the gears on no plan."""
+    """Names of the gears that are not on a plan."""
     style: Style
     columns: int
     left: float
-    """For the names of rays."""
+    """Width of the names of rays."""
     wide: float
-    """Of the axes."""
+    """Width of the axes."""
     scale: float
-    """For the numbers of the ordinates."""
+    """Width of the numbers of the ordinate."""
     right: float
-    """For these, or the names of events."""
+    """Width of the numbers of the ordinate, or of the names of events."""
 
     @property
     def size(self) -> float:
@@ -68,15 +68,15 @@ class PlanSheet(NamedTuple):
         return 2 * MARGIN + cells + gaps
 
     def head(self, shown: Sequence[DrawnPlan]) -> SheetHead:
-        """What stands over a page."""
+        """Return the head of a page."""
         style = self.style
         subject = style.text("generalised kinematic plan")
         if self.motion is not None:
             subject += style.text(" with a run")
-        own = [one.plan for one in shown]
-        runs = [one.run.on_plan for one in shown if one.run]
-        signs = plan_signs(own, [one.x for one in shown], style, runs) if shown else []
-        note = plan_note(self.case, own, self.left_out, style)
+        plans_shown = [drawn.plan for drawn in shown]
+        runs = [drawn.run.on_plan for drawn in shown if drawn.run]
+        signs = plan_signs(plans_shown, [drawn.x for drawn in shown], style, runs) if shown else []
+        note = plan_note(self.case, plans_shown, self.left_out, style)
         return sheet_head(title(self.case, subject), note, signs, self.size - 2 * MARGIN, style)
 
 
@@ -86,28 +86,28 @@ class PlanRow(NamedTuple):
     plans: Sequence[DrawnPlan]
     above: float
     high: float
-    """Of the axes."""
+    """Height of the axes."""
     below: float
-    """For the numbers, and the run below with the name of the abscissa above it."""
+    """Height of the numbers, with the name of the abscissa and the run below."""
 
     @property
     def size(self) -> float:
-        """All of it."""
+        """Height of the row."""
         return self.above + self.high + self.below
 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), motion: PicturedRun | None = None
 ) -> list[Figure]:
-    """Draw all plans of a case, or those that have one of some gears, on pages.
+    """Draw all plans of a case, or the plans of chosen gears, on pages.
 
-    With a run those on which it is at any time are drawn, and its course through them.
-    Where there is none, the page says why.
+    With a run, only plans that the run visits are drawn, with the course of the run. If no plan
+    exists, the page gives the reason.
 
     Raises
     ------
     CaseError
-        If nothing is free in any gear, or some gears are on no plan.
+        If no gear has a plan, or the chosen gears are not on a plan.
     """
     case, every = results.case, plans(results)
     chosen = _chosen(case, every, gears)
@@ -122,7 +122,7 @@ def draw(
 def _chosen(
     case: Transmission, every: Sequence[KinematicPlan], gears: Sequence[int]
 ) -> list[KinematicPlan]:
-    """All plans, or those that have one of some gears."""
+    """Return all plans, or the plans of chosen gears."""
     chosen = [plan for plan in every if not gears or {*gears} & {*plan.gears}]
     if gears and every and not chosen:
         names = ", ".join(case.gears[gear - 1].name for gear in gears)
@@ -138,48 +138,53 @@ def _sheet(
     motion: PicturedRun | None,
     style: Style,
 ) -> PlanSheet:
-    """Two plans side by side where both have room; one where a run has its events beside it."""
+    """Lay out a page: two plans side by side if wide enough, a single plan with a run."""
     drawn = [drawn_plan(case, plan, run, MOST_PLAN_WIDTH, style) for plan, run in runs]
-    left = max((one.left(style) for one in drawn), default=0.0)
-    scale = widest(text for one in drawn for text in _numbers(drawn, one)) + AFTER_SCALE
-    right, beside = scale, ORDINATE_NAME_WIDTH
+    left = max((plan_drawn.left(style) for plan_drawn in drawn), default=0.0)
+    scale = (
+        widest(text for plan_drawn in drawn for text in _numbers(drawn, plan_drawn)) + AFTER_SCALE
+    )
+    right, name_width = scale, ORDINATE_NAME_WIDTH
     if motion is not None:
-        right, beside = max(scale + beside, right_of(motion, style)), 0.0
+        right, name_width = max(scale + name_width, right_of(motion, style)), 0.0
     for columns in (2, 1):
-        room = style.width - 2 * MARGIN - beside - PLAN_GAP * (columns - 1)
+        room = style.width - 2 * MARGIN - name_width - PLAN_GAP * (columns - 1)
         wide = min(room / columns - left - right, MOST_PLAN_WIDTH)
         if columns == 1 or (len(drawn) > 1 and motion is None and wide >= LEAST_PLAN_WIDTH):
             break
     return PlanSheet(case, motion, left_out, style, columns, left, wide, scale, right)
 
 
-def _numbers(drawn: Sequence[DrawnPlan], one: DrawnPlan) -> list[str]:
-    """The numbers of the ordinates of a plan, with the decimals that any has."""
-    return tick_texts(one.ticks(), sorted({tick for other in drawn for tick in other.ticks()}))
+def _numbers(drawn: Sequence[DrawnPlan], plan_drawn: DrawnPlan) -> list[str]:
+    """Return the numbers of the ordinate, with equal decimals on all plans."""
+    return tick_texts(
+        plan_drawn.ticks(), sorted({tick for other in drawn for tick in other.ticks()})
+    )
 
 
 def _row(sheet: PlanSheet, some: Sequence[DrawnPlan]) -> PlanRow:
-    below = max(one.below for one in some) + PLAN_GAP
+    below = max(drawn.below for drawn in some) + PLAN_GAP
     if sheet.motion is not None:
         below += ABSCISSA_NAME_HEIGHT + high_of(sheet.motion, sheet.style) + MARGIN
     return PlanRow(
-        some, max(one.above for one in some), max(one.high(sheet.style) for one in some), below
+        some,
+        max(drawn.above for drawn in some),
+        max(drawn.high(sheet.style) for drawn in some),
+        below,
     )
 
 
 def _pages(rows: Sequence[PlanRow], room: float) -> list[list[PlanRow]]:
-    """Rows that fit a page together."""
-    found: list[list[PlanRow]] = [[]]
+    grouped: list[list[PlanRow]] = [[]]
     for row in rows:
-        if found[-1] and sum(one.size for one in found[-1]) + row.size > room:
-            found.append([])
-        found[-1].append(row)
-    return found
+        if grouped[-1] and sum(earlier.size for earlier in grouped[-1]) + row.size > room:
+            grouped.append([])
+        grouped[-1].append(row)
+    return grouped
 
 
 def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
-    """Some plans, one beside and below another, with a run if there is one."""
-    drawn = [one for row in rows for one in row.plans]
+    drawn = [plan_drawn for row in rows for plan_drawn in row.plans]
     up = sum(row.size for row in rows) + ABSCISSA_NAME_HEIGHT * bool(rows)
     pen = sheet.head(drawn).over((sheet.size, up), MARGIN, sheet.style)
     pen.tell(left_out=json.dumps(sheet.left_out, ensure_ascii=False))
@@ -188,19 +193,19 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
         if row is None:
             continue
         bottom -= row.above + row.high
-        for column, one in enumerate(row.plans):
+        for column, plan_drawn in enumerate(row.plans):
             x = MARGIN + sheet.left + column * (sheet.left + sheet.wide + sheet.right + PLAN_GAP)
-            names = [sheet.case.gears[number - 1].name for number in one.plan.gears]
-            said = [*one.plan.engaged, *one.plan.given]
-            group = pen.within("panel", gears=_json(names), engaged=_json(said))
-            panel = group.panel((x, bottom), (sheet.wide, row.high), one.x, one.y)
-            draw_plan(panel, sheet.case, one, row.above, sheet.left)
-            panel.scale("right", one.ticks(), _numbers(drawn, one), grid=True)
+            names = [sheet.case.gears[number - 1].name for number in plan_drawn.plan.gears]
+            common = [*plan_drawn.plan.engaged, *plan_drawn.plan.given]
+            group = pen.within("panel", gears=_json(names), engaged=_json(common))
+            panel = group.panel((x, bottom), (sheet.wide, row.high), plan_drawn.x, plan_drawn.y)
+            draw_plan(panel, sheet.case, plan_drawn, row.above, sheet.left)
+            panel.scale("right", plan_drawn.ticks(), _numbers(drawn, plan_drawn), grid=True)
             is_lowest = below is None or column >= len(below.plans)
             is_last = column == len(row.plans) - 1
-            _name_scales(panel, one, sheet, is_lowest=is_lowest, is_last=is_last)
-            if one.run is not None:
-                _draw_run(panel, one, row, sheet)
+            _name_scales(panel, plan_drawn, sheet, is_lowest=is_lowest, is_last=is_last)
+            if plan_drawn.run is not None:
+                _draw_run(panel, plan_drawn, row, sheet)
         bottom -= row.below
     return pen.figure
 
@@ -210,24 +215,23 @@ def _json(names: Sequence[str]) -> str:
 
 
 def _name_scales(
-    pen: Pen, one: DrawnPlan, sheet: PlanSheet, *, is_lowest: bool, is_last: bool
+    pen: Pen, drawn: DrawnPlan, sheet: PlanSheet, *, is_lowest: bool, is_last: bool
 ) -> None:
-    """What is across, below the lowest numbers, and what is up, beside the last scale."""
+    """Name the abscissa below the lowest plan, and the ordinate at the last plan."""
     text = sheet.style.text
-    if is_lowest or one.run is not None:
+    if is_lowest or drawn.run is not None:
         output = text("1/i = output speed / input speed")
-        pen.name("bottom", output, one.below + ABSCISSA_NAME_HEIGHT / 2)
+        pen.name("bottom", output, drawn.below + ABSCISSA_NAME_HEIGHT / 2)
     if is_last:
         link = text("link speed / input speed")
         pen.name("right", link, sheet.scale + ORDINATE_NAME_WIDTH / 2)
 
 
-def _draw_run(pen: Pen, one: DrawnPlan, row: PlanRow, sheet: PlanSheet) -> None:
-    """The run on a plan, and over time below it."""
-    if one.run is None or sheet.motion is None:
+def _draw_run(pen: Pen, drawn: DrawnPlan, row: PlanRow, sheet: PlanSheet) -> None:
+    if drawn.run is None or sheet.motion is None:
         return
-    draw_paths(pen, one.plan, one.run)
+    draw_paths(pen, drawn.plan, drawn.run)
     motion, tall = sheet.motion, high_of(sheet.motion, sheet.style)
     time = AxisScale(float(motion.time[-1]), float(motion.time[0]))
     foot = pen.corner[0], pen.corner[1] - row.below + PLAN_GAP + MARGIN
-    draw_time(pen.panel(foot, (sheet.wide, tall), one.x, time), one.plan, one.run, motion)
+    draw_time(pen.panel(foot, (sheet.wide, tall), drawn.x, time), drawn.plan, drawn.run, motion)

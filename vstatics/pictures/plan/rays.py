@@ -31,72 +31,72 @@ from vstatics.pictures.plan.conditions import (
 
 
 class Ray(NamedTuple):
-    """Links whose speed is ``start + slope*x`` at the output speed x [-]."""
+    """Links with the speed ``start + slope*x`` at the output speed x [-]."""
 
     links: tuple[int, ...]
     start: float
     slope: float
 
     def at(self, output: float) -> float:
-        """The speed at an output speed [-]."""
+        """Return the speed at an output speed [-]."""
         return self.start + self.slope * output
 
 
 class Mark(NamedTuple):
-    """A gear on the abscissa; gears that differ by what carries no torque are one."""
+    """Gears at a point of the abscissa, equal apart from elements without torque."""
 
     gears: tuple[int, ...]
-    """Numbers, from 1."""
+    """Numbers of the gears, from 1."""
     output: float
-    """Their output speed, 1/i. [-]"""
+    """Output speed 1/i. [-]"""
     elements: tuple[int, ...]
-    """Numbers of the shift elements that carry torque besides those of the plan."""
+    """Numbers of the shift elements that carry torque, without those of the plan."""
 
 
 class KinematicPlan(NamedTuple):
-    """One plan: what is engaged in all of it, its rays and its gears."""
+    """A plan: common constraints, rays and gears."""
 
     input: int
     output: int
     state: tuple[Condition, ...]
-    """What holds all over it."""
+    """Constraints that hold in all gears of the plan."""
     engaged: tuple[str, ...]
-    """Names of the shift elements; where two do the same, in one with a stroke between."""
+    """Names of the shift elements; equivalent elements are joined by a stroke."""
     given: tuple[str, ...]
-    """Speeds that are given, in words."""
+    """Given speeds as text."""
     rays: tuple[Ray, ...]
     marks: tuple[Mark, ...]
     standing: tuple[int, ...]
-    """Links that stand all over the plan; these have no ray."""
+    """Links at rest in all gears of the plan, which have no ray."""
 
     @property
     def gears(self) -> tuple[int, ...]:
-        """Numbers of the gears on it."""
+        """Numbers of the gears on the plan."""
         return tuple(sorted(number for mark in self.marks for number in mark.gears))
 
     @property
     def has_unit_point(self) -> bool:
-        """Whether all rays meet at (1, 1): the train may turn as one piece."""
+        """Whether all rays meet at (1, 1), so that the train can rotate as a block."""
         return all(abs(ray.at(1.0) - 1.0) < SAME_RATIO for ray in self.rays)
 
 
 def plans(results: Results) -> list[KinematicPlan]:
-    """The generalised kinematic plans of one case.
+    """Calculate the generalised kinematic plans of a case.
 
-    A train of two degrees of freedom has one. Where there are more, there is one for
-    each state of the other elements that at least two gears share. What is engaged and
-    carries no torque makes no gear: the next dog clutch of a dual clutch transmission. There is
-    none where no two gears of different ratios are told apart by one element.
+    A train of two degrees of freedom has a single plan. With more degrees of freedom, there is a
+    plan for each state of further elements that at least two gears share. Engaged elements without
+    torque are ignored, such as the preselected dog clutch of a dual-clutch transmission. A case
+    in which no two gears of different ratios differ by a single element has no plan.
 
     Raises
     ------
     CaseError
-        If no gear leaves anything free that one of its elements takes.
+        If no gear has a degree of freedom that a single element fixes.
 
     Examples
     --------
-    A differential, its sun the input and its carrier the output: the ring stands where
-    the output turns at 1/3.5, and turns with the sun in the direct gear.
+    In a planetary set with the sun as input and the carrier as output, the ring is at rest where
+    the output rotates at 1/3.5, and rotates with the sun in the direct gear.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, solve
     >>> set_, gears = Mechanism(1, 2, 3, ratio=-2.5), [Gear([1]), Gear([2])]
@@ -124,8 +124,10 @@ def plans(results: Results) -> list[KinematicPlan]:
         raise CaseError("E405", f"{message}, and no gear of this case leaves anything free")
     drawn = []
     for first, last, state in sorted(states, key=lambda key: (key[:2], len(key[2]), key[2])):
-        own = {n: gear for n, gear in known.items() if (first, last) == (gear.input, gear.output)}
-        marks = _marks(case, own, carried, state, free)
+        gears_of_ports = {
+            n: gear for n, gear in known.items() if (first, last) == (gear.input, gear.output)
+        }
+        marks = _marks(case, gears_of_ports, carried, state, free)
         if marks:
             rays, standing = _rays(case, first, last, state)
             engaged, given = _names(case, state, marks)
@@ -134,25 +136,25 @@ def plans(results: Results) -> list[KinematicPlan]:
 
 
 def off_plans(case: Transmission, drawn: Sequence[KinematicPlan]) -> list[str]:
-    """The names of the gears that are on none of some plans."""
+    """Return the names of the gears that are on none of the plans."""
     on_plans = {number for plan in drawn for number in plan.gears}
     return [gear.name for number, gear in enumerate(case.gears, 1) if number not in on_plans]
 
 
 def _with_free_ratios(case: Transmission) -> Transmission:
-    """The case with open elements in place of what gears give a speed ratio."""
+    """Replace mechanisms with a given speed ratio in some gear by open shift elements."""
     given = {number for gear in case.gears for number in gear.speed_ratios}
     if not given:
         return case
-    own = case.own_mechanisms.start
-    kept, opened = [], list(case.shift_elements)
-    for number, one in enumerate(case.mechanisms, 1 - own):
+    first_own = case.own_mechanisms.start
+    remaining, opened = [], list(case.shift_elements)
+    for number, mechanism in enumerate(case.mechanisms, 1 - first_own):
         if number in given:
-            opened.append(ShiftElement(one.first, one.second, one.name))
+            opened.append(ShiftElement(mechanism.first, mechanism.second, mechanism.name))
         else:
-            kept.append(one)
+            remaining.append(mechanism)
     gears = [gear._replace(speed_ratios={}) for gear in case.gears]
-    return case.replace(shift_elements=opened, mechanisms=kept, gears=gears)
+    return case.replace(shift_elements=opened, mechanisms=remaining, gears=gears)
 
 
 def _marks(
@@ -162,41 +164,42 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """The gears in which a state holds and each further element that carries torque makes them.
+    """Return the marks of a state, in whose gears each further loaded element is needed.
 
-    None if all have the same ratio.
+    The result is empty if all marks have the same ratio.
     """
-    found: list[Mark] = []
+    marks: list[Mark] = []
     common = frozenset(state)
     for number, gear in gears.items():
         further = carried[number] - common
         if not conditions(case, gear.gear) >= common or any(
-            free.is_free(gear.input, gear.output, common | {one}) for one in further
+            free.is_free(gear.input, gear.output, common | {condition}) for condition in further
         ):
             continue
         mark = Mark((number,), gear.speeds[gear.output], elements_of(case, gear.gear, further))
-        for place, other in enumerate(found):
+        for place, other in enumerate(marks):
             if _same(other, mark) and other.elements == mark.elements:
-                found[place] = other._replace(gears=(*other.gears, number))
+                marks[place] = other._replace(gears=(*other.gears, number))
                 break
         else:
-            found.append(mark)
-    return () if all(_same(one, found[0]) for one in found) else tuple(found)
+            marks.append(mark)
+    return () if all(_same(mark, marks[0]) for mark in marks) else tuple(marks)
 
 
-def _same(one: Mark, other: Mark) -> bool:
-    return math.isclose(one.output, other.output, rel_tol=SAME_RATIO)
+def _same(mark: Mark, other: Mark) -> bool:
+    return math.isclose(mark.output, other.output, rel_tol=SAME_RATIO)
 
 
 def _rays(
     case: Transmission, first: int, last: int, state: Sequence[Condition]
 ) -> tuple[tuple[Ray, ...], tuple[int, ...]]:
-    """The rays of the case's own links; links that stand have none, and are told."""
-    own = case.own_links
+    link_count = case.own_links
     ends = [speeds_under(case, first, last, state, output) for output in (0.0, 1.0)]
     rays: list[Ray] = []
     standing = []
-    for link, (start, end) in enumerate(zip(*(speeds[:own] for speeds in ends), strict=True), 1):
+    for link, (start, end) in enumerate(
+        zip(*(speeds[:link_count] for speeds in ends), strict=True), 1
+    ):
         slope = end - start
         if math.isnan(slope):
             continue
@@ -215,13 +218,13 @@ def _rays(
 def _names(
     case: Transmission, state: Sequence[Condition], marks: Sequence[Mark]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The elements that make a state in its gears, in their order, and its given speeds."""
+    """Return the elements of a state in the gears of the marks, and the given speeds."""
     gears = [case.gears[number - 1] for mark in marks for number in mark.gears]
     elements: list[tuple[list[int], str]] = []
     given = []
     for condition in state:
         same = frozenset([condition])
-        numbers = sorted({one for gear in gears for one in elements_of(case, gear, same)})
+        numbers = sorted({element for gear in gears for element in elements_of(case, gear, same)})
         if numbers:
             names = [case.shift_elements[number - 1].name for number in numbers]
             elements.append((numbers, "/".join(names)))

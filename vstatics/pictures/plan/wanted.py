@@ -1,7 +1,7 @@
-"""A case of wanted ratios alone, of which a kinematic plan can be drawn before there are any sets.
+"""A case built from wanted ratios, for a kinematic plan before gear sets are chosen.
 
-The link that stands in the gear of the ratio u has the ray ``(u x - 1)/(u - 1)`` over the output
-speed x: with input and output it is a mechanism of the internal ratio u whose carrier it is.
+The link at rest in the gear of ratio u has the ray ``(u x - 1)/(u - 1)`` over the output speed x:
+the link is the carrier of a mechanism of basic ratio u between input and output.
 """
 
 from __future__ import annotations
@@ -12,23 +12,23 @@ from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElem
 from vstatics.pictures.drawing.style import Style
 
 LARGEST_RATIO = 1e6
-"""What is larger, or whose inverse is, is mistyped."""
+"""Largest accepted ratio or inverse of a ratio; beyond, a typing error is assumed."""
 
 
 def case_of_ratios(ratios: Sequence[float], style: Style | None = None) -> Transmission:
-    """Input, output, and a link with its brake for each ratio; for 1 a clutch between the two.
+    """Build a case with a link and a brake per ratio, and a clutch for the ratio 1.
 
     Parameters
     ----------
     ratios : sequence of float
-        Of the gears, input speed by output speed. [-]
+        Ratios of the gears, input speed per output speed. [-]
     style : Style, optional
-        Whose language its names have.
+        Style whose language the names have.
 
     Raises
     ------
     ValueError
-        If one is 0, too large or small, or given twice.
+        If a ratio is 0, too large or small, or given twice.
 
     Examples
     --------

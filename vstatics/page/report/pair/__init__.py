@@ -1,5 +1,5 @@
-"""Two cases on one page: each number of both, what differs by what is other in the cases.
+"""Two cases on one page: their numbers one above the other, and the changes between them.
 
-`merged` puts their tables together, `runs` has the runs of scenarios, `page` the sections. Cases
-are called A and B: `label` of `PagedCase`, ``data-case`` of a number.
+`merged` merges two tables into one, `paged` has the contents of each case, and `page` the sections.
+The cases are labelled A and B, in `PagedCase.label` and in the attribute ``data-case`` of numbers.
 """

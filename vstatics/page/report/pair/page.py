@@ -1,4 +1,4 @@
-"""The page of two cases: what is other in them, and what differs by that."""
+"""The page of two cases: changes of the input and of the results."""
 
 from __future__ import annotations
 
@@ -34,63 +34,66 @@ from vstatics.pictures.paged.parts import Part, figures
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 ON_ONE_SCALE = ("steps", "efficiency")
-"""Pictures of both that have a scale in common."""
+"""Kinds of pictures in which both cases share a scale."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
 SIGN = "Changes are by the size of A: below 0 where a number falls, so where a negative one grows."
-"""What the sign of a change means, as in `compare`."""
+"""Meaning of the sign of a change, as in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: Mapping[str, str] | None = None) -> str:
-    """The page of two cases, each number of one beside that of the other.
+    """Return the page of two cases, with corresponding numbers in successive rows.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.page.report.pair.paged import paged
     >>> cases = [Transmission(2, [], [Mechanism(1, 2, 0, u)], [Gear()]) for u in (-2.5, -3.0)]
-    >>> made = pair_page([paged(*one) for one in zip("AB", map(solve, cases), ["a", "b"])])
-    >>> made.count('<td class="differs" data-value="-2.5" data-number="-2.5" data-result="ratio"')
+    >>> page = pair_page([paged(*case) for case in zip("AB", map(solve, cases), ["a", "b"])])
+    >>> page.count('<td class="differs" data-value="-2.5" data-number="-2.5" data-result="ratio"')
     2
     """
     first, second = both
     [verdict] = compare(second.material.results, first.material.results).cases
     parts = [
-        Part(name, shown) for name, one in _sections(both, verdict).items() if (shown := [*one])
+        Part(name, shown) for name, inner in _sections(both, verdict).items() if (shown := [*inner])
     ]
     title = tr("{first} and {second}", first=first.title, second=second.title)
     if first.title == second.title:
         both_files = tr("{first} and {second}", first=first.file, second=second.file)
         title = f"{first.title}: {both_files}"
-    document = {one.label: {"file": one.file, **one.material.document} for one in both}
+    document = {case.label: {"file": case.file, **case.material.document} for case in both}
     frame = PageFrame(
         panel=toolbar.toolbar(),
         scripts=[toolbar.SCRIPT],
         style=joined(toolbar.STYLE, Markup(_style())),
-        named=[one.material.document["case"] for one in both],
+        named=[case.material.document["case"] for case in both],
     )
-    return framed(title, _told(both, stamp or {}), parts, document, frame)
+    return framed(title, _about(both, stamp or {}), parts, document, frame)
 
 
 def _style() -> str:
     return (files(__package__) / "pair.css").read_text(encoding="utf-8")
 
 
-def _told(both: Sequence[PagedCase], stamp: Mapping[str, str]) -> Iterator[Markup]:
+def _about(both: Sequence[PagedCase], stamp: Mapping[str, str]) -> Iterator[Markup]:
     yield from stamped(stamp)
-    yield terms((one.label, f"{one.title}, {one.file}") for one in both)
+    yield terms((case.label, f"{case.title}, {case.file}") for case in both)
 
 
 def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iterable[Markup]]:
-    summaries = [_summary(one) for one in both]
-    own = zip(both, summaries, strict=True)
-    gears = merged_tables(both, [gears_grid(one.material, grids["gears"]) for one, grids in own])
+    summaries = [_summary(case) for case in both]
+    cases_and_grids = zip(both, summaries, strict=True)
+    gears = merged_tables(
+        both,
+        [gears_grid(case.material, grids["gears"]) for case, grids in cases_and_grids],
+    )
     keys = dict.fromkeys((*summaries[0], *summaries[1]))
 
     def of(chosen: Iterable[str]) -> Iterator[Grid]:
         for key in chosen:
             if key in keys:
-                yield merged_tables(both, [one.get(key) for one in summaries])
+                yield merged_tables(both, [case.get(key) for case in summaries])
 
     elsewhere = ("gears", "spread", *LARGEST, *OF_SHIFTS)
     others = (key for key in keys if key not in elsewhere)
@@ -108,121 +111,127 @@ def _sections(both: Sequence[PagedCase], verdict: CaseVerdict) -> dict[str, Iter
 
 
 def _runs(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """The runs of two scenarios, and their tables as one."""
-    if any(one.motion for one in both):
+    if any(case.motion for case in both):
         shown, grids = higher("paired_runs")(
-            [(one.label, one.material.results, one.motion) for one in both]
+            [(case.label, case.material.results, case.motion) for case in both]
         )
         yield from shown
         yield from tables(merged_tables(both, pair) for pair in grids)
 
 
-def _summary(one: PagedCase) -> dict[str, Grid]:
-    """Tables of the summary by their keys, with marks."""
-    made = summary_grids(one.material.summary)
-    first, *others = (grid.with_digits(one.material.digits) for grid in made)
-    return {grid.key: grid for grid in [first, *one.material.marked(others)]}
+def _summary(case: PagedCase) -> dict[str, Grid]:
+    grids = summary_grids(case.material.summary)
+    first, *others = (grid.with_digits(case.material.digits) for grid in grids)
+    return {grid.key: grid for grid in [first, *case.material.marked(others)]}
 
 
 def _results(both: Sequence[PagedCase]) -> Iterator[Grid]:
-    """All tables of the results that one of both has."""
-    own = [
+    by_key = [
         {
             grid.key: grid
-            for grid in one.material.marked(
-                made.with_digits(one.material.digits)
-                for made in of_results(one.material.results, blanks=True)
+            for grid in case.material.marked(
+                result_grid.with_digits(case.material.digits)
+                for result_grid in of_results(case.material.results, blanks=True)
             )
         }
-        for one in both
+        for case in both
     ]
-    return (merged_tables(both, [one.get(key) for one in own]) for key in {**own[0], **own[1]})
+    return (
+        merged_tables(both, [case.get(key) for case in by_key])
+        for key in {**by_key[0], **by_key[1]}
+    )
 
 
 def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """What is other in a line, then what there is to watch in each."""
-    said = verdict.headline.removeprefix(f"{verdict.name}: ")
-    yield tag("p", f"{said[:1].upper()}{said[1:]}.", class_="verdict")
-    yield table(merged_tables(both, [_figures(one.material) for one in both]), headed=False)
+    """Yield the verdict, the main figures, and the messages of each case."""
+    headline = verdict.headline.removeprefix(f"{verdict.name}: ")
+    yield tag("p", f"{headline[:1].upper()}{headline[1:]}.", class_="verdict")
+    yield table(merged_tables(both, [_figures(case.material) for case in both]), headed=False)
     yield tag("p", tr(SIGN), class_="note")
-    for one in both:
-        if one.material.messages:
-            yield tag("h3", tr("Messages of {case}", case=one.label))
-            yield from (tag("div", shown) for shown in alerts(one.material.messages))
-        case, own = one.material.results.case, one.material
-        yield toolbar.tools_of(case, one.label, own.digits)
+    for case in both:
+        if case.material.messages:
+            yield tag("h3", tr("Messages of {case}", case=case.label))
+            yield from (tag("div", shown) for shown in alerts(case.material.messages))
+        material = case.material
+        yield toolbar.tools_of(material.results.case, case.label, material.digits)
 
 
 def _figures(material: Material) -> Grid:
-    """What a designer asks first."""
-    made, largest = material.summary.design, material.summary.largest
-    known = [one.efficiency for one in made.gears if not math.isnan(one.efficiency)]
-    shown = [one.shown for one in material.flows if one.shown]
-    shares = [one.circulating_share for one in shown if not math.isnan(one.circulating_share)]
-    found = [overall(largest.get(key, ())) for key in (LOSSY_TORQUES, TORQUES)]
-    torques = [abs(one.value) for one in found if one is not None and one.gear]
+    design, largest = material.summary.design, material.summary.largest
+    known = [gear.efficiency for gear in design.gears if not math.isnan(gear.efficiency)]
+    gear_powers = [gear.shown for gear in material.flows if gear.shown]
+    shares = [
+        gear.circulating_share for gear in gear_powers if not math.isnan(gear.circulating_share)
+    ]
+    extremes = [overall(largest.get(key, ())) for key in (LOSSY_TORQUES, TORQUES)]
+    torques = [abs(gear.value) for gear in extremes if gear is not None and gear.gear]
     rows = [
-        ("gears", len(made.gears)),
-        ("spread", made.spread),
+        ("gears", len(design.gears)),
+        ("spread", design.spread),
         ("lowest efficiency", min(known, default=math.nan)),
         (f"largest element torque, {RELATIVE}", [*torques, math.nan][0]),
         ("largest circulation, % of the input power", 100 * max(shares, default=math.nan)),
     ]
-    said = ((Cell(heading(name)), value) for name, value in rows)
-    return grid_of("Figures", ["figure", "value"], said).with_digits(material.digits)
+    figure_rows = ((Cell(heading(name)), value) for name, value in rows)
+    return grid_of("Figures", ["figure", "value"], figure_rows).with_digits(material.digits)
 
 
 def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """What is other in the cases, by paths as of a sweep."""
+    """Yield the changes of the input by the paths that a sweep uses."""
     if not verdict.case:
         yield tag("p", tr("The cases are the same, but perhaps for names and descriptions."))
         return
     rows = [[path, *shown_values(old, new)] for path, old, new in verdict.case]
-    rows = [["\N{EN DASH}" if one == "null" else one for one in row] for row in rows]
-    columns = [text("path"), *(text(one.label) for one in both)]
+    rows = [["\N{EN DASH}" if case == "null" else case for case in row] for row in rows]
+    columns = [text("path"), *(text(case.label) for case in both)]
     yield table(Grid("Changes of the case", columns, rows), headed=False)
 
 
 def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Gears without one of their name in the other case."""
-    names = [[gear.name for gear in one.material.results.case.gears] for one in both]
-    for one, own, others in zip(both, names, reversed(names), strict=True):
-        alone = [name for name in own if name not in others]
+    """Yield notes about gears that are missing from the second case."""
+    names = [[gear.name for gear in case.material.results.case.gears] for case in both]
+    for case, gears, others in zip(both, names, reversed(names), strict=True):
+        alone = [name for name in gears if name not in others]
         if alone:
-            said = tr(
+            note = tr(
                 "Only {case} has gear {names}.|Only {case} has gears {names}.",
-                case=one.label,
+                case=case.label,
                 names=", ".join(alone),
                 count=len(alone),
             )
-            yield tag("p", said, class_="note")
+            yield tag("p", note, class_="note")
 
 
 def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Stick diagrams, side by side on a screen; steps and efficiencies on a common scale."""
+    """Yield stick diagrams, side by side on a screen, and charts on a common scale."""
     try:
         require("plot", "a picture")
     except CaseError as error:
         yield tag("p", tr("There are no pictures: {why}", why=error))
         return
-    yield tag("div", *(_stick(one) for one in both), class_="two wide")
-    pair = [PairedCase(f"{one.title}, {one.file}", one.material.results) for one in both]
+    yield tag("div", *(_stick(case) for case in both), class_="two wide")
+    pair = [PairedCase(f"{case.title}, {case.file}", case.material.results) for case in both]
     for kind in filter(picture_kinds().get, ON_ONE_SCALE):
         try:
-            made = pair_pages(pair, kind, "svg", in_spoken(PAGE))
+            svg_texts = pair_pages(pair, kind, "svg", in_spoken(PAGE))
         except CaseError as error:
             yield from figures(Drawn(kind, [], " ".join(str(error).split())), name_of(kind))
             continue
-        sheets = [inline(svg, f"{kind}-{n}", name_of(kind)) for n, svg in enumerate(made)]
+        sheets = [inline(svg, f"{kind}-{n}", name_of(kind)) for n, svg in enumerate(svg_texts)]
         yield from figures(Drawn(kind, sheets), name_of(kind))
 
 
-def _stick(one: PagedCase) -> Markup:
-    """The stick diagram of no gear, or its structure."""
+def _stick(case: PagedCase) -> Markup:
     try:
-        kind, made = "stick", pages(one.material.results, "stick", "svg", in_spoken(PAGE))
+        kind, svg_texts = (
+            "stick",
+            pages(case.material.results, "stick", "svg", in_spoken(PAGE)),
+        )
     except CaseError:
-        kind, made = "structure", pages(one.material.results, "structure", "svg", in_spoken(PAGE))
-    name = f"{one.label}: {name_of(kind)}"
-    sheets = [inline(svg, f"{one.label}-{kind}-{n}", name) for n, svg in enumerate(made)]
-    return tag("div", *figures(Drawn(kind, sheets), name), data_case=one.label)
+        kind, svg_texts = (
+            "structure",
+            pages(case.material.results, "structure", "svg", in_spoken(PAGE)),
+        )
+    name = f"{case.label}: {name_of(kind)}"
+    sheets = [inline(svg, f"{case.label}-{kind}-{n}", name) for n, svg in enumerate(svg_texts)]
+    return tag("div", *figures(Drawn(kind, sheets), name), data_case=case.label)

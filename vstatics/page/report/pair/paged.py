@@ -1,4 +1,4 @@
-"""One of two cases on a page, and what both have as one table."""
+"""One case of a page of two cases, and merged tables of both."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ NO_PICTURES = Pictures()
 
 
 class PagedCase(NamedTuple):
-    """One of two cases."""
+    """Case on a page that compares two cases."""
 
     label: str
-    """A letter."""
+    """Letter of the case, A or B."""
     file: str
-    """Its name without a path."""
+    """File name without folder."""
     material: Material
     motion: PicturedRun | None = None
-    """The run of a scenario."""
+    """Run of a scenario."""
 
     @property
     def title(self) -> str:
-        """As a page of its own has it."""
+        """Title of the case, equal to the title of a page of the case alone."""
         name = self.material.results.case.name
         return self.material.naming.title(name, runs=self.motion is not None)
 
@@ -45,7 +45,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     naming: Naming = UNNAMED,
     motion: PicturedRun | None = None,
 ) -> PagedCase:
-    """A case with what its side of the page is made of; parameters as of `gather`."""
+    """Return a case with the contents of the page; parameters as in `gather`."""
     quick = AskedPage([key for key in SECTIONS if key not in report_parts()])
     options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
     material = gather(results, problems, digits, None, naming, **options)
@@ -53,7 +53,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
 
 
 def merged_tables(both: Sequence[PagedCase], grids: Sequence[Grid | None]) -> Grid:
-    """The tables of both as one; the other case may have none."""
-    there = next(one for one in grids if one)
-    empty = there._replace(columns=there.columns[:1], rows=[])
-    return merged([one or empty for one in grids], "".join(one.label for one in both))
+    """Merge the tables of both cases; either table can be missing."""
+    present = next(grid for grid in grids if grid)
+    empty = present._replace(columns=present.columns[:1], rows=[])
+    return merged([grid or empty for grid in grids], "".join(case.label for case in both))

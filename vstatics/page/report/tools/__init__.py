@@ -1,6 +1,6 @@
-"""What a reader does with a page whose numbers have marks: choose units and a link, save.
+"""Tools of a page with marked numbers: choose units, filter rows by a link, save.
 
-`marks` tells which rows are of which links, and which numbers are in which unit; `toolbar` has
-the fields and what their script has to know. The script is in four files: `numbers.js` rounds,
-`units.js`, `links.js` and `saves.js` do what their names say.
+`marks` adds the links of each row and the unit of each number; `toolbar` has the input fields and
+the data for their script. The script is in four files: `numbers.js` rounds numbers, `units.js`
+converts them, `links.js` filters rows, and `saves.js` saves pictures, tables and results.
 """

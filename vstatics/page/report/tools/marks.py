@@ -1,8 +1,8 @@
-"""Marks on tables of a page, for its tools: whose links a row is of, what a number is in.
+"""Marks on tables of a page for its tools: links of a row, unit of a number.
 
-``data-links`` at the head of a row has indices of links, ``data-unit`` at a number the unit that
-it is in, ``data-scaled`` that which it would have with a load. Results, which have
-``data-result``, have no such mark: `toolbar` tells of them once for all.
+``data-links`` in the first cell of a row has the indices of its links. ``data-unit`` of a number is
+its present unit, ``data-scaled`` its unit at an operating point. Results have ``data-result``
+instead, and `toolbar` lists their units once for all tables.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vstatics.core.tables.grid import Cell, Column, Grid
 from vstatics.core.tables.quantities import UNITS
 
 RELATIVE = "\N{MULTIPLICATION SIGN} input"
-"""In place of a unit, of what is relative to the input."""
+"""Heading instead of a unit for numbers relative to the input."""
 LOSS_SHARE = "loss_share"
 POWERS = {
     "ideal": "power",
@@ -27,18 +27,18 @@ POWERS = {
     "loss, kW": "power_loss_kW",
     "share, %": LOSS_SHARE,
 }
-"""Columns of the table of powers of a gear, and what their numbers are."""
+"""Columns of the table of powers of a gear -> keys of quantities."""
 PartLinks = Callable[[str], Sequence[int]]
-"""Gives the indices of the links that a part of some name is of."""
+"""Function from the name of a part to the indices of connected links."""
 _RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
 _RELATIVE |= {"power": "kW", "capacity": "Nm"}
-"""What heads columns of relative numbers, and the unit that these have with a load."""
+"""Headings of columns of relative numbers -> their unit at an operating point."""
 _IN_UNITS = ("planets", "shift elements", "margins", "needed capacity", "slip power", "ports")
-"""Tables that have such columns, and columns in units."""
+"""Keys of the tables with relative columns and with columns in units."""
 
 
 def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
-    """A table with what the tools of its page have to know.
+    """Return a table with the marks for the tools of the page.
 
     Examples
     --------
@@ -46,7 +46,7 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
     >>> from vstatics.core.tables.result_tables import of_results
     >>> pair = Mechanism(1, 2, 0, -4.0, name="pair")
     >>> case = Transmission(2, [], [pair], [Gear()], link_names=["in", "out"])
-    >>> by_key = {one.key: with_tool_marks(one, case) for one in of_results(solve(case))}
+    >>> by_key = {grid.key: with_tool_marks(grid, case) for grid in of_results(solve(case))}
     >>> [row[0].marks.get("links") for row in by_key["W"].cells], by_key["AMLG"].cells[0][0].marks
     (['0', '1'], {'links': '0 1'})
     """
@@ -54,27 +54,27 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
 
 
 def marked_links(grid: Grid, case: Transmission) -> Grid:
-    """The table of powers of a gear: the head of a kind of parts is of the links of them all."""
+    """Mark the rows of powers of a gear; the head of a kind has the links of all parts."""
     find = _named(case)["power through"]
     kinds = {"links": _links(case)}
-    rows, found, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
+    rows, links_of_row, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
     head = owner = 0
     for place, (level, [first, *_]) in enumerate(zip(grid.levels, rows, strict=True)):
         if level == 1:
             head, kind = place, kinds.get(first.text, find)
         elif level == 2:
-            owner, found[place] = place, {*kind(first.text)}
+            owner, links_of_row[place] = place, {*kind(first.text)}
         else:
             member = _links(case)(first.text.rpartition(": ")[2])
-            found[place] = {*(member or found[owner])}
-        found[head] |= found[place]
-    for row, own in zip(rows, found, strict=True):
-        row[0] = _of_links(row[0], sorted(own))
+            links_of_row[place] = {*(member or links_of_row[owner])}
+        links_of_row[head] |= links_of_row[place]
+    for row, links in zip(rows, links_of_row, strict=True):
+        row[0] = _of_links(row[0], sorted(links))
     return grid._replace(rows=rows)
 
 
 def _with_links(grid: Grid, case: Transmission) -> Grid:
-    headings = [one.heading for one in grid.columns]
+    headings = [column_of_grid.heading for column_of_grid in grid.columns]
     column = 1 if headings[:2] == ["gear", "port"] else 0
     find = _named(case).get(headings[column]) if headings else None
     if find is None:
@@ -90,17 +90,17 @@ def _of_links(cell: Cell, links: Sequence[int]) -> Cell:
 
 
 def _named(case: Transmission) -> dict[str, PartLinks]:
-    """By the heading of names: what links they are of."""
-    elements = {one.name: _indices(one.links) for one in case.shift_elements}
+    """Return functions from names to links, by the heading of the column of names."""
+    elements = {part.name: _indices(part.links) for part in case.shift_elements}
     devices, members, planets = (dict[str, list[int]]() for _ in range(3))
-    for one in case.mechanisms:
-        devices[one.name] = _indices(one.links)
-    for own in case.own_devices:
-        devices[own.name] = _indices(member.link for member in own.members)
-        planets |= {planet.name: devices[own.name] for planet in own.planets}
-        for member in own.members:
-            members[f"{own.name}.{member.name}"] = _indices([member.link])
-    springs = {one.name: _indices(one.form) for one in case.springs}
+    for part in case.mechanisms:
+        devices[part.name] = _indices(part.links)
+    for device in case.own_devices:
+        devices[device.name] = _indices(member.link for member in device.members)
+        planets |= {planet.name: devices[device.name] for planet in device.planets}
+        for member in device.members:
+            members[f"{device.name}.{member.name}"] = _indices([member.link])
+    springs = {part.name: _indices(part.form) for part in case.springs}
     output = {OUTPUT: [case.main_output - 1]}
     parts = {**springs, **devices, **elements}
     links = _links(case)
@@ -128,14 +128,14 @@ def _links(case: Transmission) -> PartLinks:
 
 
 def _indices(links: Iterable[int]) -> list[int]:
-    """Of the links of a part, each once; the housing is none."""
+    """Return the sorted indices of links, without the housing."""
     return sorted({link - 1 for link in links if link})
 
 
 def _with_units(grid: Grid) -> Grid:
     if grid.key.removesuffix(WITH_LOAD) not in _IN_UNITS:
         return grid
-    units = [_unit(one) for one in grid.columns]
+    units = [_unit(column) for column in grid.columns]
     repeats = {"repeats": ""} if grid.key.endswith(WITH_LOAD) else {}
     rows = []
     for row in grid.cells:
@@ -160,7 +160,7 @@ def _unit(column: Column) -> dict[str, str]:
 
 
 def _gears(columns: Sequence[Column], row: Sequence[Cell]) -> Iterator[dict[str, str]]:
-    """Of each cell the gear: the one that stands next, else that of the row."""
+    """Yield the gear of each cell: from the next column, otherwise from the row."""
     first = row[0].text if columns[0].heading == "gear" else ""
     for place, _ in enumerate(columns):
         after = place + 1

@@ -1,4 +1,4 @@
-"""The fields of the tools of a page, and what its script has to know of cases and units."""
+"""Input fields of the tools of a page, and the data of cases and units for its script."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from vstatics.core.texts import tr
 from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 
 US = {"Nm": "lbf*ft", "kW": "hp"}
-"""What stands in the United States in place of a unit."""
+"""SI units -> customary units of the United States."""
 CHOICES = {"relative": "relative", "si": "rpm, N*m, kW", "us": "US: rpm, lbf*ft, hp"}
-"""What numbers can be in, the first one at first."""
+"""Systems of units for numbers; the first is the default."""
 
 
 def toolbar() -> Markup:
-    """The choice of units, the filter by a link, what saves the page.
+    """Return the choice of units, the filter by a link, and the button that saves the page.
 
-    >>> made = toolbar()
-    >>> made.count("<option "), made.count('type="search"'), made.count("data-save=")
+    >>> bar = toolbar()
+    >>> bar.count("<option "), bar.count('type="search"'), bar.count("data-save=")
     (3, 1, 1)
     """
-    options = (tag("option", tr(said), value=key) for key, said in CHOICES.items())
+    options = (tag("option", tr(text), value=key) for key, text in CHOICES.items())
     return tag(
         "div",
         tag("label", tr("Units"), " ", tag("select", *options, id="units")),
@@ -50,21 +50,21 @@ def toolbar() -> Markup:
 
 
 def tools_of(case: Transmission, label: str = "", digits: int | None = None) -> Markup:
-    """What the script has to know of a case; it stands within a section, made anew with that.
+    """Return the data of a case for the script, embedded in a section.
 
     Parameters
     ----------
     label : str
-        Of one of several cases, as in ``data-case`` of their numbers.
+        Label of one of several cases, equal to ``data-case`` of its numbers.
     digits : int, optional
-        After the point.
+        Digits after the point.
     """
     scales = gear_scales(case)
     known = {
         "links": case.link_names[: case.own_links],
         "gears": {
-            gear.name: {key: value for key, value in own.items() if not math.isnan(value)}
-            for gear, own in zip(case.gears, scales, strict=True)
+            gear.name: {key: value for key, value in scale.items() if not math.isnan(value)}
+            for gear, scale in zip(case.gears, scales, strict=True)
         },
         "digits": digits,
     }
@@ -72,34 +72,36 @@ def tools_of(case: Transmission, label: str = "", digits: int | None = None) -> 
 
 
 def _known() -> dict[str, Any]:
-    """Of results their units, of units their words and sizes: each told where it is at home."""
-    results = {one.key: _result(one.of, one.unit or one.with_load) for one in QUANTITIES}
+    """Return the units of all results, and the words, decimals and conversions of units."""
+    results = {entry.key: _result(entry.of, entry.unit or entry.with_load) for entry in QUANTITIES}
     for name in POWERS.values():
         if name == LOSS_SHARE:
             continue
         relative = name.removesuffix("_kW")
         results[name] = _result("" if relative == name else relative, "kW", real=True)
     for name in ("input_power_kW", "output_power_kW"):
-        results[name] = _result("", "kW", own=True)
-    decimals = {one.key: one.decimals for one in QUANTITIES if one.decimals != 3}
+        results[name] = _result("", "kW", is_in_unit=True)
+    decimals = {entry.key: entry.decimals for entry in QUANTITIES if entry.decimals != 3}
     return {
-        "results": {name: one for name, one in results.items() if one["unit"]},
+        "results": {name: entry for name, entry in results.items() if entry["unit"]},
         "decimals": decimals,
-        "words": {key: tr(one.text) for key, one in UNITS.items()} | {"": tr(RELATIVE)},
-        "places": {key: one.decimals for key, one in UNITS.items()},
+        "words": {key: tr(entry.text) for key, entry in UNITS.items()} | {"": tr(RELATIVE)},
+        "places": {key: entry.decimals for key, entry in UNITS.items()},
         "us": {key: [1 / unit(word)[1], word] for key, word in US.items()},
     }
 
 
-def _result(of: str, in_unit: str, *, real: bool = False, own: bool = False) -> dict[str, Any]:
-    """What a result is in with a load; whether it is in that already, and repeats another one."""
-    told = {"unit": in_unit}
-    flags = {"own": own or bool(of), "repeats": bool(of), "real": real}
-    return told | {key: True for key, holds in flags.items() if holds}
+def _result(
+    of: str, in_unit: str, *, real: bool = False, is_in_unit: bool = False
+) -> dict[str, Any]:
+    """Return the unit of a result at an operating point, with flags for the conversion."""
+    entry = {"unit": in_unit}
+    flags = {"own": is_in_unit or bool(of), "repeats": bool(of), "real": real}
+    return entry | {key: True for key, holds in flags.items() if holds}
 
 
 def compact(known: Mapping[str, Any]) -> Markup:
-    """Plain data within a script, which no text of it ends.
+    """Return plain data as JSON that cannot end the enclosing script element.
 
     >>> compact({"links": ["</script>"]})
     '{"links":["\\\\u003c/script>"]}'
