@@ -7,9 +7,9 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text and `from_dict` plain data. `named` and `deck` turn a text into
-values with their places and these into a case, which `reading` checks. `workbook` turns sheets into
-the nodes that `named` reads. `expressions` reads formulas, `results` and `sweep_tables` read
+`load` reads a file, `loads` a text and `from_dict` plain data. `expressions` reads formulas.
+`named` and `deck` turn a text into values with their places and these into a case, which `reading`
+checks. `workbook` turns sheets into the nodes that `named` reads. `results` and `sweep_tables` read
 written results.
 """
 

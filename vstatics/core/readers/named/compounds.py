@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from vstatics.core.errors import ReadError, quoted, spoken
-from vstatics.core.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf
+from vstatics.core.model.shape import ByForm, ByPoints, KeyShape, OneOrMany, Parsed, RowOf, Shape
 from vstatics.core.readers.named.nodes import (
     Listing,
     Mapping,
@@ -18,9 +18,6 @@ from vstatics.core.readers.named.nodes import (
     length,
     shown,
 )
-
-if TYPE_CHECKING:
-    from vstatics.core.readers.named.walk import Walk
 
 NO_MERGE = "merge key `<<` is not taken, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
@@ -76,7 +73,22 @@ def is_merge(key: Scalar) -> bool:
     return key.plain and key.text == "<<"
 
 
-def read_row(walk: Walk, spot: Spot, shape: RowOf) -> Any:
+class ReadsShapes(Protocol):
+    """Methods of `Walk` that the readers of compound values need."""
+
+    spots: Spots
+
+    def read(self, spot: Spot, shape: Shape) -> Any:
+        """Read the value at a spot, or return a stand-in after an error."""
+
+    def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
+        """Read the items of a list of a single shape."""
+
+    def refuse(self, spot: Spot, shape: Shape, expected: object, read: str = "") -> Any:
+        """Report an unreadable value, and return a stand-in."""
+
+
+def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
     """Read a row with the prescribed number of values."""
     node, count, known = spot.node, len(shape.items), (*shape.items, *shape.optional)
     if not isinstance(node, Listing) or not count <= len(node.items) <= len(known):
@@ -85,7 +97,7 @@ def read_row(walk: Walk, spot: Spot, shape: RowOf) -> Any:
     return tuple(walk.read(spot.item(n, n, item), leaf) for n, (item, leaf) in items)
 
 
-def read_points(walk: Walk, spot: Spot, shape: ByPoints) -> Any:
+def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
     """Read rows of points, a number as a point at 0, or a mapping."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
@@ -99,7 +111,7 @@ def read_points(walk: Walk, spot: Spot, shape: ByPoints) -> Any:
     return ((0.0, walk.read(spot._replace(path=(*spot.path, 1, 2)), leaf)),)
 
 
-def read_parsed(walk: Walk, spot: Spot, shape: Parsed) -> Any:
+def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
     """Read a text with the parser of the shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
@@ -116,7 +128,7 @@ def read_parsed(walk: Walk, spot: Spot, shape: Parsed) -> Any:
         return walk.refuse(spot, shape, error)
 
 
-def _moved_by(walk: Walk, node: Scalar, offset: int) -> Scalar:
+def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
     """Move a scalar by an offset into the text, if the text is on a single line."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
@@ -124,7 +136,7 @@ def _moved_by(walk: Walk, node: Scalar, offset: int) -> Scalar:
     return node._replace(column=begin + offset + 1) if as_written else node
 
 
-def read_form(walk: Walk, spot: Spot, shape: ByForm) -> Any:
+def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
     """Read a single value, a list or a mapping."""
     if isinstance(spot.node, Listing):
         return walk.read(spot, shape.listing)
@@ -135,7 +147,7 @@ def read_form(walk: Walk, spot: Spot, shape: ByForm) -> Any:
     return walk.refuse(spot, shape, f"expected {shape.expected}")
 
 
-def read_one_or_many(walk: Walk, spot: Spot, shape: OneOrMany) -> Any:
+def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
     """Read a list of items; a single item becomes a list."""
     node = spot.node
     if not isinstance(node, Listing) or all(

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vstatics.core.errors import quoted
 from vstatics.core.model.parts import BatteryBalance, Law
 from vstatics.core.model.shape import Balances, ByLaw, Leaf
+from vstatics.core.readers.named.compounds import ReadsShapes
 from vstatics.core.readers.named.nodes import Listing, Mapping, Spot
 
-if TYPE_CHECKING:
-    from vstatics.core.readers.named.walk import Walk
 
-
-def read_law(walk: Walk, spot: Spot, shape: ByLaw) -> Any:
+def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
     """Read a number or a law."""
     if isinstance(spot.node, Mapping):
         law = walk.read(spot, shape.mapping)
@@ -31,7 +29,7 @@ def read_law(walk: Walk, spot: Spot, shape: ByLaw) -> Any:
     return walk.read(spot, shape.scalar)
 
 
-def _of_file(walk: Walk, spot: Spot, shape: ByLaw, name: str) -> Any:
+def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
     """Read the points of a file, whose name is relative to the folder of the case."""
     from vstatics.core.model.laws import PointLaw  # needed by few cases
     from vstatics.core.readers.named.point_files import points_of
@@ -49,7 +47,7 @@ def _of_file(walk: Walk, spot: Spot, shape: ByLaw, name: str) -> Any:
     return law
 
 
-def read_balance(walk: Walk, spot: Spot, shape: Balances) -> Any:
+def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
     """Read the efficiencies of machines by links, and the power of the battery."""
     node = spot.node
     if not isinstance(node, Mapping):
