@@ -274,7 +274,7 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
-        state[lacking & (state == NONE)] = 0  # missing torques have a message of their own
+        state[lacking & (state == NONE)] = 0  # other messages report missing torques
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
