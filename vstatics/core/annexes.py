@@ -23,7 +23,7 @@ _NAMES = ("pictures", "sweep", "torsion", "simulation", "synthesis", "vehicle", 
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 # These tables list all annexes, installed or not, so that messages can name a missing annex.
 KEYS = MappingProxyType({"vehicle": "vehicle", "fatigue": "vehicle", "dump": "torsion"})
-"""Annex of each key of a case, in the order of reading and writing."""
+"""Annex that provides each key of a case, in the order of reading and writing."""
 DOCUMENTS = MappingProxyType(
     {
         "boxes": ("synthesis", b'"searched"'),
@@ -48,7 +48,7 @@ COMMANDS = MappingProxyType(
         "serve": "page",
     }
 )
-"""Annex of each command."""
+"""Annex that provides each command."""
 PURPOSES = MappingProxyType(
     {
         "omega": "torsion",
@@ -58,7 +58,7 @@ PURPOSES = MappingProxyType(
         **dict.fromkeys(("damages", "torque_life", "vehicle_section"), "vehicle"),
     }
 )
-"""Annex of other features that the core requests by name."""
+"""Annex that provides each other feature requested by name."""
 
 
 class Command(NamedTuple):

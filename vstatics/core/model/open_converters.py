@@ -61,7 +61,7 @@ def with_needed_ratios(case: Transmission) -> Transmission:
 def with_mechanisms(
     case: Transmission, mechanisms: Sequence[Mechanism], **changes: Any
 ) -> Transmission:
-    """Return a case with its mechanisms, apart from gear sets, replaced, and other changes."""
+    """Return a case with other mechanisms, except those of gear sets, and further changes."""
     if case.drawing is None:
         return case.replace(mechanisms=mechanisms, **changes)
     drawing: Any = case.drawing

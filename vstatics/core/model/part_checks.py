@@ -284,7 +284,7 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
     """Return whether a gear bypasses a converter, numbered among the case's own mechanisms.
 
-    Faulty links or engaged elements have messages of their own; here nothing is bypassed then.
+    With faulty links or engaged elements, which other checks report, nothing is bypassed.
     """
     elements = case.shift_elements
     if not all(is_number(element, len(elements), 1) for element in gear.engaged):

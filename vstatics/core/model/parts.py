@@ -81,7 +81,7 @@ def damping_fault(
 
 HOUSING = 0
 RAD_PER_RPM = math.pi / 30
-"""1 rpm. [rad/s]"""
+"""Speed of 1 rpm. [rad/s]"""
 KW_OF_RPM_NM = RAD_PER_RPM / 1000
 """Power of 1 N*m at 1 rpm. [kW]"""
 

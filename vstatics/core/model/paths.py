@@ -80,7 +80,7 @@ def split(text: str) -> list[PathPart]:
 
 
 def in_quotes(name: str) -> str:
-    """Return a name between quotes of a kind not used in the name, if possible."""
+    """Return a name in double quotes, or in single quotes if the name contains double quotes."""
     mark = "'" if '"' in name else '"'
     return f"{mark}{name}{mark}"
 

@@ -31,7 +31,7 @@ NEEDS_DECIMALS = 10
 """Speed [rpm] or torque [N*m] below which numbers have a decimal."""
 
 NAMES_IN_HEADS = 12
-"""Most characters of shift elements' names as headings; longer names are replaced by numbers."""
+"""Largest total length of element names as headings; longer names can become numbers."""
 
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
@@ -126,7 +126,7 @@ def gears_grid(
 
 
 def _ports(results: Results) -> Grid:
-    """Return the table of ports, with the name of each gear in a single row."""
+    """Return the table of ports, with the name of each gear only in the first row."""
     grid = ports_grid(port_tables(results))
     names = [row[0].text for row in grid.cells]
     rows = [

@@ -8,7 +8,7 @@ the torque that balances a battery.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -93,25 +93,26 @@ def solve_laws(
             for index in range(len(case.gears)):
                 columns[CaseNumber(index, quantity, owner)] = given[:, owner]  # type: ignore[arg-type] # one of the two
     with np.errstate(all="ignore"):
-        if axes:
-            results = _at_points(case, columns, int(np.prod(axes)))
-            arrays = {name: results.in_own_unit(name) for name in ARRAYS}
-            shaped: Any = {n: array.reshape(*axes, *array.shape[1:]) for n, array in arrays.items()}
-            return results._replace(**shaped, points=_shaped(results.points, axes))
-        return _single(case, _followed(case, columns, 1))
+        if not axes:
+            return _single(case, _followed(case, columns, 1))
+
+        def shaped(array: Any) -> Any:
+            return array.reshape(*axes, *array.shape[1:])
+
+        results = _at_points(case, columns, int(np.prod(axes)))
+        arrays: Any = {name: shaped(results.in_own_unit(name)) for name in ARRAYS}
+        return results._replace(**arrays, points=_with_arrays(results.points, shaped))
 
 
-def _shaped(points: Any, axes: tuple[int, ...]) -> OperatingPoints:
-    def turned(array: Any) -> Any:
-        return array.reshape(*axes, *array.shape[1:])
-
+def _with_arrays(points: Any, changed: Callable[[Any], Any]) -> OperatingPoints:
+    """Return points with a function applied to every array."""
     gears = [
-        gear._replace(torques={link: turned(torque) for link, torque in gear.torques.items()})
+        gear._replace(torques={link: changed(torque) for link, torque in gear.torques.items()})
         for gear in points.gears
     ]
-    scales = {unit: turned(scale) for unit, scale in points.scales.items()}
-    outside = {name: turned(where) for name, where in points.outside.items()}
-    loaded, is_open = turned(points.loaded), turned(points.open)
+    scales = {unit: changed(scale) for unit, scale in points.scales.items()}
+    outside = {name: changed(where) for name, where in points.outside.items()}
+    loaded, is_open = changed(points.loaded), changed(points.open)
     return points._replace(scales=scales, loaded=loaded, gears=gears, open=is_open, outside=outside)  # type: ignore[no-any-return] # a named tuple
 
 
@@ -120,15 +121,12 @@ def _single(case: Transmission, answer: Followed) -> Results:
     results, points = answer.results, answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     settled = with_numbers(results.case, answer.columns)
-    points = points._replace(
-        scales={unit: scale[0] for unit, scale in points.scales.items()},
-        loaded=points.loaded[0],
+    points = points._replace(open=answer.open, outside=answer.outside)
+    points = _with_arrays(points, lambda array: array[0])._replace(
         gears=[
             *map(settled_gear, [case] * len(case.gears), settled.gears, answer.open[0].tolist())
         ],
         efficiencies=[_efficiencies(settled, answer.columns, n) for n in range(len(case.gears))],
-        open=answer.open[0],
-        outside={name: where[0] for name, where in answer.outside.items()},
     )
     arrays = {name: results.in_own_unit(name)[0] for name in ARRAYS}
     at_point = results._replace(case=settled, points=points, **arrays)

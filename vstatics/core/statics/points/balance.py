@@ -77,7 +77,7 @@ class OpenBalance:
 
 
 def battery_power(power: Any, efficiency: float) -> Any:
-    """Return the charging power of a battery for the power given to a machine, in equal units.
+    """Return the charging power of a battery for the power given to a machine.
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
     [1.6, -2.5]

@@ -29,7 +29,7 @@ MOST_FIXED_POINT_STEPS = 100
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of efficiencies between smallest and largest at which a single unknown is evaluated."""
+"""Number of trial values of an efficiency that is the single unknown of a gear."""
 MOST_ROOTS = 3
 """Largest number of sign changes searched for roots."""
 ROOT_BISECTIONS = 60
@@ -274,7 +274,7 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
-        state[lacking & (state == NONE)] = 0  # missing torques have a message of their own
+        state[lacking & (state == NONE)] = 0  # other messages report missing torques
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
