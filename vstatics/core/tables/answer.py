@@ -60,7 +60,7 @@ Flat = Annotated[T, FLAT]
 Failure = Annotated[str, FAILURE]
 """Type of a message that, unless empty, replaces all keys but the first."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key that is None only beneath a failure, which replaces all keys."""
+"""Type of a key that is None only if a failure replaces the keys."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
 """Type of a number that is never null."""
@@ -113,7 +113,7 @@ def defined(name: str) -> Callable[[T], T]:
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """List the attributes that are the keys of a record, instead of all fields.
+    """Declare the attributes that are the keys of a record, instead of all fields.
 
     Parameters
     ----------
