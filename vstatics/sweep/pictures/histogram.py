@@ -86,8 +86,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
     for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
         highs = [_high(row, wide) for row in page]
-        pen = headed(title, note, key, (style.width, sum(highs) + MARGIN / 2), style)
         top = sum(highs) + MARGIN / 2
+        pen = headed(title, note, key, (style.width, top), style)
         for row, high in zip(page, highs, strict=True):
             for place, item in enumerate(row):
                 _draw(pen.panel((MARGIN + place * wide, top - high), (wide, high)), item)
