@@ -54,7 +54,7 @@ class Provided(str):
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted if the value is None or an empty mapping."""
+"""Type of a key that is omitted for None or an empty mapping."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]

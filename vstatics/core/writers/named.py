@@ -302,7 +302,6 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
 
 
 def _dumper() -> type[yaml.SafeDumper]:
-    """Return a YAML dumper that writes texts on several lines, and no aliases."""
     import yaml
 
     class Dumper(yaml.SafeDumper):

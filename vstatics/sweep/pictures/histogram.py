@@ -129,7 +129,6 @@ def _high(row: Sequence[Histogram], wide: float) -> float:
 def _pages(
     rows: Sequence[Sequence[Histogram]], wide: float, room: float
 ) -> Iterator[list[Sequence[Histogram]]]:
-    """Yield the rows of panels of each page."""
     page: list[Sequence[Histogram]] = []
     taken = 0.0
     for row in rows:
@@ -182,6 +181,5 @@ def _draw(pen: Pen, item: Histogram) -> None:
 
 
 def _crowded(values: Sequence[float], pen: Pen) -> bool:
-    """Check that the numbers of a scale would overlap."""
     step = abs(pen.across(values[1]) - pen.across(values[0]))
     return math.isfinite(step) and widest(tick_texts(values)) + SIZE / 2 > step
