@@ -117,11 +117,8 @@ def same_gears(
         if name not in there:
             yield Difference("", "", name, THERE, NOT_THERE)
     both = [name for name in there if name in here]
-    pairs = (actual, here), (expected, there)
-    first, second = (
-        _with_gears(result, [places[name] for name in both]) for result, places in pairs
-    )
-    return first, second, both
+    actual = _with_gears(actual, [here[name] for name in both])
+    return actual, _with_gears(expected, [there[name] for name in both]), both
 
 
 def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:

@@ -52,12 +52,10 @@ def sweep_counts(
     actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
 ) -> dict[str, int]:
     """Return the numbers of common variants, or rows of gears, and of common columns."""
-    rows, columns = (
-        [set(names(sweep)) for sweep in (actual, expected)]
-        for names in (_rows, lambda sweep: [n for n in sweep.columns if _table(n) not in leave_out])
-    )
+    rows = {*_rows(actual)} & {*_rows(expected)}
+    columns = actual.columns.keys() & expected.columns.keys()
     row = "row" if actual.gears or expected.gears else "variant"
-    return {row: len(rows[0] & rows[1]), "column": len(columns[0] & columns[1])}
+    return {row: len(rows), "column": sum(_table(name) not in leave_out for name in columns)}
 
 
 def sweep_headline(differences: Sequence[Difference], counts: Mapping[str, int]) -> str:

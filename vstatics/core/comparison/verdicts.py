@@ -235,7 +235,6 @@ def _steps(
 
 
 def _gears(result: WrittenResult) -> Sequence[str]:
-    """Return the names of the gears, or the numbers of unnamed gears."""
     [ratios] = result.tables.get("ratio") or [[]]
     return list(result.gear_names) or [str(number) for number, _ in enumerate(ratios, 1)]
 

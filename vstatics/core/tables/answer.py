@@ -54,13 +54,13 @@ class Provided(str):
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted if the value is None or an empty mapping."""
+"""Type of a key that is omitted for None or an empty mapping."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
 """Type of a message that, unless empty, replaces all keys but the first."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key that is None only beneath a failure, which replaces all keys."""
+"""Type of a key that is None only if a failure replaces the keys."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
 """Type of a number that is never null."""
@@ -113,7 +113,7 @@ def defined(name: str) -> Callable[[T], T]:
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """List the attributes that are the keys of a record, instead of all fields.
+    """Declare the attributes that are the keys of a record, instead of all fields.
 
     Parameters
     ----------

@@ -150,7 +150,7 @@ class Grid(NamedTuple):
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """Return the table with a number of decimals, unchanged if the number is None.
+        """Return the table with a number of decimals, or unchanged for None.
 
         Blank cells stay blank.
         """

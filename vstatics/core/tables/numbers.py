@@ -161,7 +161,7 @@ def short(value: float, digits: int | None = None) -> str:
     ----------
     value : float
     digits : int, optional
-        Number of decimals instead; whole numbers have none.
+        Number of decimals instead; whole numbers are written without decimals.
 
     Examples
     --------

@@ -35,10 +35,10 @@ class Quantity(NamedTuple):
     own_title: str = ""
     """Title in a report; empty: the heading."""
     members: tuple[str, str] | None = None
-    """Headings of the second part of a table of torques: by mechanisms, and by members of gear
-    sets for a drawn case.
+    """Headings of the second part of a table of torques, or None for a table of a single part.
 
-    The table has no second part if the headings are None."""
+    The headings are by mechanisms and, for a drawn case, by members of gear sets.
+    """
     own_rows: Rows | None = None
     """Kind of rows of a quantity that is not an array of `Results`."""
     is_sign: bool = False

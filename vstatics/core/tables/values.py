@@ -47,6 +47,19 @@ def tables(results: Results) -> list[Table]:
     return filled
 
 
+def places(table: Table) -> list[tuple[str, str, str | None]]:
+    """Return key, row and gear of each value of a table, for the long form of CSV and Parquet.
+
+    The distribution matrix does not depend on the gear: its rows are ``link:device``.
+    """
+    key, of_matrix = table.quantity.key, table.quantity.columns == "devices"
+    return [
+        (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
+        for row in table.rows
+        for column in table.columns
+    ]
+
+
 def with_units(results: Results) -> list[Quantity]:
     """Return the quantities in rpm, N*m and kW that the operating point of a case determines."""
     units = known_units(results.case)

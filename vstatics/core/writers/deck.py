@@ -184,7 +184,6 @@ def _conditions(case: Transmission) -> Iterator[str]:
 
 
 def _names(case: Transmission) -> Iterator[str]:
-    """Yield the names that differ from default names."""
     elements = [part._replace(kind="") if part.kind else part for part in case.shift_elements]
     names = [
         ("T", case.name, ""),

@@ -33,7 +33,6 @@ def write(case: Transmission) -> str:
 
 
 def _links(case: Transmission, device: OwnDevice) -> dict[str, int]:
-    """Return the links of sun, carrier and ring by letter."""
     links = {member.name: member.link for member in device.members}
     if case.mechanisms[device.mechanisms[0]].is_set and "first" in links:
         links["third"] = HOUSING  # the housing has no row of torques

@@ -79,7 +79,7 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     values["output"] = None if case.outputs or case.output == own_links else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
-    sets = values["mechanisms"]  # without the mechanisms of drawn gear sets
+    sets = values["mechanisms"]  # in a drawn case only mechanisms that are not in a gear set
     values["mechanisms"] = {name: mechanism_record(part) for name, part in sets.items()}
     values["springs"] = {spring.name: spring_record(spring) for spring in case.springs}
     values["converters"] = {
@@ -190,13 +190,11 @@ class _Writer:
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
+            # A value relative to a missing operating point is 0 like a default, but is written.
             is_written = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
-            is_written &= (
-                key.name != "torque" or getattr(part, "power", None) is None
-            )  # power gives torque
-            if (
-                value is not None and is_written
-            ):  # an OfLoad without an operating point is 0 as a number
+            if key.name == "torque" and getattr(part, "power", None) is not None:
+                is_written = False  # the power determines the torque
+            if value is not None and is_written:
                 data[key.name] = self.value(value, key.shape)
         return data
 
@@ -304,7 +302,6 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
 
 
 def _dumper() -> type[yaml.SafeDumper]:
-    """Return a YAML dumper that writes texts on several lines, and no aliases."""
     import yaml
 
     class Dumper(yaml.SafeDumper):

@@ -6,7 +6,7 @@ import math
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
-from vstatics.core.tables.values import tables
+from vstatics.core.tables.values import places, tables
 
 CONVENTIONS = (
     "ratio = w_input/w_output",
@@ -42,13 +42,11 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):
-        quantity = table.quantity
-        for row, values in zip(table.rows, table.values.tolist(), strict=True):
-            for column, value in zip(table.columns, values, strict=True):
-                place = [f"{row}:{column}", ""] if quantity.columns == "devices" else [row, column]
-                kind = float if quantity.kind is float else int  # a flag is written as 0 or 1
-                shown = "" if math.isnan(value) else repr(kind(value))
-                cells.append([*front, quantity.key, *place, shown])
+        kind = float if table.quantity.kind is float else int  # a flag is written as 0 or 1
+        values = table.values.ravel().tolist()
+        for (key, row, gear), value in zip(places(table), values, strict=True):
+            shown = "" if math.isnan(value) else repr(kind(value))
+            cells.append([*front, key, row, gear or "", shown])
     return csv.lines(cells, raw=raw)
 
 

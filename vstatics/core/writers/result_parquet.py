@@ -11,7 +11,7 @@ import numpy as np
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.parquet import GROUP, row_groups
-from vstatics.core.tables.values import tables
+from vstatics.core.tables.values import places, tables
 
 NAMES = ("case", "table", "row", "gear")
 
@@ -23,20 +23,12 @@ def rows(file: str, results: Results) -> bytes:
     are ``link:device``, without a gear. A value that does not exist is null.
     """
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
-    places: list[tuple[str, str, str | None]] = []
-    values = []
-    for table in tables(results):
-        key, of_matrix = table.quantity.key, table.quantity.columns == "devices"
-        values.append(np.ravel(table.values))
-        for row in table.rows:
-            places += [
-                (key, f"{row}:{column}", None) if of_matrix else (key, row, column)
-                for column in table.columns
-            ]
+    shown = tables(results)
+    index = [place for table in shown for place in places(table)]
     name = file.encode(errors="backslashreplace").decode()  # file names need not be UTF-8
-    columns = [[name] * len(places), *map(list, zip(*places, strict=True))]
+    columns = [[name] * len(index), *map(list, zip(*index, strict=True))]
     coded = [pa.array(column, pa.string()).dictionary_encode() for column in columns]
-    numbers = pa.array(np.concatenate(values), from_pandas=True)
+    numbers = pa.array(np.concatenate([table.values.ravel() for table in shown]), from_pandas=True)
     batch = pa.record_batch([*coded, numbers], names=[*NAMES, "value"])
     sink = pa.BufferOutputStream()
     with pa.ipc.new_stream(sink, batch.schema) as writer:

@@ -257,7 +257,6 @@ def _given(case: Transmission) -> Iterator[str]:
 
 
 def _printed(table: Table, case: Transmission, digits: int) -> Iterator[str]:
-    """Yield the lines of a published table."""
     quantity = table.quantity
     if quantity.printed in SECTIONS:
         yield f"\n{SECTIONS[quantity.printed]}"

@@ -145,7 +145,6 @@ def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[st
 
 
 def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[str]:
-    """Sort names with the first of each pair before the second, otherwise in the given order."""
     sorter = TopologicalSorter[str](dict.fromkeys(names, ()))
     for name, following in pairs:
         sorter.add(following, name)

@@ -86,8 +86,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
         raise CaseError("E433", "no row of the sweep has a number to draw")
     more = style.text("lines are drawn, of")
     note = f"{len(shown)} {more} {len(every)}" * (len(shown) < len(every))
-    known = across[np.isfinite(across)]
-    scale = AxisScale(*_apart(float(known.min()), float(known.max())))
+    scale = _scale(across)
     head = sheet_head(", ".join(names), note, [], style.width - 2 * MARGIN, style)
     ends = [_line_ends(panel) for panel in panels]
     highs = [max(CURVES_HEIGHT, height_of(labels)) + PANEL_GAP for labels in ends]
@@ -153,32 +152,31 @@ def _coincide(curve: Curve, x: Floats, y: Floats) -> bool:
     )
 
 
-def _apart(low: float, high: float) -> tuple[float, float]:
-    """Return the ends of a scale with space at both ends, also for equal values."""
+def _scale(values: Floats) -> AxisScale:
+    """Return the scale of values with space at both ends, also for equal values."""
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return AxisScale(0.0, 1.0)
+    low, high = float(known.min()), float(known.max())
     room = CURVES_ROOM * (high - low) or CURVES_ROOM * abs(high) or 1.0
-    return low - room, high + room
-
-
-def _range(curves: Sequence[Curve]) -> tuple[float, float]:
-    values = np.concatenate([curve.y[np.isfinite(curve.y)] for curve in curves])
-    return _apart(float(values.min()), float(values.max())) if values.size else (0.0, 1.0)
+    return AxisScale(low - room, high + room)
 
 
 def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
     """Return the labels at the right ends of curves."""
-    low, high = _range(curves)
+    scale = _scale(np.concatenate([curve.y for curve in curves]))
     labels = []
     for curve in curves:
         known = curve.y[np.isfinite(curve.y)]
         if curve.name and known.size:
-            part = (float(known[-1]) - low) / (high - low)
+            part = (float(known[-1]) - scale.low) / (scale.high - scale.low)
             labels.append(LineEnd(part, (wrapped(curve.name, CURVE_NAME_WIDTH),), (curve.look,)))
     return labels
 
 
 def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
     """Draw a panel; only the lowest panel has `below`, the name of the horizontal axis."""
-    pen = pen._replace(y=AxisScale(*_range(curves)))
+    pen = pen._replace(y=_scale(np.concatenate([curve.y for curve in curves])))
     (wide, high), style = pen.size, pen.style
     across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
     up = ticks(pen.y.low, pen.y.high, max(int(high / (2 * height(""))), 2))

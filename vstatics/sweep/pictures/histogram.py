@@ -86,8 +86,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Figu
     head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
     for page in _pages(rows, wide, style.height - head - 1.5 * MARGIN):
         highs = [_high(row, wide) for row in page]
-        pen = headed(title, note, key, (style.width, sum(highs) + MARGIN / 2), style)
         top = sum(highs) + MARGIN / 2
+        pen = headed(title, note, key, (style.width, top), style)
         for row, high in zip(page, highs, strict=True):
             for place, item in enumerate(row):
                 _draw(pen.panel((MARGIN + place * wide, top - high), (wide, high)), item)
@@ -129,7 +129,6 @@ def _high(row: Sequence[Histogram], wide: float) -> float:
 def _pages(
     rows: Sequence[Sequence[Histogram]], wide: float, room: float
 ) -> Iterator[list[Sequence[Histogram]]]:
-    """Yield the rows of panels of each page."""
     page: list[Sequence[Histogram]] = []
     taken = 0.0
     for row in rows:
@@ -182,6 +181,5 @@ def _draw(pen: Pen, item: Histogram) -> None:
 
 
 def _crowded(values: Sequence[float], pen: Pen) -> bool:
-    """Check that the numbers of a scale would overlap."""
     step = abs(pen.across(values[1]) - pen.across(values[0]))
     return math.isfinite(step) and widest(tick_texts(values)) + SIZE / 2 > step
