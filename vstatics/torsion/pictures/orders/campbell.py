@@ -67,9 +67,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
     style, several = sheet.style, len(sheet.gears) > 1
     common = any(len(mode.modes) == len(sheet.gears) for mode in sheet.shared)
     partial = any(len(mode.modes) < len(sheet.gears) for mode in sheet.shared)
-    of_all = "natural frequency of all gears"
-    if not several:
-        of_all = "natural frequency"
+    of_all = "natural frequency of all gears" if several else "natural frequency"
     fires, others = (any(order.fires is so for order in sheet.orders) for so in (True, False))
     plain, firing = (order_look(Order(1.0, so), style) for so in (False, True))
     return [
