@@ -10,7 +10,7 @@ import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats
-from vstatics.core.cli.shared.one_case import OneCase
+from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.cli.shared.values import torque, value, wrong_value
 from vstatics.core.errors import Problem, listed
@@ -18,7 +18,14 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
 
 if TYPE_CHECKING:
+    from vstatics.core.tables.answer import Answer
+    from vstatics.core.tables.grid import Grid
+    from vstatics.torsion.clutch.gear_dump import GearDump
+    from vstatics.torsion.forced.harmonic_torques import GearResponse
+    from vstatics.torsion.random.random_vibration import GearRandom
+    from vstatics.torsion.reduction.reduced_values import GearReduction
     from vstatics.torsion.system.working_points import WorkingGear
+    from vstatics.torsion.vibration.gear_modes import GearModes
 
 
 static_torque = click.option(
@@ -153,6 +160,21 @@ def located(
             place = reading.locate(Problem(identity, "", ("gears", numbers[name]))).place
             problems.append(Problem(identity, f"gear {name}: {message}", (), place))
     return problems
+
+
+def gears_answer(
+    reading: Reading,
+    gears: Sequence[GearDump | GearModes | GearRandom | GearReduction | GearResponse],
+    grids: Callable[[], Iterable[Grid]],
+    answer: Answer,
+    problems: Iterable[Problem],
+) -> CaseAnswer:
+    """Return an answer about gears, which fails if gears have errors.
+
+    The errors are reported before other problems.
+    """
+    faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
+    return CaseAnswer(grids, answer, [*faults, *problems], failed=bool(faults))
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:

@@ -16,7 +16,7 @@ from vstatics.core.cli.shared.options import gathered
 from vstatics.core.cli.shared.values import value
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Schema, documents, head, list_of, schema
-from vstatics.torsion.cli.case import gear_names, located, slope_notes, static_torque
+from vstatics.torsion.cli.case import gear_names, gears_answer, slope_notes, static_torque
 from vstatics.torsion.clutch.dumped import DUMP_FORM, DumpAnswer, DumpTorque
 
 
@@ -96,14 +96,14 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
     from vstatics.torsion.clutch.tables import gear_grids, gears_grids
 
     dumps = gear_dumps(reading.case, gear_names(reading.case, gears), rate)
-    faults = located(reading, ((gear.name, gear.error) for gear in dumps), "E519")
     notes = slope_notes(reading, [gear.name for gear in dumps])
     is_single = bool(gears) and len(dumps) == 1
-    return CaseAnswer(
+    return gears_answer(
+        reading,
+        dumps,
         lambda: gear_grids(dumps[0]) if is_single else gears_grids(dumps),
         GearDumpAnswer(dumps[0]) if is_single else GearsDumpAnswer(dumps),
-        [*faults, *notes],
-        failed=bool(faults),
+        notes,
     )
 
 

@@ -9,6 +9,7 @@ from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     WorkingGears,
     elastic_case,
+    gears_answer,
     located,
     working_notes,
     working_options,
@@ -60,16 +61,12 @@ def modes(request: OneCase, chosen: WorkingGears, count: int | None) -> int:
         names = [at_point.gear.name for at_point in working]
         gears = modes_of(case, names, count=count, speed_ratios=chosen.ratios)
         notes = working_notes(reading, working)
-        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
         known = {text for gear in working for text in gear.doubts}
         doubts = (
             (gear.name, text) for gear in gears for text in gear.warnings if text not in known
         )
-        return CaseAnswer(
-            lambda: modes_grids(gears),
-            ModesAnswer(case.name, gears),
-            [*faults, *located(reading, doubts, "W503"), *notes],
-            failed=bool(faults),
-        )
+        problems = [*located(reading, doubts, "W503"), *notes]
+        answer = ModesAnswer(case.name, gears)
+        return gears_answer(reading, gears, lambda: modes_grids(gears), answer, problems)
 
     return request.answer(calculate, extra="torsion")

@@ -16,8 +16,8 @@ from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     CASE_OPTIONS,
     WorkingGears,
+    gears_answer,
     link_name,
-    located,
     working_notes,
     working_options,
 )
@@ -92,13 +92,9 @@ def random(
         gears = random_vibration(
             case, link, spectrum, names, by=by, omegas=omega, speed_ratios=chosen.ratios
         )
-        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
-        return CaseAnswer(
-            lambda: random_grids(gears),
-            RandomAnswer(case.name, link, by, gears),
-            [*faults, *_lifeless(reading, gears), *working_notes(reading, working)],
-            failed=bool(faults),
-        )
+        answer = RandomAnswer(case.name, link, by, gears)
+        problems = [*_lifeless(reading, gears), *working_notes(reading, working)]
+        return gears_answer(reading, gears, lambda: random_grids(gears), answer, problems)
 
     return request.answer(calculate, to, extra="torsion")
 

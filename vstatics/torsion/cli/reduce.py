@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import click
 
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.readers.reading import Reading
-from vstatics.torsion.cli.case import elastic_case, gear_names, link_name, located, slope_notes
+from vstatics.torsion.cli.case import elastic_case, gear_names, gears_answer, link_name, slope_notes
 
 
 @click.command()
@@ -41,12 +43,8 @@ def reduce(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
         link = link_name(case, to, "--to")
         reductions = reduced(case, link, gear_names(case, gears))
         notes = slope_notes(reading, [gear.name for gear in reductions])
-        faults = located(reading, ((gear.name, gear.error) for gear in reductions), "E519")
-        return CaseAnswer(
-            lambda: reduction_grids(link, reductions),
-            ReductionAnswer(case.name, link, reductions),
-            [*faults, *notes],
-            failed=bool(faults),
-        )
+        answer = ReductionAnswer(case.name, link, reductions)
+        grids = partial(reduction_grids, link, reductions)
+        return gears_answer(reading, reductions, grids, answer, notes)
 
     return request.answer(calculate, extra="torsion")

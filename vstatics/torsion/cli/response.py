@@ -17,6 +17,7 @@ from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
     CASE_OPTIONS,
     WorkingGears,
+    gears_answer,
     link_name,
     located,
     working_notes,
@@ -199,14 +200,14 @@ def response(
         if with_sum:
             gears = [gear.with_sum() for gear in gears]
         notes = working_notes(reading, working)
-        faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
         unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in gears), "N630")
         grids = speed_grids if to.form == "xlsx" else largest_grids
-        return CaseAnswer(
+        return gears_answer(
+            reading,
+            gears,
             lambda: row_grids(gears) if to.form == "csv" else [*grids(gears), *sum_grids(gears)],
             ResponseAnswer(case.name, link, gears),
-            [*faults, *notes, *unbounded],
-            failed=bool(faults),
+            [*notes, *unbounded],
         )
 
     return request.answer(calculate, to, extra="torsion")

@@ -278,11 +278,12 @@ def _amplitudes(
     unbounded = np.any(np.abs(omegas[:, None] - undamped) <= NO_POWER * undamped, axis=1)
     unbounded |= (omegas == 0) & (split.rigid.shape[1] > 0)
     bounded = np.flatnonzero(~unbounded)
-    matrices = _matrices(system, split.free)
+    free = split.free
+    matrices = system.matrices(system.twists @ free, system.speeds @ free, free)
     amplitudes = np.full((len(system.names), len(omegas)), np.nan, complex)
-    batches = math.ceil(len(bounded) * split.free.shape[1] ** 2 / MOST_ENTRIES)
+    batches = math.ceil(len(bounded) * free.shape[1] ** 2 / MOST_ENTRIES)
     for batch in np.array_split(bounded, max(1, batches)):
-        amplitudes[:, batch] = split.free @ _solved(matrices, split.free[at], omegas[batch]).T
+        amplitudes[:, batch] = free @ _solved(matrices, free[at], omegas[batch]).T
     return amplitudes
 
 
@@ -305,20 +306,6 @@ def _solved(
         each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
         return np.concatenate(each)
     return solved[:, :, 0] * scale
-
-
-def _matrices(system: TorsionalSystem, free: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Return M, K, D and K times the loss factors, in terms of free motions."""
-    bodies, twists = system.speeds @ free, system.twists @ free
-    rates = system.rates
-    viscous = np.array([device.damping.viscous for device in system.elastic])
-    lost = rates * np.array([device.damping.loss_factor for device in system.elastic])
-    stiffness, resistance, hysteresis = (
-        twists.T @ (by_device[:, None] * twists) for by_device in (rates, viscous, lost)
-    )
-    resistance += free.T @ system.slip_resistance @ free
-    mass = bodies.T @ (system.inertias[:, None] * bodies)
-    return mass, stiffness, resistance, hysteresis
 
 
 def _torques(

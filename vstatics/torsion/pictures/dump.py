@@ -161,13 +161,13 @@ def _draw_gear(pen: Pen, middle: float, result: DumpTorque) -> None:
     at_disc = pen.across(result.input_shaft_torque), THIN_BAR_HEIGHT
     pen.box((0.0, low - THIN_BAR_HEIGHT - 1.0), at_disc, title=input_shaft, **least)
     slips = result.max_torque / result.dynamic_factor
-    for torque, look, lowest in (
-        (slips, looks.slips, low),
-        (result.clutch_breaks_at, looks.clutch, low),
-        (result.tyres_break_at, looks.tyres, low),
+    for torque, look in (
+        (slips, looks.slips),
+        (result.clutch_breaks_at, looks.clutch),
+        (result.tyres_break_at, looks.tyres),
     ):
         if torque <= pen.x.high:
-            ends = (lowest - LIMIT_OVER, lowest + BAR_HEIGHT + LIMIT_OVER)
+            ends = (low - LIMIT_OVER, low + BAR_HEIGHT + LIMIT_OVER)
             x = pen.across(torque)
             pen.line(*((x, y) for y in ends), title=f"{number(torque)} {unit}", **look)
     at = pen.across(result.max_torque_simplified), low + BAR_HEIGHT / 2

@@ -82,21 +82,8 @@ class ExcitedGear:
     @cached_property
     def links(self) -> tuple[Floats, Floats, Floats, Floats]:
         """Matrices M, K, D and K times loss factors, in terms of the angles of links."""
-        return self._matrices(self.free.twists, self.free.speeds, np.eye(len(self.free.names)))
-
-    def _matrices(
-        self, twists: Floats, speeds: Floats, angles: Floats
-    ) -> tuple[Floats, Floats, Floats, Floats]:
-        """Return M, K, D and K times loss factors for motions with given twists and speeds."""
         system = self.free
-        dampings = [device.damping for device in system.elastic]
-        viscous = np.array([damping.viscous for damping in dampings])
-        lost = system.rates * np.array([damping.loss_factor for damping in dampings])
-        stiffness, resistance, hysteresis = (
-            twists.T @ (sizes[:, None] * twists) for sizes in (system.rates, viscous, lost)
-        )
-        resistance = resistance + angles.T @ system.slip_resistance @ angles
-        return speeds.T @ (system.inertias[:, None] * speeds), stiffness, resistance, hysteresis
+        return system.matrices(system.twists, system.speeds, np.eye(len(system.names)))
 
     @cached_property
     def unit(self) -> Floats:
@@ -139,7 +126,7 @@ class ExcitedGear:
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
         """Matrices of `links` in terms of the basis."""
         twists = without_rounding(self.free.twists, self._basis)
-        return self._matrices(twists, self.free.speeds @ self._basis, self._basis)
+        return self.free.matrices(twists, self.free.speeds @ self._basis, self._basis)
 
     @cached_property
     def first_order(self) -> FirstOrder:

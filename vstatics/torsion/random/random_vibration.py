@@ -184,14 +184,10 @@ def _devices(
             torque = math.sqrt(torque**2 + 2 * c * lost * float(variances.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
         strength = strengths.get(device.name)
-        life = _life(strength, k * twist, crossings) if strength else None
+        # Another annex calculates the life under the torque of the spring.
+        life = higher("torque_life")(strength, k * twist, crossings) if strength else None
         devices[device.name] = RandomDevice(twist, rate, torque, crossings, life)
     return devices
-
-
-def _life(strength: Carried, deviation: float, crossings: float) -> float:
-    life: float = higher("torque_life")(strength, deviation, crossings)
-    return life
 
 
 def _links(

@@ -177,10 +177,8 @@ def _spring(
     first = next(iter(terms.values()))
     lead = to_input.scales[next(iter(device.twist))]
     factor = next(iter(device.twist.values())) / lead if lead else first
-    scaled = {n: _without_rounding_error(a / factor) for n, a in terms.items()}
+    scaled = {n: a / factor for n, a in terms.items()}
+    # A coefficient that is an integer apart from rounding, as for a shaft, is rounded.
+    scaled = {n: float(round(a)) if abs(a - round(a)) < TIE else a for n, a in scaled.items()}
     compliance = 1 / (device.rate * factor**2)
     return SchemeSpring(device.name, scaled, compliance, device.damping.viscous * factor**2)
-
-
-def _without_rounding_error(coefficient: float) -> float:
-    return float(round(coefficient)) if abs(coefficient - round(coefficient)) < TIE else coefficient

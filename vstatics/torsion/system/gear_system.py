@@ -150,6 +150,28 @@ class TorsionalSystem(NamedTuple):
         """Forms of the bodies in speeds of links, shape (bodies, links)."""
         return self.rows([body.form for body in self.bodies])
 
+    def matrices(
+        self, twists: Floats, speeds: Floats, motions: Floats
+    ) -> tuple[Floats, Floats, Floats, Floats]:
+        """Return M, K, D and K times loss factors in terms of motions.
+
+        Parameters
+        ----------
+        twists : ndarray, shape (devices, n)
+            Twists of the elastic devices in the motions.
+        speeds : ndarray, shape (bodies, n)
+            Speeds of the bodies in the motions.
+        motions : ndarray, shape (links, n)
+        """
+        dampings = [device.damping for device in self.elastic]
+        viscous = np.array([damping.viscous for damping in dampings])
+        lost = self.rates * np.array([damping.loss_factor for damping in dampings])
+        stiffness, resistance, hysteresis = (
+            twists.T @ (by_device[:, None] * twists) for by_device in (self.rates, viscous, lost)
+        )
+        resistance = resistance + motions.T @ self.slip_resistance @ motions
+        return speeds.T @ (self.inertias[:, None] * speeds), stiffness, resistance, hysteresis
+
     def free(self, *others: Form) -> Floats:
         """Return the motions (columns) that remain with rigid devices and other forms held at 0."""
         return free_motions([*self.rigid_twists, *others], len(self.names))

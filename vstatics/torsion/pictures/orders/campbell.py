@@ -67,9 +67,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
     style, several = sheet.style, len(sheet.gears) > 1
     common = any(len(mode.modes) == len(sheet.gears) for mode in sheet.shared)
     partial = any(len(mode.modes) < len(sheet.gears) for mode in sheet.shared)
-    of_all = "natural frequency of all gears"
-    if not several:
-        of_all = "natural frequency"
+    of_all = "natural frequency of all gears" if several else "natural frequency"
     fires, others = (any(order.fires is so for order in sheet.orders) for so in (True, False))
     plain, firing = (order_look(Order(1.0, so), style) for so in (False, True))
     return [
@@ -85,7 +83,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
     """Draw the panel with the tables that fit on its page, then pages with the other tables."""
     style, across = sheet.style, sheet.style.width
-    text, room = _title(sheet), across - 2 * MARGIN
+    text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
     tables = resonance_tables(
         sheet.modes, sheet.orders, (sheet.running, sheet.fastest, sheet.slowest), room, style
     )
@@ -108,11 +106,6 @@ def _pages(sheet: CampbellSheet) -> Iterator[Figure]:
         pen = head.over((across, page.high), MARGIN, style)
         page.draw(pen)
         yield pen.figure
-
-
-def _title(sheet: CampbellSheet) -> str:
-    subject = sheet.style.text("Campbell diagram")
-    return title(sheet.case, subject)
 
 
 def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> None:

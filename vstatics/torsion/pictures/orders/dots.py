@@ -63,22 +63,14 @@ def dot_signs(met: Sequence[Meeting], style: Style) -> Iterator[Meaning]:
     yield (True, full, _look(1.0, 0.0, style, fires=False))
     for part in (0.1, 0.01):
         yield (least < 5 * part, f"{part:g}", _look(part, 0.0, style, fires=False))
-    for occurs, rate, english in (
+    for low, high, text in (
         (
-            any(ratio < LITTLE_DAMPED for ratio in ratios),
-            0.0,
+            -math.inf,
+            LITTLE_DAMPED,
             style.text("damping ratio below {ratio:g}", ratio=LITTLE_DAMPED),
         ),
-        (
-            any(LITTLE_DAMPED <= ratio < MUCH_DAMPED for ratio in ratios),
-            LITTLE_DAMPED,
-            style.text("damping ratio to {ratio:g}", ratio=MUCH_DAMPED),
-        ),
-        (
-            any(ratio >= MUCH_DAMPED for ratio in ratios),
-            MUCH_DAMPED,
-            style.text("damping ratio from {ratio:g} on", ratio=MUCH_DAMPED),
-        ),
+        (LITTLE_DAMPED, MUCH_DAMPED, style.text("damping ratio to {ratio:g}", ratio=MUCH_DAMPED)),
+        (MUCH_DAMPED, math.inf, style.text("damping ratio from {ratio:g} on", ratio=MUCH_DAMPED)),
     ):
-        look = _look(0.3, rate, style, fires=False)
-        yield (is_damped and occurs, english, look)
+        occurs = any(low <= ratio < high for ratio in ratios)
+        yield (is_damped and occurs, text, _look(0.3, low, style, fires=False))
