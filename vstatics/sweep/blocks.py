@@ -45,7 +45,7 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, imposs
 Chosen: TypeAlias = Integers | slice
 """Indices of variants in a block."""
 Made: TypeAlias = tuple[Chosen, Transmission | None]
-"""Case of some variants; None if the case is impossible."""
+"""Case of some variants, or `None` if impossible."""
 Array = TypeVar("Array", Floats, Codes)
 
 
@@ -90,7 +90,7 @@ class BlockTables(NamedTuple):
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of these."""
+    """Return the varied numbers with impossible values replaced, and the mask of variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -114,7 +114,7 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
 
 
 class OfCases(NamedTuple):
-    """Tables of a block whose variants belong to one or several cases."""
+    """Tables of a block whose variants belong to several cases."""
 
     places: list[Chosen]
     """Indices of the variants of each case."""
@@ -126,7 +126,7 @@ class OfCases(NamedTuple):
 
     @property
     def outside(self) -> tuple[str, ...]:
-        """Laws evaluated outside their points."""
+        """Laws evaluated outside the given points."""
         points = [part.results.points for part in self.parts if part.results]
         return tuple(
             dict.fromkeys(
@@ -136,7 +136,6 @@ class OfCases(NamedTuple):
 
 
 def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
-    """Concatenate arrays, and sort the rows by variant."""
     if len(arrays) == 1:
         return arrays[0]
     order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
@@ -198,7 +197,6 @@ def _of_mechanisms(
 def _numbers_of(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made], quantity: str
 ) -> Floats:
-    """Return the ratios or efficiencies of a block, (variants, mechanisms)."""
     table = np.empty((len(case.mechanisms), len(values)))
     table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
     for chosen, other_case in cases:
@@ -263,7 +261,6 @@ def variant_bytes(case: Transmission) -> int:
 
 
 def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> Chunk:
-    """Calculate the rows of a block."""
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
     cases = [*_cases(plan, possible)]
@@ -297,15 +294,17 @@ def _groups(
     if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
         yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
     elif all(
-        [m.back_efficiency for m in made.mechanisms] == efficiencies for _, made in cases if made
+        [m.back_efficiency for m in other_case.mechanisms] == efficiencies
+        for _, other_case in cases
+        if other_case
     ):
         yield slice(None), plan.case, cases
     else:
-        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
-    """Yield the case of each group of variants, None if impossible; one unless parts vary."""
+    """Yield the case of each group of variants, or `None` for an impossible case."""
     paths = plan.parts
     if not paths:
         yield slice(None), plan.case

@@ -66,7 +66,7 @@ def plan(
     arrays: Mapping[str, ArrayLike | str] | None = None,
     table: Mapping[str, ArrayLike] | None = None,
 ) -> SweepPlan:
-    """Build the plan of a sweep from its options.
+    """Build the plan of a sweep from options.
 
     Parameters
     ----------
@@ -121,22 +121,22 @@ def _variants(
             for name, values in arrays.items()
         ),
     ]
-    texts = [one for one in given if isinstance(one, Text)]
+    texts = [item for item in given if isinstance(item, Text)]
     read = iter(_all(texts, lambda text: read_variation(text, subject), problems))
     if problems:
         raise ReadError(problems)
     variations = [
-        (found := next(read))._replace(place=one.place(1) or found.place)
-        if isinstance(one, Text)
-        else Variation(target_of(one[0], subject), _list(*one))
-        for one in given
+        (found := next(read))._replace(place=item.place(1) or found.place)
+        if isinstance(item, Text)
+        else Variation(target_of(item[0], subject), _list(*item))
+        for item in given
     ]
     if options.sample is not None:
         method = cast("Method", options.method or "sobol")
         variants: Variants = Sample(variations, options.sample, method, options.seed or 0)
     else:
         variants = Zip(variations) if options.zip else VariantGrid(variations)
-    return variants, [one.place for one in variations]
+    return variants, [variation.place for variation in variations]
 
 
 def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place | None]) -> None:
@@ -266,7 +266,6 @@ def with_expressions(subject: Subject, options: SweepOptions, variants: Variants
 def _all(
     texts: Iterable[Text], reader: Callable[[str], Read], problems: list[Problem]
 ) -> list[Read]:
-    """Read several texts, and collect the problems of all."""
     read = []
     for text in texts:
         try:

@@ -72,7 +72,7 @@ class Chunk(NamedTuple):
     gears: tuple[str, ...] = ()
     """Names of the gears of a variant, if each gear has a row."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside their points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of runs, each once for the whole part."""
 
@@ -203,12 +203,12 @@ def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
 
 
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
-    """Return the laws evaluated outside their points in several parts."""
+    """Return the laws evaluated outside the given points in several parts."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Return the messages of several parts, merged if they differ in numbers only."""
+    """Return the messages of several parts, merged if only numbers differ."""
     merged: dict[tuple[str, str], Noticed] = {}
     for notice in (notice for part in parts for notice in part.noticed):
         alike = notice.alike

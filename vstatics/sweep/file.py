@@ -36,7 +36,7 @@ _NO_SWEEPS = {
     "case": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
     "varies it",
 }
-"""Kind of another document -> message."""
+"""Kind of a wrong document -> message."""
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:

@@ -24,7 +24,7 @@ class PlacedPart(NamedTuple):
 
 
 class PlacedFile(str):
-    """Name of a file in a sweep file, with its place."""
+    """Name of a file in a sweep file, with place."""
 
     __slots__ = ("place",)
     place: Place
@@ -36,7 +36,7 @@ class PlacedFile(str):
 
 
 class Text(NamedTuple):
-    """Text of an option, with its places in a sweep file, if any."""
+    """Text of an option, with places in a sweep file, if any."""
 
     text: str
     parts: tuple[PlacedPart, ...] = ()
@@ -51,7 +51,7 @@ class Text(NamedTuple):
 
 
 def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
-    """Join texts after a first text with a separator, and keep their places.
+    """Join texts after a first text with a separator, and keep all places.
 
     >>> joined(Text("D1.ratio="), (Text("-2"), Text("-3")), ",").text
     'D1.ratio=-2,-3'
@@ -66,7 +66,7 @@ def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
 
 @contextmanager
 def located(text: Text) -> Iterator[None]:
-    """Give problems with the text of an option their places in the sweep file."""
+    """Add places in the sweep file to problems of the text of an option."""
     try:
         yield
     except ReadError as error:
@@ -105,7 +105,7 @@ def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
 
 @dataclass(frozen=True)
 class SweepOptions:
-    """Options of a command line, a sweep file or a call; None and () for missing options."""
+    """Options of a command line, a sweep file or a call; `None` and () if missing."""
 
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number; repeatable.", metavar="NAME=VALUES")
@@ -148,7 +148,7 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return these options, completed by others.
+        """Return the options, completed by others.
 
         Other options that these exclude are dropped with their dependent options: a given table
         replaces a grid. Objectives are replaced together.
@@ -172,7 +172,7 @@ OPTIONS: Mapping[str, Option] = {
 
 
 class Rule(NamedTuple):
-    """Option with other options that it excludes or needs."""
+    """Option with the excluded or required further options."""
 
     option: str
     others: tuple[str, ...]
@@ -196,7 +196,7 @@ NEEDS = (
 
 
 def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -> Iterator[str]:
-    """Yield messages about options that exclude one another or lack another option.
+    """Yield messages about options that are contradictory or incomplete.
 
     Parameters
     ----------

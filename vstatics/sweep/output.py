@@ -30,17 +30,17 @@ class SweepReport(NamedTuple):
 
     rows: int
     counts: dict[str, int]
-    """Status -> number of variants, or of their gears."""
+    """Status -> number of variants, or of gears of variants."""
     removed: tuple[int, ...] = ()
     """Number of variants that each part of the condition removed, in turn."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside their points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of runs."""
 
     @property
     def variants(self) -> int:
-        """Number of calculated variants, or of their gears."""
+        """Number of calculated variants, or of gears of variants."""
         return sum(self.counts.values())
 
 
@@ -85,7 +85,7 @@ class Output:
 
     @property
     def pending(self) -> Iterator[int]:
-        """Missing pieces, one by one because their number can be in the millions."""
+        """Missing pieces, as an iterator because millions are possible."""
         pieces = range(self.task.plan.pieces)
         return (piece for piece in pieces if piece not in self.store.accounts)
 
@@ -174,7 +174,7 @@ class Output:
         return ArchiveLayout([(0, head)], copies, place)
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
-        """Write the known texts, and let the workers copy each piece to its place."""
+        """Write the known texts, and let the workers copy each piece into place."""
         with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
             for place, text in layout.texts:

@@ -88,12 +88,12 @@ class SweepPlan:
 
     @property
     def paths(self) -> list[CasePath]:
-        """Numbers of a case varied by their paths."""
+        """Numbers of a case varied by path."""
         return [varied for varied in self.variants.targets if isinstance(varied, CasePath)]
 
     @property
     def parts(self) -> dict[int, CasePath]:
-        """Column -> varied number of a part; each set of values gives another case."""
+        """Column -> varied number of a part, for which each set of values is a new case."""
         paths = enumerate(self.variants.targets)
         return {n: varied for n, varied in paths if isinstance(varied, CasePath) and varied.part}
 

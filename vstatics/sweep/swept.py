@@ -214,7 +214,7 @@ class Sweep(Iterator[Chunk]):
     def _placed(
         self, parts: Iterable[tuple[Integers, Chunk]], size: int
     ) -> tuple[Floats, np.ndarray[Any, np.dtype[np.object_]]]:
-        """Return columns and statuses in words, with each row in its place."""
+        """Return columns and statuses in words, with each row in place."""
         words = np.array(STATUS, object)  # 8 bytes each, for words of any length
         columns = np.full((len(self.plan.headings), size), np.nan)
         status = np.full(size, LEFT_OUT, object)
@@ -224,7 +224,7 @@ class Sweep(Iterator[Chunk]):
         return columns, status
 
     def _rows(self, what: str) -> Chunk:
-        """Return all rows as a chunk; check the memory if their number is known."""
+        """Return all rows as a chunk; check the memory if the number of rows is known."""
         if self.plan.where is None and not self.plan.objectives:
             self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])
@@ -247,7 +247,6 @@ class Sweep(Iterator[Chunk]):
 
 
 def _no_rows(plan: SweepPlan) -> Chunk:
-    """Return the chunk of a sweep without variants."""
     values, columns = (np.empty((0, len(names))) for names in (plan.names, plan.headings))
     none, status = np.empty(0, np.int64), np.empty(0, np.uint8)
     named = plan.names, plan.headings, (), plan.gears
@@ -255,7 +254,7 @@ def _no_rows(plan: SweepPlan) -> Chunk:
 
 
 def _memory() -> float:
-    """Return the memory of this machine [bytes]; infinite if unknown."""
+    """Return the memory of the machine [bytes]; infinite if unknown."""
     try:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (AttributeError, OSError, ValueError):  # names unknown to the system

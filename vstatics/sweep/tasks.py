@@ -40,13 +40,13 @@ class SweepTask(NamedTuple):
         return f"variants {start} to {stop - 1}"
 
     def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
-        """Return workers for the pieces, at most one process per piece."""
+        """Return workers for the pieces, at most a process per piece."""
         jobs = min(jobs, self.plan.pieces)
         return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 
 
 class Portion(NamedTuple):
-    """Piece with its variants, for a worker without access to the file of variants."""
+    """Piece with the variants, for a worker without access to the file of variants."""
 
     piece: int
     variants: VariantPart
@@ -75,7 +75,6 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
 
 
 def _number(item: Any) -> Any:
-    """Return the number of a piece, or other items unchanged."""
     return item.piece if isinstance(item, Portion) else item
 
 
@@ -97,7 +96,7 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Return a piece as sent to another machine."""
+    """Return a piece in the form sent between machines."""
     account, data = piece_data(task, item)
     return account, b"".join(memoryview(segment).cast("B") for segment in data)
 

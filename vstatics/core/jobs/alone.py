@@ -96,7 +96,7 @@ def failure(describe: Describe, item: object, error: BaseException) -> CaseError
 
 
 class Alone(Workers):
-    """The process itself as the only worker."""
+    """Workers that consist of the process itself."""
 
     def each(
         self,
@@ -105,6 +105,6 @@ class Alone(Workers):
         *,
         ordered: bool = False,  # noqa: ARG002
     ) -> Iterator[tuple[Item, Result]]:
-        """Process the items one after another; see `Workers`."""
+        """Process the items in sequence; see `Workers`."""
         for item in items:
             yield item, call(function, self.state, item, self.describe)

@@ -73,7 +73,7 @@ class Cluster(Workers):
         return ReadError([of_file("E028", self.address, message)])
 
     def _check_builds(self) -> None:
-        """Refuse workers without this package or with another build."""
+        """Refuse workers without the package or with a different build."""
         for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
                 message = f"can't do it: {version}; install vstatics {__version__} there"
@@ -131,7 +131,7 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """Return the result of a future, if calculated by this build.
+        """Return the result of a future, if calculated by the local build.
 
         A worker with another build can join after the check of the builds.
 

@@ -19,7 +19,7 @@ STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
-"""Errors of writing that concern one name only; other errors would affect every file."""
+"""Errors of writing that concern a single name; other errors affect every file."""
 Write = Callable[[bytes | memoryview], None]
 
 
@@ -62,7 +62,7 @@ def missing_folder(output: str) -> Problem | None:
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:
-    """Open an existing stream for writing, at the current position of a file behind it."""
+    """Open an existing stream for writing, at the current position of a redirected file."""
     standard = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if standard is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
@@ -103,7 +103,7 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 def replacing(
     path: str, mark: str = "", folder: int | None = None, expected: bytes | None = None
 ) -> Iterator[Write]:
-    """Write a temporary file and move it into place when the block ends without error.
+    """Write a temporary file and move the file into place when the block ends without error.
 
     An old file keeps its permissions; through a link, the target is written.
 
@@ -129,7 +129,7 @@ def whole_file(  # noqa: PLR0913
     target: int | None = None,
     expected: bytes | None = None,
 ) -> Iterator[Write]:
-    """Write a new file, and rename it to a path when the block ends without error.
+    """Write a new file, and rename the file to a path when the block ends without error.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file that another process has written in the meantime."""
+    """Error for a file that was changed in the meantime by a further process."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
@@ -187,7 +187,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in one step; return False if the system cannot."""
+    """Exchange two files in a single step; return False if the system cannot."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None

@@ -59,7 +59,7 @@ def unsealed(line: bytes) -> bytes | None:
 
 
 def described(options: Description) -> bytes:
-    """Return the line that identifies a run: the options and the build of this package."""
+    """Return the line that identifies a run: the options and the build of the package."""
     return json.dumps({"build": build(), **options}).encode()
 
 
@@ -146,7 +146,7 @@ class FinishedCases:
         return os.path.isdir(self.folder) and self.name in self._files.names()  # noqa: PTH112
 
     def lock(self) -> None:
-        """Lock the results of this format; see `vstatics.core.jobs.lock.lock`."""
+        """Lock the results of a format; see `vstatics.core.jobs.lock.lock`."""
         self._files.check(self.name, self.name + LOCKED)
         self._lock = lock(self._files, self.name + LOCKED, "run")
         if self._lock is not None:
@@ -199,7 +199,7 @@ class FinishedCases:
             self._done[name] = _Entry(case, dict(named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
-        """Return whether a result of this run and of the present case exists."""
+        """Return whether a result of the run and the present case exists."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
@@ -215,7 +215,7 @@ class FinishedCases:
         *,
         failed: bool,
     ) -> None:
-        """Write a result, and record the case as read and the files that it names.
+        """Write a result, and record the case as read and all files named in the case.
 
         Parameters
         ----------

@@ -44,7 +44,7 @@ class CaseMark(NamedTuple):
 
 
 def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
-    """Return the mark of a case as read, and of the files that it names.
+    """Return the mark of a case as read, and of further files named in the case.
 
     >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
     {'nowhere.csv': None}
@@ -61,7 +61,7 @@ class _Stretch(NamedTuple):
 
 
 class FinishedParts:
-    """Parts of an output that one process writes.
+    """Parts of an output of a single process.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove the parts, or keep them, with a mark if the run was completed."""
+        """Remove the parts, or keep all with a mark if the run was completed."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -162,7 +162,7 @@ class FinishedParts:
             raise ReadError([of_file("E033", self.directory, message)])
 
     def _take(self) -> str:
-        """Load the existing parts; return why they cannot be used, if so."""
+        """Load the existing parts; return why resuming is impossible, if so."""
         try:
             with self.folder.reading(PARTS) as file:
                 why_not = why_not_taken(file.readline(), self.options, self.path, ANEW)

@@ -29,7 +29,7 @@ OF_BUILDS = ("build", "fingerprint", "pieces")
 
 
 class FinishedPieces:
-    """Directory of the finished pieces of a sweep or other work, held by one process.
+    """Directory of the finished pieces of a sweep or other work of a single process.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class FinishedPieces:
         return self.folder.size()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Create the directory or load the pieces in it; return why not, if so.
+        """Create the directory or load the pieces; return why not, if so.
 
         Parameters
         ----------
@@ -153,7 +153,7 @@ class FinishedPieces:
         raise ReadError([of_file("E033", self.directory, message)])
 
     def lock(self) -> None:
-        """Lock the directory for this process; see `vstatics.core.jobs.lock.lock`."""
+        """Lock the directory; see `vstatics.core.jobs.lock.lock`."""
         self.folder.make()
         self.folder.check()
         self._lock = lock(self.folder, LOCK, self.what)
@@ -164,11 +164,11 @@ class FinishedPieces:
         self._lock = None
 
     def discard(self, name: str) -> None:
-        """Remove a file from the directory, if it exists."""
+        """Remove a file from the directory, if present."""
         self.folder.remove(name)
 
     def finish(self) -> None:
-        """Move the assembled output into place and, when it is on the disk, remove the pieces.
+        """Move the assembled output into place, and then remove the pieces.
 
         Raises
         ------

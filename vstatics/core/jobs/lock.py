@@ -17,7 +17,7 @@ LOCK_TENTHS = 10
 
 
 def lock(folder: StateFolder, name: str, what: str) -> int | None:
-    """Create a folder if necessary, lock it, and return the file for `unlock`.
+    """Create a folder if necessary, lock the folder, and return the file for `unlock`.
 
     Return None if the system or the file system has no such locks.
 

@@ -65,7 +65,7 @@ class Account(NamedTuple):
     removed: tuple[int, ...] = ()
     """Number of variants that each part of the condition removed, in turn."""
     outside: tuple[str, ...] = ()
-    """Laws evaluated outside their points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
@@ -101,7 +101,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     noticed: tuple[Noticed, ...] = (),
     work: str = "",
 ) -> tuple[Account, list[Any]]:
-    """Return a finished piece as buffers to be written one after another.
+    """Return a finished piece as buffers to be written in sequence.
 
     Parameters
     ----------

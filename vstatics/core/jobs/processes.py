@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 QUEUED = 2
 """Number of items queued per process, so that no process waits for the next item."""
 END_SECONDS = 5
-"""Longest time a process can take to end after its pipe is closed [s]."""
+"""Longest time a process can take to end after the pipe is closed [s]."""
 TELLING = "telling"
 """Name of a thread that sleeps, and holds locks only while printing."""
 
 
 class Processes(Workers):
-    """Several processes on this machine; see `vstatics.core.jobs.alone.Workers`."""
+    """Several processes on the local machine; see `vstatics.core.jobs.alone.Workers`."""
 
     def __init__(self, state: object, describe: Describe, jobs: int, rules: Rules) -> None:
         super().__init__(state, describe)

@@ -17,7 +17,7 @@ PREFIX = "vstatics-table-"
 
 
 class Spool:
-    """Rows of doubles in a temporary file, which one process writes and all can read.
+    """Rows of doubles in a temporary file, written by a single process and readable by all.
 
     The original object owns the file, which is deleted by `close`, with the object, or with the
     process. A pickled copy knows only the path: it can read on the same machine while the owner

@@ -113,7 +113,7 @@ class StateFolder(NamedTuple):
         return open(self.open(name, os.O_RDONLY), "rb")  # noqa: PTH123
 
     def appending(self, name: str) -> contextlib.AbstractContextManager[Write]:
-        """Open or create a file for appending; each call writes its data at once."""
+        """Open or create a file for appending."""
         return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
@@ -137,12 +137,12 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def replacing_output(self, path: str) -> Iterator[Write]:
-        """Write a file in the folder, and move it to a path at the end."""
+        """Write a file in the folder, and finally move the file to a path."""
         with self._opened() as folder, replacing(path, folder=folder) as write:
             yield write
 
     def put_for_good(self, name: str, path: str) -> None:
-        """Move a file to a path, and wait until it is on the disk.
+        """Move a file to a path, and synchronise the disk.
 
         Raises
         ------
@@ -201,7 +201,7 @@ class StateFolder(NamedTuple):
 
 
 def _refuse(path: str, status: os.stat_result, kind: int) -> None:
-    """Refuse a path of another kind or another owner.
+    """Refuse a path of a wrong kind or with a wrong owner.
 
     Raises
     ------

@@ -44,7 +44,7 @@ class Stop:
 
 @contextmanager
 def stoppable() -> Iterator[Stop]:
-    """Make SIGINT and SIGTERM raise `StoppedError` in this block.
+    """Make SIGINT and SIGTERM raise `StoppedError` within the block.
 
     During an import the error is raised after the import, because half-imported modules and
     half-created classes would turn it into unrelated errors.

@@ -8,7 +8,7 @@ from vstatics.core.jobs.alone import Alone, Describe, Rules, Workers
 
 
 def cores() -> int:
-    """Return the number of cores available to this process."""
+    """Return the number of available cores."""
     usable = getattr(os, "sched_getaffinity", None)
     return len(usable(0)) if usable else os.cpu_count() or 1
 

@@ -23,7 +23,7 @@ TRIED = 1.0
 SPOTS, ROWS = 16, 16
 """Number of positions in a sweep, and of rows at each, from which the row size is measured."""
 LONGEST_NUMBER = 32
-"""Largest size of a number with separators, without its name [bytes]."""
+"""Largest size of a number with separators [bytes]."""
 
 
 def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPieces) -> None:
@@ -59,7 +59,6 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
 
 
 def _row_bytes(plan: SweepPlan, form: Format) -> float:
-    """Return the mean length of a row, sampled over the sweep."""
     last = max(plan.variants.count - ROWS, 0)
     starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)

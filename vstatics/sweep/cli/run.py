@@ -42,7 +42,7 @@ class SweepRun(NamedTuple):
     raw: bool
     telling: Telling
     fail_empty: bool = False
-    """Whether a sweep without rows fails."""
+    """True if a sweep without rows fails."""
 
     @property
     def quiet(self) -> bool:
@@ -103,7 +103,7 @@ def to_file(run: SweepRun, output: str) -> Ended:
 
 
 def to_stream(run: SweepRun) -> Ended:
-    """Write rows to stdout or another stream as they are calculated."""
+    """Write rows to stdout or a further stream during the calculation."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing = run.plan, run.sharing
@@ -130,14 +130,12 @@ def to_stream(run: SweepRun) -> Ended:
 
 
 def _where_solved(plan: SweepPlan) -> str:
-    """Return the words for the gears in which a variant needs a solution."""
     if plan.by_gear or not isinstance(plan.subject, Transmission) or len(plan.asked_gears) < 2:
         return ""
     return " in every gear that is asked for"
 
 
 def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before: int = 0) -> Ended:
-    """Print the outcome of the variants."""
     what = _counted(run.plan)
     output = "<stdout>" if run.output in (None, STDOUT) else run.output
     reasons = [
@@ -168,7 +166,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
 
 def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]:
     """Print and return the messages of runs, each once for all variants."""
-    plan, telling = run.plan, run.telling._replace(notes=True)  # as `simulate` tells them
+    plan, telling = run.plan, run.telling._replace(notes=True)  # as in `simulate`
     if isinstance(plan.subject, Transmission):
         return ()
     file, count = plan.subject.file, plan.variants.count
@@ -186,7 +184,6 @@ def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]
 
 
 def _counted(plan: SweepPlan) -> str:
-    """Return the words for the subject of a row."""
     return "gears of variants" if plan.by_gear else "variants"
 
 

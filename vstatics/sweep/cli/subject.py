@@ -97,7 +97,7 @@ def spare(subject: Subject, output: str | None) -> None:
 
 
 def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
-    """Refuse options about gears for a scenario, which defines its own operation.
+    """Refuse options about gears for a scenario, which defines the operation.
 
     Raises
     ------

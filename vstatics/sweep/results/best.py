@@ -27,7 +27,7 @@ def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
 
 
 def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
-    """Yield the best rows of several chunks: sorted by one objective, else by variant.
+    """Yield the best rows of several chunks, sorted by a single objective, else by variant.
 
     Parameters
     ----------
@@ -51,7 +51,6 @@ def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Ch
 
 
 def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
-    """Return the numbers of the non-dominated variants, at most `plan.best`."""
     objectives = np.zeros((0, len(plan.objectives)))
     variants = np.zeros(0, dtype=np.int64)
     for chunk in chunks:

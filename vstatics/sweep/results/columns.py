@@ -47,7 +47,7 @@ _BLANK = re.compile(r"\s")
 
 
 class ColumnGroup(NamedTuple):
-    """Expression, and the cells of its values that become columns."""
+    """Expression, and the cells of the value that become columns."""
 
     expression: Expression
     cells: tuple[tuple[int, int], ...]

@@ -167,7 +167,7 @@ def terms_of(targets: Sequence[Varied] | Terms) -> Terms:
 def resolved_expression(
     source: Excerpt, subject: Subject, terms: Terms
 ) -> tuple[Expression, ResolvedPart]:
-    """Return an expression and its resolved part; see `read_expression`."""
+    """Return an expression and the resolved part; see `read_expression`."""
     names = names_of(source, subject, terms)
     tree = parse(source, names.language)
     part = _resolve(tree, names, terms.named)
@@ -197,7 +197,7 @@ def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Term
 
 
 class ResolvedPart(NamedTuple):
-    """Part with resolved names, and the axes of its values."""
+    """Part with resolved names, and the axes of the values."""
 
     node: Node
     per_gear: bool = False

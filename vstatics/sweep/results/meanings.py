@@ -25,7 +25,7 @@ OK = "ok"
 
 
 PART_NUMBERS: dict[str, str] = {quantity: f"{quantity} of parts" for quantity in OF_MECHANISM}
-"""Quantity -> table of its values for all mechanisms in a variant."""
+"""Quantity -> table of the values of all mechanisms in a variant."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
 """Tables with a single value for all gears."""
 
@@ -35,11 +35,11 @@ class Selection(NamedTuple):
 
     table: str
     gear: int | None
-    """Index of the gear; None for all gears."""
+    """Index of the gear, or `None` for all gears."""
     row: int | None
-    """Index of the row; None for all rows, or for a table without rows."""
+    """Index of the row, or `None` for all rows or a table without rows."""
     rows: int
-    """Number of rows; 0 for a table with one value per gear."""
+    """Number of rows; 0 for a table with a single value per gear."""
 
 
 class VariedNumber(NamedTuple):
@@ -62,7 +62,7 @@ class NameFinder(Protocol):
 
     @property
     def gears(self) -> Sequence[str]:
-        """Names along the axis of gears; empty for another axis."""
+        """Names along the axis of gears, if any."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
         """Return the meaning of a number of the subject."""

@@ -55,7 +55,7 @@ def _changes_mechanisms(varied: Varied) -> bool:
 
 
 class SweepNames:
-    """Finder of the meanings of names, for a case and its varied numbers.
+    """Finder of the meanings of names, for a case and the varied numbers.
 
     Examples
     --------
@@ -208,7 +208,7 @@ class SweepNames:
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
-        """Return the index of a subscript, by name and then by number; None for all."""
+        """Return the index of a subscript, by name and then by number, or `None` for all."""
         written = subscript.written
         if written == ":":
             return None
@@ -233,7 +233,6 @@ class SweepNames:
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
 
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
-        """Return the message about an unknown row or gear."""
         if written[0] == "#":
             what = ROWS[kind].one
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
@@ -244,7 +243,6 @@ class SweepNames:
         return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:
-        """Return the message about an unknown table."""
         case = self.case
         if name in [mechanism.name for mechanism in case.mechanisms]:
             hint = f"; `{name}` is a mechanism: {name}.ratio, or in brackets as in losses[{name}]"

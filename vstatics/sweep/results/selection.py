@@ -31,11 +31,11 @@ class Objective(NamedTuple):
 
 
 class WhereCondition(NamedTuple):
-    """Condition on variants, the conjunction of its parts."""
+    """Condition on variants: a conjunction of parts."""
 
     text: str
     parts: tuple[Expression, ...]
-    """Expressions between `and`; their values are 1 for true and 0 for false."""
+    """Expressions between `and`, with values 1 for true and 0 for false."""
 
     def passed(
         self, tables: Tables, values: Floats, unknown: Booleans

@@ -33,7 +33,7 @@ class Statistics(NamedTuple):
 
     @property
     def by_part(self) -> dict[str, float]:
-        """Quantiles by their parts in per cent."""
+        """Quantiles by part in per cent."""
         return {
             f"{part:.0%}": quantile for part, quantile in zip(PARTS, self.quantiles, strict=True)
         }

@@ -124,7 +124,7 @@ class Zip:
 
 
 class VariantTable:
-    """Variants from a table of the user, one per row.
+    """Variants from a table of the user, a row each.
 
     A table in a spool has a temporary file: `close` it in the end. Pickled copies are then small,
     and read this file.
@@ -167,13 +167,13 @@ class VariantTable:
         return block
 
     def close(self) -> None:
-        """Remove the temporary file, if created by this process."""
+        """Remove the temporary file, if created by the present process."""
         if isinstance(self._rows, Spool):
             self._rows.close()
 
 
 class VariantPart:
-    """Part of many variants, with the numbers, for a machine without the other variants.
+    """Part of many variants, with the numbers, for a machine without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))

@@ -31,7 +31,7 @@ _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
 
 
 class CasePath(NamedTuple):
-    """Number of a case varied by its path: of gears and loads, or of a part."""
+    """Number of a case varied by path: of gears and loads, or of a part."""
 
     path: str
     of: tuple[CaseNumber, ...] = ()
@@ -60,7 +60,7 @@ class CasePath(NamedTuple):
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
-        """Kind of quantity of the values; None for a number without unit."""
+        """Kind of quantity of the values, or `None` without unit."""
         return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
@@ -103,14 +103,13 @@ class CasePath(NamedTuple):
 
 
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
-    """Return the size of a unit in SI; a ValueError says what was expected."""
     if measure == "power":
         return quantity(f"1 {unit}", measure) * 1000
     return measured(f"1 {unit}", measure)
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:
-    """Return the number with a path, optionally followed by `[rpm]`; None if not a path.
+    """Return the number with a path, optionally with `[rpm]`, or `None` for other texts.
 
     Examples
     --------
@@ -134,7 +133,6 @@ def known_paths(case: Transmission) -> list[str]:
 
 
 def _names_in(case: Transmission) -> set[str]:
-    """Return the names of links and devices."""
     return {*case.link_names, *case.devices}
 
 
@@ -202,7 +200,6 @@ def own_number_at(path: CasePath, case: Transmission) -> float:
 
 
 def _number_in_case(case: Transmission, number: CaseNumber) -> Any:
-    """Return a number as the model has it."""
     index, quantity, owner = number
     gear = case.gears[index or 0]
     match quantity:

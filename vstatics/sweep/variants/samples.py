@@ -91,7 +91,6 @@ class Sample:
 
 
 def _complaints(sample: Sample) -> Iterator[str]:
-    """Yield the errors of a sample."""
     count, method, dimensions = sample.count, sample.method, len(sample.targets)
     if method not in METHODS:
         hint = nearest(str(method), METHODS)
@@ -125,7 +124,7 @@ def _picked(values: Values, unit: Floats) -> Floats:
 
 
 def _random(block: Floats, sample: Sample, start: int) -> None:
-    """Draw one pseudo-random number for each number of a variant."""
+    """Draw a pseudo-random number for each number of a variant."""
     bits = np.random.PCG64(sample.seed)
     bits.advance(start * len(sample.targets))
     block[:] = np.random.Generator(bits).random(block.shape)
@@ -171,7 +170,7 @@ def _sobol(block: Floats, sample: Sample, start: int) -> None:
 
 
 def _combined(words: Words) -> Words:
-    """Return for each number the exclusive or of the words of its set bits."""
+    """Return for each number the exclusive or of the words of all set bits."""
     table = np.zeros(1 << len(words), dtype=np.uint32)
     for bit, word in enumerate(words):
         table[1 << bit : 2 << bit] = table[: 1 << bit] ^ word

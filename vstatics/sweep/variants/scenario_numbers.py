@@ -44,7 +44,7 @@ _ALL_GIVEN = ("numbers", "set")
 
 
 class NumberPath(NamedTuple):
-    """Number of a scenario or of its case."""
+    """Number of a scenario or of the case."""
 
     keys: Keys
     of_case: bool
@@ -112,7 +112,6 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
 
 
 def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
-    """Check that a missing number has a meaning."""
     owner = child(root, path.keys[0])
     if owner and path.keys[0] in _ALL_GIVEN and not path.of_case:
         hint = nearest(path.keys[-1], keys_of(owner))
@@ -147,7 +146,7 @@ def _leads(root: Node, keys: Keys) -> bool:
 
 
 def _spelled_out(root: Node, keys: Keys) -> Node:
-    """Return the tree with a mapping where a path leads into its abbreviation."""
+    """Return the tree with a mapping instead of an abbreviation on the path."""
     if len(keys) < 3 or keys[0] not in _SPELLED or not isinstance(root, Mapping):
         return root
     node = child(root, keys[0])

@@ -85,7 +85,7 @@ def target_of(text: str, subject: VariedSubject, place: Place | None = None) -> 
 
 
 def number_of_case(text: str, case: Transmission, place: Place | None = None) -> Target | CasePath:
-    """Return a number of a case, given as `D1.ratio` or by its path.
+    """Return a number of a case, given as `D1.ratio` or by path.
 
     Raises
     ------
@@ -115,6 +115,6 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
 
 
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
-    """Return the error of a ratio that varies together with the teeth it follows from."""
+    """Return the error of a ratio that varies together with its teeth."""
     message = f"{name} is varied beside teeth that it follows from, expected one of the two"
     return ReadError([Problem("E706", message, place=place)])

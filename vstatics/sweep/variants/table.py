@@ -50,7 +50,7 @@ _BOM = b"\xef\xbb\xbf"
 
 
 class _Columns(NamedTuple):
-    """Columns of a table, as the header declares them."""
+    """Columns of a table, as declared in the header."""
 
     file: str
     line: int
@@ -125,7 +125,6 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
 
 
 def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
-    """Yield the file in pieces of whole lines."""
     unfinished = b""
     line = 1
     while data := opened.read(_PIECE):
@@ -144,7 +143,7 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
 
 
 def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
-    """Return the first line with cells, its line number, and the lines after it."""
+    """Return the first line with cells, the line number, and the remaining lines."""
     start, number = 0, 1
     while True:
         end = piece.find(b"\n", start)
@@ -176,7 +175,7 @@ def _separator(line: str, place: Place) -> str:
 def targets_of(
     cells: Sequence[tuple[str, Place]], subject: VariedSubject
 ) -> tuple[list[Varied], list[int]]:
-    """Return the numbers that headings name, and the indices of their columns.
+    """Return the numbers that headings name, and the indices of the columns.
 
     Row numbers of a spreadsheet or pandas are ignored, and in a table written by a sweep all
     columns from `status` on.
@@ -240,7 +239,6 @@ def _with_unit(varied: CasePath, place: Place) -> CasePath:
 
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
-    """Yield the numbers of each piece, (lines, targets)."""
     line = columns.line + 1
     for piece in chain([first], pieces):
         if piece.strip():
@@ -322,7 +320,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
 
 
 def finite(text: str) -> float:
-    """Return the finite number of a cell; a ValueError says what was expected."""
+    """Return the finite number of a cell, or raise a ValueError."""
     number = read_value(text)
     if not math.isfinite(number):
         raise ValueError("expected a finite number")
@@ -330,7 +328,6 @@ def finite(text: str) -> float:
 
 
 def _text(data: bytes, file: str, line: int) -> str:
-    """Decode a line and remove the line end."""
     data = data.removesuffix(b"\r")
     try:
         return with_plain_blanks(data.decode())
@@ -344,7 +341,7 @@ def _text(data: bytes, file: str, line: int) -> str:
 
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:
-    """Return the cells of a line without blanks and quotes, each with its column from 1."""
+    """Return the cells of a line without blanks and quotes, each with a column from 1."""
     cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
     cells = []
     position = 0

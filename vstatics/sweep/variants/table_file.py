@@ -56,7 +56,7 @@ def load_table(path: str, subject: VariedSubject) -> VariantTable:
 
 
 def headings(path: str) -> str:
-    """Return the headings of a file of variants in one text.
+    """Return the headings of a file of variants as a single text.
 
     Raises
     ------

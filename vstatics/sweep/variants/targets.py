@@ -48,7 +48,7 @@ class Varied(Protocol):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All varied numbers; two varied numbers conflict if these sets overlap."""
+        """All varied numbers; overlapping sets cannot vary together."""
 
 
 class Target(NamedTuple):
@@ -123,7 +123,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
 
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
-    """Return the names of the parts whose numbers can vary; of devices the elastic ones."""
+    """Return the names of the parts with variable numbers; only elastic devices."""
     names = _names(owner, case)
     pairs = zip(case.devices, devices_of(case), strict=True)
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]
@@ -161,7 +161,6 @@ def _called(name: str, owner: Owner, case: Transmission) -> list[int]:
 
 
 def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -> str:
-    """Return the message about a text without a point."""
     expected = "; or ".join(
         f"{words}, then {spoken([f'`.{key}`' for key, of in known.items() if of == owner], 'or')}"
         for owner, words in _WORDS_OF_OWNERS.items()
@@ -183,7 +182,6 @@ _WORDS_OF_OWNERS: Mapping[Owner, str] = {
 
 
 def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
-    """Return the message about a name of no part, or of several parts, that can vary."""
     owner = OWNERS[quantity]
     names, usable, called = _names(owner, case), _usable(owner, case), _called(name, owner, case)
     if not usable:
@@ -233,7 +231,7 @@ def devices_of(case: Transmission) -> list[Device]:
 
 
 def stiffness_of(device: Device) -> float | None:
-    """Return the stiffness of a device [N*m/rad]; None if rigid, or with points or a strut."""
+    """Return the stiffness of a device [N*m/rad], or `None` if rigid or not constant."""
     if isinstance(device, Spring):
         return None if device.points or device.strut else device.rate
     return device.stiffness
