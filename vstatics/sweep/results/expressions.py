@@ -228,7 +228,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
         if unlike or names.rows(tables[0]) != names.rows(other):
             message = (
                 f"`{tables[0]}` has one value per {row} and `{other}` one per {paired}, so "
-                "`{name}` can't pair them: pick a row, or use min, max or sum"
+                f"`{name}` can't pair them: pick a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)
