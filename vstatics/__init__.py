@@ -18,9 +18,9 @@ array([1.    , 0.9714])
 """
 
 try:
-    import vstatics.core.start  # noqa: F401 - first: it makes the import of the others safe and fast
+    import vstatics.core.start  # noqa: F401 - first, because it makes further imports safe and fast
 except KeyboardInterrupt:
-    raise SystemExit(130) from None  # before it has done so
+    raise SystemExit(130) from None  # Ctrl-C during this import
 
 # isort: split
 import sys
@@ -161,25 +161,25 @@ vars(_elements)["__getattr__"] = later(
     dict.fromkeys((*_of_elements, "transmission"), "vstatics.core.elements"),
 )
 sys.modules[_elements.__name__] = _elements
-"""Scripts import these names from where they were first."""
+"""Alias module `vstatics.elements`, from which earlier scripts import these names."""
 
 
 class _Package(ModuleType):
-    """The package, in which a function keeps its name although an annex is called so, too.
+    """Package whose functions keep their names although annexes have equal names.
 
-    The import system binds each imported annex to its name: `sweep` is the function.
+    The import system binds each imported annex to its name; `sweep` must remain the function.
     """
 
     def __setattr__(self, name: str, value: object) -> None:
-        own = vars(value).get(name, value) if isinstance(value, ModuleType) else value
-        super().__setattr__(name, own)
+        named = vars(value).get(name, value) if isinstance(value, ModuleType) else value
+        super().__setattr__(name, named)
 
 
 sys.modules[__name__].__class__ = _Package
 
 
 def __getattr__(name: str) -> Any:
-    """Import a name when somebody asks for it; those of annexes are read only then."""
+    """Import a public name on first use, and read the records of annexes only then."""
     return __dir__() if name == "__all__" else _later(name)
 
 

@@ -1,4 +1,4 @@
-"""Sweeps: thousands and millions of variants of a case, and what is kept of them.
+"""Sweeps: thousands or millions of variants of a case, with selected results of each.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
@@ -6,10 +6,10 @@
 ...     print(chunk.values[:, 0], chunk.columns[:, 0])
 [-4.  -3.5] [5.  4.5]
 
-`options` become a plan (`build`, `plan`): numbered `variants`, and `results` kept of them, columns
-and conditions. Its pieces are calculated anywhere (`chunk`, `tasks`) and put together in one of
-the `formats` (`output`), or in Python (`swept`). `pictures` draws what was written, `cli` has the
-command `vstatics sweep`.
+`options` become a plan (`build`, `plan`): numbered `variants`, and their `results` as columns and
+conditions. The pieces of a plan are calculated by any process (`chunk`, `tasks`) and assembled in
+one of the `formats` (`output`), or in Python (`swept`). `pictures` draws written sweeps, `cli` is
+the command `vstatics sweep`.
 """
 
 from __future__ import annotations
@@ -59,37 +59,37 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     case : Transmission or VariedScenario
         A scenario comes from `vstatics.load_varied`.
     vary : mapping of str to array_like or str, sequence of str, or str
-        What is varied: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
-        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Of what is
-        elastic or heavy: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
+        Varied numbers: ``{"D1.ratio": [-0.9, -0.8]}``, ``{"D1.ratio": "-0.9:-0.7:201"}``
+        or ``["D1.ratio=-0.9:-0.7:201"]``; a grid, whose last number runs fastest. Elastic and
+        heavy parts: ``"shaft.stiffness"`` [N*m/rad], ``"shaft.compliance"`` [rad/(N*m)],
         ``"shaft.damping"`` [N*m*s/rad], ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques
-        and powers are in rad/s, N*m and W, of a scenario too, although `Load` has rpm; of
-        ``"load.speed [rpm]"`` they are in rpm.
+        and powers are in rad/s, N*m and W, even in a scenario and although `Load` has rpm;
+        ``"load.speed [rpm]"`` is in rpm.
     zip : bool
-        Take the values in parallel, in place of a grid.
+        Take the values in parallel instead of as a grid.
     sample : int, optional
-        So many points between ``low:high`` of each, in place of a grid.
+        Number of points between ``low:high`` of each number, instead of a grid.
     method : {"sobol", "lhs", "random"}
-        How they are picked (by scipy).
+        Sampling method (of scipy).
     seed : int
-        The same seed picks the same.
+        Seed of the sample; equal seeds give equal samples.
     variants : mapping of str to array_like, optional
-        A table of variants in place of `vary`: equally many values of each. [-]
+        A table of variants instead of `vary`: equally many values of each number. [-]
     out : str or sequence of str
         The columns, as in ``--out`` of the command line.
     where : str, optional
-        Which variants get a row.
+        Condition for a variant to get a row.
     min, max : str or sequence of str
-        What is to be small, and large: only the best variants get a row, in one chunk.
+        Objectives to minimise and maximise: only the best variants get a row, in one chunk.
     best : int, optional
-        So many of them; by one objective 20 where it is not given.
+        Number of best variants; 20 by default for a single objective.
     by : {"gear"}, optional
-        A row for each gear of a variant; `Chunk.of_gear` tells which.
+        A row for each gear of a variant, given by `Chunk.of_gear`.
     coast, idle : optional
         As in `vstatics.solve`.
     jobs : int
-        Processes that calculate. More than one import the script anew, so that what it does has to
-        stand behind ``if __name__ == "__main__":``.
+        Number of processes. Several processes import the script again, so its statements must be
+        protected by ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -100,9 +100,9 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     Raises
     ------
     ReadError
-        If a text can't be read, with the place of what is wrong.
+        If a text is invalid, with the place of the error.
     CaseError
-        If there can be no such sweep, or a package is missing.
+        If the sweep is impossible, or a package is missing.
     TypeError
         If `vary` is a table, such as one of pandas.
     ValueError
@@ -130,17 +130,17 @@ def sweep(  # noqa: PLR0913 (as on the command line)
             raise ValueError(f"{name} is {count}, expected 1 or more")
     if not isinstance(vary, str | Mapping):
         vary, given = [*vary], vary
-        if hasattr(given, "keys") or not all(isinstance(one, str) for one in vary):
+        if hasattr(given, "keys") or not all(isinstance(text, str) for text in vary):
             expected = "expected a mapping or texts; a table of variants is `variants`"
             raise TypeError(f"sweep: `vary` is {type_and_value(given)}, {expected}")
-    said: dict[str, object] = {
+    options_given: dict[str, object] = {
         "variants": variants is not None,
         "vary": bool(vary),
         "zip": zip,
         "sample": sample,
     }
-    said |= {"min": min, "max": max, "best": best}
-    for message in conflicts(said):
+    options_given |= {"min": min, "max": max, "best": best}
+    for message in conflicts(options_given):
         raise ValueError(message)
     if sample is not None and method != "random":
         require("sample", f"the method {method}")

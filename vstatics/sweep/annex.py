@@ -1,4 +1,4 @@
-"""What sweeps of variants provide to the program."""
+"""Record of the annex of sweeps."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind
 

@@ -1,6 +1,6 @@
-"""A part of a sweep of a case: from a plan and two numbers of variants to the rows between.
+"""Rows of a part of a sweep of a case.
 
-Everything is calculated in blocks, so that the results of a block stay in tens of megabytes.
+The variants are calculated in blocks, so that results of a block take tens of megabytes.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, impossible, own_number
 
 Chosen: TypeAlias = Integers | slice
-"""Places of variants in a block."""
+"""Indices of variants in a block."""
 Made: TypeAlias = tuple[Chosen, Transmission | None]
-"""A case that variants are of; None for what can be none."""
+"""Case of some variants, or `None` if impossible."""
 Array = TypeVar("Array", Floats, Codes)
 
 
@@ -54,27 +54,27 @@ class Frequencies(Protocol):
 
     @property
     def omegas(self) -> Floats:
-        """Of each variant, gear and mode [rad/s]."""
+        """Natural frequencies of each variant, gear and mode [rad/s]."""
 
     @property
     def tied_up(self) -> Booleans:
-        """Whether a gear of each variant cannot turn."""
+        """Variants with a gear that cannot turn."""
 
     @property
     def conflict(self) -> Booleans:
-        """Whether the freewheels of each variant are in conflict."""
+        """Variants with a conflict between freewheels."""
 
 
 class BlockTables(NamedTuple):
-    """The tables of a block of variants: of statics, and natural frequencies."""
+    """Tables of a block of variants: of statics, and natural frequencies."""
 
     results: Results | None
     modes: Frequencies | None
     numbers: Mapping[str, Floats] = MappingProxyType({})
-    """What mechanisms have in each variant, by `PART_NUMBERS`, (variants, 1, mechanisms). [-]"""
+    """Table of `PART_NUMBERS` -> numbers of (variants, 1, mechanisms). [-]"""
 
     def existing(self, name: str) -> Floats:
-        """A table by its name, one of those that the plan asks for."""
+        """Return a table that the plan uses."""
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
         if name in self.numbers:
@@ -90,7 +90,7 @@ class BlockTables(NamedTuple):
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """The varied numbers, with the case's own in place of impossible ones, and who has these."""
+    """Return the varied numbers with impossible values replaced, and the mask of variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -104,38 +104,41 @@ def possible_numbers(
 
 
 def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
-    """Which values can't be, and what stands in for them."""
+    """Return which values are impossible, and a replacement."""
     if isinstance(target, Target):
-        own = own_number(case, target.owner, target.quantity)
+        value = own_number(case, target.owner, target.quantity)
         between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
-        return impossible(target.quantity, given, *between), own
+        return impossible(target.quantity, given, *between), value
     assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
     return target.impossible(given), 1.0
 
 
 class OfCases(NamedTuple):
-    """The tables of a block whose variants are of one case, or of several."""
+    """Tables of a block whose variants belong to several cases."""
 
     places: list[Chosen]
-    """Which variants are of each case."""
+    """Indices of the variants of each case."""
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:
-        """A table by its name, in the order of the variants."""
+        """Return a table in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
     @property
     def outside(self) -> tuple[str, ...]:
-        """Laws that were asked outside their points."""
+        """Laws evaluated outside the given points."""
         points = [part.results.points for part in self.parts if part.results]
-        return tuple(dict.fromkeys(name for one in points if one for name in one.outside))
+        return tuple(
+            dict.fromkeys(
+                name for part_points in points if part_points for name in part_points.outside
+            )
+        )
 
 
 def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
-    """One array of several, whose rows are of these places."""
     if len(arrays) == 1:
         return arrays[0]
-    order = np.argsort(np.concatenate([np.asarray(one) for one in places]))
+    order = np.argsort(np.concatenate([np.asarray(indices) for indices in places]))
     whole: Array = np.concatenate(arrays)[order]
     return whole
 
@@ -143,13 +146,13 @@ def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
 def block_tables(
     plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made] = ()
 ) -> BlockTables:
-    """What the plan asks for of a case, of varied numbers that are possible.
+    """Return the tables that a plan uses, for a case and possible varied numbers.
 
-    Some variants may have the ratios and efficiencies of other cases.
+    `cases` replace the ratios and efficiencies of some variants.
     """
     targets, asked = plan.targets, plan.modes
     results = modes = None
-    own = values if len(targets) == values.shape[1] else values[:, plan.places]
+    of_targets = values if len(targets) == values.shape[1] else values[:, plan.places]
     paths = _by_path(plan, values)
     if plan.asks_for_results and paths:
         results = solve(case, vary=paths)
@@ -158,56 +161,57 @@ def block_tables(
         results = solve(case, ratios=numbers.get("ratio"), efficiencies=numbers.get("efficiency"))
     if asked:
         first, _ = possible_numbers(case, plan.variants.targets, plan.variants.block(0, 1))
-        modes = higher("frequencies", OMEGA)(case, targets, own, asked, first[:, plan.places])
-    told = {
+        modes = higher("frequencies", OMEGA)(
+            case, targets, of_targets, asked, first[:, plan.places]
+        )
+    numbers_by_table = {
         table: _numbers_of(case, plan, values, cases, quantity)[:, np.newaxis]
         for quantity, table in PART_NUMBERS.items()
         if table in plan.tables
     }
-    return BlockTables(results, modes, told)
+    return BlockTables(results, modes, numbers_by_table)
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
-    """What `vstatics.solve` varies, by paths in SI; nothing where ratios and efficiencies do."""
-    found: dict[str, Floats] = {}
-    of_solve = [one for one in plan.paths if one.of]
+    """Return the numbers that `vstatics.solve` varies by path, in SI."""
+    numbers: dict[str, Floats] = {}
+    of_solve = [path for path in plan.paths if path.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
         if target in of_solve:
-            found[target.path] = target.in_si(column)
+            numbers[target.path] = target.in_si(column)
         elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
             name = plan.case.mechanisms[target.owner].name
-            found[f"{name}.{target.quantity}"] = column
-    return found
+            numbers[f"{name}.{target.quantity}"] = column
+    return numbers
 
 
 def _of_mechanisms(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made] = ()
 ) -> dict[str, Floats]:
-    """What `vstatics.solve` takes of a block, (variants, mechanisms): each one's lie together."""
+    """Return ratios and efficiencies for `vstatics.solve`, (variants, mechanisms)."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
     asked = OF_MECHANISM if cases else varied or {"ratio"}
-    return {one: _numbers_of(case, plan, values, cases, one) for one in asked}
+    return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}
 
 
 def _numbers_of(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made], quantity: str
 ) -> Floats:
-    """The ratios or efficiencies of a block, (variants, mechanisms)."""
     table = np.empty((len(case.mechanisms), len(values)))
     table.T[:] = [getattr(mechanism, quantity) for mechanism in case.mechanisms]
-    for chosen, made in cases:
-        if made:
-            table.T[chosen] = [getattr(one, quantity) for one in made.mechanisms]
+    for chosen, other_case in cases:
+        if other_case:
+            table.T[chosen] = [getattr(mechanism, quantity) for mechanism in other_case.mechanisms]
     for column, target in enumerate(plan.variants.targets):
         if isinstance(target, Target) and target.quantity == quantity:
             table[target.owner] = values[:, column]
         elif isinstance(target, CasePath) and target.quantity == quantity:
-            table[[one.owner for one in target.of]] = values[:, column]
+            table[[number.owner for number in target.of]] = values[:, column]
     return table.T
 
 
 MEASURED_RUNS = 8
-"""So many runs tell how long all of them take."""
+"""Number of runs by which the time of all runs is estimated."""
 BLOCK_BYTES = 32 * 2**20
 LEAST_BLOCK, MOST_BLOCK = 256, 16384
 
@@ -224,16 +228,16 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
     Returns
     -------
     Chunk
-        With a row for each variant that passed the plan's condition.
+        Chunk with a row for each variant that passed the condition of the plan.
     """
     if not isinstance(plan.subject, Transmission):
         return runs.calculate(plan, plan.subject, start, stop)
-    own = solve(plan.case) if plan.asks_for_results else None
-    return joined([_block(plan, own, *ends) for ends in blocks(plan.case, start, stop)])
+    unvaried = solve(plan.case) if plan.asks_for_results else None
+    return joined([_block(plan, unvaried, *ends) for ends in blocks(plan.case, start, stop)])
 
 
 def middle(plan: SweepPlan) -> tuple[int, int]:
-    """The ends of a block in the middle of a sweep, by which the whole is estimated."""
+    """Return the ends of a block in the middle of a sweep, for estimates."""
     start, stop = plan.span(plan.pieces // 2)
     if not isinstance(plan.subject, Transmission):
         return start, min(stop, start + MEASURED_RUNS)
@@ -242,7 +246,7 @@ def middle(plan: SweepPlan) -> tuple[int, int]:
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """The ends of the blocks of a part, of nearly equal size."""
+    """Return the ends of the blocks of a part, of nearly equal size."""
     most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
     number = -(-(stop - start) // most)
     ends = [start + (stop - start) * block // number for block in range(number + 1)]
@@ -250,29 +254,28 @@ def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int
 
 
 def variant_bytes(case: Transmission) -> int:
-    """About how much memory the results of a variant take."""
+    """Return the approximate size of the results of a variant [bytes]."""
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     numbers = 3 * case.links + 3 * elements + 5 * mechanisms + 2 * len(case.springs) + 11
     return len(case.gears) * (8 * numbers + elements + 2 * mechanisms + 6)
 
 
-def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk:
-    """The rows of a block."""
+def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> Chunk:
     values = plan.variants.block(start, stop)
     possible, invalid = possible_numbers(plan.case, plan.variants.targets, values)
     cases = [*_cases(plan, possible)]
-    tables, said = OfCases([], []), []
+    tables, statuses = OfCases([], []), []
     for chosen, case, others in _groups(plan, cases):
         of_group = block_tables(plan, case, possible[chosen], others)
         tables.places.append(chosen)
         tables.parts.append(of_group)
-        said.append(_status(of_group, own, plan, len(possible[chosen])))
-    status = _in_order(tables.places, said)
+        statuses.append(_status(of_group, unvaried, plan, len(possible[chosen])))
+    status = _in_order(tables.places, statuses)
     parts = [path.part for path in plan.parts.values() if path.part]
-    for chosen, made in cases:
-        if made is None:
+    for chosen, other_case in cases:
+        if other_case is None:
             invalid[chosen] = True
-        elif not is_assembled(made, parts):
+        elif not is_assembled(other_case, parts):
             status[chosen] = np.maximum(status[chosen], NOT_ASSEMBLED)
     status[invalid] = INVALID
     return rows_of(plan, start, values, status, tables, invalid)._replace(outside=tables.outside)
@@ -281,22 +284,27 @@ def _block(plan: SweepPlan, own: Results | None, start: int, stop: int) -> Chunk
 def _groups(
     plan: SweepPlan, cases: Sequence[Made]
 ) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
-    """What is calculated at once, with the cases whose ratios and efficiencies it takes.
+    """Yield groups of variants that are solved together.
 
-    All cases that differ in nothing else, unless planets are asked for, which follow from a case.
+    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
+    frequencies are used, which depend on each case.
     """
-    own = [one.back_efficiency for one in plan.case.mechanisms]
+    efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
     of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
     if len(cases) == 1 or of_each_case or any(path.of for path in plan.paths):
-        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
-    elif all([m.back_efficiency for m in made.mechanisms] == own for _, made in cases if made):
+        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
+    elif all(
+        [m.back_efficiency for m in other_case.mechanisms] == efficiencies
+        for _, other_case in cases
+        if other_case
+    ):
         yield slice(None), plan.case, cases
     else:
-        yield from ((chosen, made or plan.case, ()) for chosen, made in cases)
+        yield from ((chosen, other_case or plan.case, ()) for chosen, other_case in cases)
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
-    """The cases that variants are of, None for what can be none; one where no part varies."""
+    """Yield the case of each group of variants, or `None` for an impossible case."""
     paths = plan.parts
     if not paths:
         yield slice(None), plan.case
@@ -312,14 +320,14 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
 
 
 def reason(plan: SweepPlan) -> list[Problem]:
-    """Why the first variant is no case with what varies of it, if it is none."""
+    """Return the problems if the first variant is not a possible case."""
     values = plan.variants.block(0, 1)
-    for n, one in enumerate(plan.variants.targets):
-        if isinstance(one, Target) and one.quantity == "ratio":
-            between = plan.case.ratio_range(one.owner)
+    for n, varied in enumerate(plan.variants.targets):
+        if isinstance(varied, Target) and varied.quantity == "ratio":
+            between = plan.case.ratio_range(varied.owner)
             if impossible("ratio", values[:, n], between).any():
                 message = f"read {values[0, n]:g} in variant 0, expected {expected_ratio(between)}"
-                return [Problem("E415", message, (one.name,))]
+                return [Problem("E415", message, (varied.name,))]
     numbers: dict[PartNumber, float] = {}
     for n, path in plan.parts.items():
         given = path.in_si(values[:, n])
@@ -335,23 +343,26 @@ def reason(plan: SweepPlan) -> list[Problem]:
     return []
 
 
-def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants: int) -> Codes:
-    """The worst that can be said of the gears that are asked for, or of each gear.
+def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
+    """Return the worst status over the gears that the plan uses, or per gear.
 
-    Whole arrays are asked first: most often nothing is to be said of any variant. Where modes
-    alone are asked for it is said by them.
+    Whole arrays are tested first, because most variants are ok. If only natural frequencies are
+    used, they determine the status.
     """
     by_gear = plan.by_gear
     status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
     results, modes = tables.results, tables.modes
-    if results is None or own is None:
+    if results is None or unvaried is None:
         if modes is not None:
             status[modes.tied_up] = TIED_UP
             status[modes.conflict] = CONFLICT
         return status
     asked = plan.asked_gears
-    unlike = ((results.missing > 0) & (own.missing == 0), ~results.balanced & own.balanced)
-    for code, said in (
+    unlike = (
+        (results.missing > 0) & (unvaried.missing == 0),
+        ~results.balanced & unvaried.balanced,
+    )
+    for code, affected in (
         (DRAGGED, results.dragged),
         *((OPEN, wrong) for wrong in unlike),
         (UNDECIDED, results.undecided),
@@ -359,6 +370,6 @@ def _status(tables: BlockTables, own: Results | None, plan: SweepPlan, variants:
         (TIED_UP, results.tied_up),
         (CONFLICT, results.conflict),
     ):
-        if said.any():
-            status[said if by_gear else said[:, asked].any(axis=1)] = code
+        if affected.any():
+            status[affected if by_gear else affected[:, asked].any(axis=1)] = code
     return status

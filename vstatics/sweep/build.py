@@ -1,4 +1,4 @@
-"""Options, from the command line, a sweep file or a call, -> SweepPlan."""
+"""Plan of a sweep from options of the command line, a sweep file or a call."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ OUT = "ratio,efficiency"
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
-    """Make sure of the packages that a sweep needs, before anything is calculated.
+    """Check that the packages of a sweep are installed, before anything is calculated.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def plan(
     arrays: Mapping[str, ArrayLike | str] | None = None,
     table: Mapping[str, ArrayLike] | None = None,
 ) -> SweepPlan:
-    """Make a plan of options.
+    """Build the plan of a sweep from options.
 
     Parameters
     ----------
@@ -75,14 +75,14 @@ def plan(
     arrays : mapping of str to array_like or str, optional
         Further numbers to vary, as arrays [-] or as the text of their values.
     table : mapping of str to array_like, optional
-        A table of variants in place of what is varied. [-]
+        A table of variants instead of varied numbers. [-]
 
     Raises
     ------
     ReadError
-        With all that is wrong with the texts of the options.
+        With all errors in the texts of the options.
     CaseError
-        If there can be no such sweep.
+        If the sweep is impossible.
     """
     if isinstance(subject, Transmission):
         idle = cast("IdleConvention", options.idle or subject.idle)
@@ -96,20 +96,20 @@ def plan(
         _check_ratios(subject, variants.targets, places)
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
-        made = with_expressions(subject, options, variants)
+        sweep_plan = with_expressions(subject, options, variants)
         if isinstance(subject, Transmission):
-            _check_slopes(made)
+            _check_slopes(sweep_plan)
     except BaseException:
         if isinstance(variants, VariantTable):
             variants.close()
         raise
-    return made
+    return sweep_plan
 
 
 def _variants(
     subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike | str]
 ) -> tuple[Variants, Sequence[Place | None]]:
-    """The variants that options tell, and where each varied number was read."""
+    """Return the variants, and the place of each varied number."""
     if options.variants is not None:
         listed = load_table(options.variants, subject)
         return listed, [Place(options.variants, 1, 1)] * len(listed.targets)
@@ -121,38 +121,38 @@ def _variants(
             for name, values in arrays.items()
         ),
     ]
-    texts = [one for one in given if isinstance(one, Text)]
+    texts = [item for item in given if isinstance(item, Text)]
     read = iter(_all(texts, lambda text: read_variation(text, subject), problems))
     if problems:
         raise ReadError(problems)
     variations = [
-        (found := next(read))._replace(place=one.place(1) or found.place)
-        if isinstance(one, Text)
-        else Variation(target_of(one[0], subject), _list(*one))
-        for one in given
+        (found := next(read))._replace(place=item.place(1) or found.place)
+        if isinstance(item, Text)
+        else Variation(target_of(item[0], subject), _list(*item))
+        for item in given
     ]
     if options.sample is not None:
         method = cast("Method", options.method or "sobol")
-        made: Variants = Sample(variations, options.sample, method, options.seed or 0)
+        variants: Variants = Sample(variations, options.sample, method, options.seed or 0)
     else:
-        made = Zip(variations) if options.zip else VariantGrid(variations)
-    return made, [one.place for one in variations]
+        variants = Zip(variations) if options.zip else VariantGrid(variations)
+    return variants, [variation.place for variation in variations]
 
 
 def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place | None]) -> None:
-    """Make sure that the first variant can be calculated with what varies by its path.
+    """Check that the first variant can be solved with the numbers varied by path.
 
     Raises
     ------
     ReadError
-        With the place of the first path that it can't be calculated with.
+        With the place of the first path that prevents a solution.
     CaseError
-        Where that has no place.
+        If this path has no place.
     """
     numbers, _ = possible_numbers(case, variants.targets, variants.block(0, 1))
-    paths = [(n, one) for n, one in enumerate(variants.targets) if isinstance(one, CasePath)]
+    paths = [(n, path) for n, path in enumerate(variants.targets) if isinstance(path, CasePath)]
     given: dict[str, Floats] = {}
-    for n, path in sorted(paths, key=lambda one: "load." not in one[1].quantity):
+    for n, path in sorted(paths, key=lambda item: "load." not in item[1].quantity):
         if path.of:
             given[path.path] = path.in_si(numbers[:, n])
             try:
@@ -161,7 +161,7 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
                 if not places or places[n] is None:
                     raise
                 placed = dict.fromkeys(
-                    one._replace(place=places[n], path=()) for one in error.problems
+                    problem._replace(place=places[n], path=()) for problem in error.problems
                 )
                 raise ReadError([*placed]) from None
 
@@ -169,7 +169,7 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
 def _check_ratios(
     subject: Subject, targets: Sequence[Varied], places: Sequence[Place | None]
 ) -> None:
-    """Make sure that no ratio varies beside the teeth that it follows from.
+    """Check that no ratio varies together with teeth that determine the ratio.
 
     Raises
     ------
@@ -179,21 +179,21 @@ def _check_ratios(
         subject.check_targets(targets, places)
         return
     case = subject
-    parts = [one.part for one in targets if isinstance(one, CasePath) and one.part]
+    parts = [varied.part for varied in targets if isinstance(varied, CasePath) and varied.part]
     keys = [part.keys for part in parts]
     names = {name for key, name, *below in keys if key == "elements" and "teeth" in below}
-    follow = {n for one in case.own_devices if one.name in names for n in one.mechanisms}
+    follow = {n for device in case.own_devices if device.name in names for n in device.mechanisms}
     for target, place in zip_longest(targets, places):
         if isinstance(target, Target) and target.quantity == "ratio" and target.owner in follow:
             raise varied_beside_teeth(target.name, place)
 
 
-def _check_slopes(made: SweepPlan) -> None:
-    """Refuse frequencies where what varies would change the slopes of springs with points."""
-    if not made.modes:
+def _check_slopes(sweep_plan: SweepPlan) -> None:
+    """Refuse natural frequencies if varied loads change the slope of a spring."""
+    if not sweep_plan.modes:
         return
-    bent = [spring.name for spring in made.case.springs if spring.points]
-    varied = [path.path for path in made.paths if path.of]
+    bent = [spring.name for spring in sweep_plan.case.springs if spring.points]
+    varied = [path.path for path in sweep_plan.paths if path.of]
     if bent and varied:
         message = (
             f"the slope of {bent[0]}, which has `points`, follows what it carries, so there is no "
@@ -221,14 +221,14 @@ def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
 
 
 def with_expressions(subject: Subject, options: SweepOptions, variants: Variants) -> SweepPlan:
-    """Make a plan of variants and the expressions of options.
+    """Build a plan from variants and the expressions of options.
 
     Raises
     ------
     ReadError
-        With all that is wrong with the texts of the options.
+        With all errors in the texts of the options.
     CaseError
-        If there can be no such sweep.
+        If the sweep is impossible.
     """
     targets = variants.targets
     problems: list[Problem] = []
@@ -252,19 +252,20 @@ def with_expressions(subject: Subject, options: SweepOptions, variants: Variants
         raise ReadError(problems)
     condition = where[0] if where else None
     objectives = (*least, *most)
-    made = SweepPlan(
+    sweep_plan = SweepPlan(
         subject, variants, columns[0], condition, objectives, options.best, by_gear=by_gear
     )
     if isinstance(subject, Transmission):
-        return made
+        return sweep_plan
     subject.check_runs(variants.targets, variants.block(0, 1)[0].tolist())
-    return replace(made, piece=piece_of_runs(variants.count))  # small, as runs take long
+    return replace(
+        sweep_plan, piece=piece_of_runs(variants.count)
+    )  # small pieces, because runs are slow
 
 
 def _all(
     texts: Iterable[Text], reader: Callable[[str], Read], problems: list[Problem]
 ) -> list[Read]:
-    """Read several texts, and add the problems of all."""
     read = []
     for text in texts:
         try:

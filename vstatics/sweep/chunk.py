@@ -1,7 +1,7 @@
-"""Rows of a sweep, and what can be said of each.
+"""Rows of a sweep, with their statuses.
 
-Where blocks of variants begin is told by the plan alone, never by who calculates them: the
-same build gives the same numbers for any number of jobs.
+The plan alone determines where blocks of variants begin: equal builds give equal numbers for any
+number of jobs.
 """
 
 from __future__ import annotations
@@ -28,50 +28,53 @@ Codes = np.ndarray[Any, np.dtype[np.uint8]]
 
 STATUS = (
     "ok",
-    *(one.name for one in (status.DRAGGED, status.NEUTRAL, status.UNDECIDED, status.LOCKED)),
+    *(
+        gear_status.name
+        for gear_status in (status.DRAGGED, status.NEUTRAL, status.UNDECIDED, status.LOCKED)
+    ),
     "not assembled",
-    *(one.name for one in (status.TIED_UP, status.CONFLICT)),
+    *(gear_status.name for gear_status in (status.TIED_UP, status.CONFLICT)),
     *("invalid", "stopped"),
 )
-"""What can be said of a variant, the worse the later; a variant has the worst of its gears."""
+"""Statuses of a variant in ascending order of severity; the worst of the gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
     1, len(STATUS)
 )
 
 
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
-"""The fields of a chunk that have a row for each of its variants."""
+"""Fields of a chunk with a row per variant."""
 
 
 class Chunk(NamedTuple):
-    """The variants of a part of a sweep that passed its conditions."""
+    """Variants of a part of a sweep that passed the condition."""
 
     start: int
-    """The first variant of the part, from 0."""
+    """First variant of the part, from 0."""
     places: Integers
-    """(rows,) in the order of all variants, or of all their gears where these have rows."""
+    """(rows,) indices in the order of all variants, or of all gears of variants."""
     values: Floats
-    """(rows, targets): the varied numbers. [-]"""
+    """(rows, targets): varied numbers. [-]"""
     status: Codes
-    """(rows,) index into `STATUS`."""
+    """(rows,) indices into `STATUS`."""
     columns: Floats
-    """(rows, columns): what was asked for; NaN does not exist."""
+    """(rows, columns): columns of the plan; NaN for undefined values."""
     objectives: Floats
-    """(rows, objectives): what is to be small, or large."""
+    """(rows, objectives): objectives, smaller is better."""
     counts: Mapping[str, int]
-    """How many variants of the whole part have a status, those without a row too."""
+    """Status -> number of variants of the whole part, including variants without a row."""
     names: tuple[str, ...]
-    """Of the varied numbers."""
+    """Names of the varied numbers."""
     headings: tuple[str, ...]
-    """Of the columns."""
+    """Headings of the columns."""
     removed: tuple[int, ...] = ()
-    """Of those that are left, how many each part of the condition removed."""
+    """Number of variants that each part of the condition removed, in turn."""
     gears: tuple[str, ...] = ()
-    """Names of the gears of a variant, where each has a row."""
+    """Names of the gears of a variant, if each gear has a row."""
     outside: tuple[str, ...] = ()
-    """Laws that were asked outside their points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
-    """Messages of runs, each once for all of the part that have it."""
+    """Messages of runs, each once for the whole part."""
 
     @property
     def variants(self) -> Integers:
@@ -80,14 +83,14 @@ class Chunk(NamedTuple):
 
     @property
     def of_gear(self) -> Codes:
-        """(rows,) index of the gear; none where a row is of a variant."""
+        """(rows,) indices of the gears; empty if a row is of a variant."""
         gears: Codes = (
             (self.places % len(self.gears)).astype("<u2") if self.gears else np.zeros(0, "<u2")
         )
         return gears
 
     def to_dataframe(self) -> pd.DataFrame:
-        """One row per variant, which is the index, with columns named as in a file.
+        """Return a table of a row per variant, the index, with columns as in a file.
 
         Raises
         ------
@@ -108,7 +111,7 @@ class Chunk(NamedTuple):
         return pd.DataFrame(columns, index=pd.Index(columns.pop("variant"), name="variant"))
 
     def output_columns(self) -> dict[str, Floats | Integers | Codes]:
-        """What is written of the rows, by the headings of the output."""
+        """Return the columns of the output by heading."""
         by_gear = bool(self.gears)
         tables = (
             self.variants,
@@ -121,27 +124,27 @@ class Chunk(NamedTuple):
         return dict(zip(headings, tables, strict=True))
 
     def rows(self, chosen: Integers | Booleans) -> Chunk:
-        """The chunk with these rows only."""
+        """Return the chunk with some rows only."""
         return self._replace(**{name: getattr(self, name)[chosen] for name in OF_ROWS})
 
 
 def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
     plan: SweepPlan, start: int, values: Floats, status: Codes, tables: Tables, unknown: Booleans
 ) -> Chunk:
-    """The rows of a block of variants, of those that pass the plan's condition.
+    """Return the rows of a block of variants that pass the condition of the plan.
 
     Parameters
     ----------
     plan : SweepPlan
     start : int
-        The first variant.
+        First variant.
     values : ndarray, shape (variants, targets)
         The varied numbers.
     status : ndarray, shape (variants[, gears])
     tables : Tables
-        What was calculated of these variants.
+        Results of these variants.
     unknown : ndarray, shape (variants,)
-        Of which variants nothing is known: they have NaN, and pass no condition.
+        Variants without results: they have NaN, and never pass the condition.
     """
     if gears := len(plan.gears):
         tables, status = GearRows(tables, gears), status.ravel()
@@ -175,7 +178,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
 
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
-    """The rows of several chunks, and all that was counted, as one."""
+    """Return the rows and counts of several chunks as a single chunk."""
     if len(parts) == 1:
         return parts[0]
     rows: dict[str, Any] = {
@@ -187,7 +190,7 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
-    """How many variants of several parts have a status."""
+    """Return the number of variants with each status in several parts."""
     counts: Counter[str] = Counter()
     for part in parts:
         counts.update(part.counts)
@@ -195,28 +198,30 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 
 
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
-    """How many variants of several parts each part of the condition removed."""
+    """Return the number of variants removed by each part of the condition."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
-    """Laws that were asked outside their points in any of several parts."""
+    """Return the laws evaluated outside the given points in several parts."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Messages of several parts, each once where it differs in numbers alone."""
-    found: dict[tuple[str, str], Noticed] = {}
-    for one in (one for part in parts for one in part.noticed):
-        alike = one.alike
-        known = found.get(alike)
-        earlier = one if known is None else min(known, one, key=lambda each: each.first)
-        found[alike] = earlier._replace(variants=one.variants + (known.variants if known else 0))
-    return tuple(found.values())
+    """Return the messages of several parts, merged if only numbers differ."""
+    merged: dict[tuple[str, str], Noticed] = {}
+    for notice in (notice for part in parts for notice in part.noticed):
+        alike = notice.alike
+        known = merged.get(alike)
+        earlier = notice if known is None else min(known, notice, key=lambda each: each.first)
+        merged[alike] = earlier._replace(
+            variants=notice.variants + (known.variants if known else 0)
+        )
+    return tuple(merged.values())
 
 
 def _existing(columns: Floats, unknown: Booleans) -> Floats:
-    """Columns without -0, with NaN for what is infinite or of which nothing is known."""
+    """Replace -0 by 0, and infinite or unknown values by NaN."""
     columns += 0.0
     infinite = np.isinf(columns)
     if infinite.any():

@@ -1,4 +1,4 @@
-"""The sweep file: a whole sweep in YAML, for repetition and for CI."""
+"""Sweep file: a complete sweep in YAML, for repetition and for CI."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ _NO_SWEEPS = {
     "case": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
     "varies it",
 }
-"""What is said of other documents."""
+"""Kind of a wrong document -> message."""
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
-    """Read a sweep file; its paths are relative to it.
+    """Read a sweep file, whose paths are relative to the file.
 
     Parameters
     ----------
     data : bytes
     file : str
-        Its name, for messages and for the paths in it.
+        Name of the file, for messages and for relative paths.
 
     Raises
     ------
@@ -61,22 +61,22 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     """
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
-    found = decode(data, file, "a sweep")
-    root = yaml_tree(found)
+    source = decode(data, file, "a sweep")
+    root = yaml_tree(source)
     if not isinstance(root, Mapping):
         keys = spoken(map(quoted, list(OPTIONS)[:3]))
         expected = f"expected a sweep: a mapping with keys such as {keys}"
-        found.stop(f"read {what(root)}, {expected}", root.line, root.column)
-    if told := _NO_SWEEPS.get(kind_of(root) or ""):
-        found.stop(told, root.line, root.column)
-    options = _Reader(found, os.path.dirname(file)).options(root)  # noqa: PTH120
-    if found.problems:
-        raise ReadError(found.problems)
+        source.stop(f"read {what(root)}, {expected}", root.line, root.column)
+    if message := _NO_SWEEPS.get(kind_of(root) or ""):
+        source.stop(message, root.line, root.column)
+    options = _Reader(source, os.path.dirname(file)).options(root)  # noqa: PTH120
+    if source.problems:
+        raise ReadError(source.problems)
     return options
 
 
 class _WrongError(Exception):
-    """What was expected in place of a node, of the whole one when not given."""
+    """Expected value of a node, or of a given part of the node."""
 
     def __init__(self, expected: str, node: Node | None = None) -> None:
         super().__init__(expected)
@@ -84,33 +84,33 @@ class _WrongError(Exception):
 
 
 class _Reader:
-    """Reads the keys of a sweep file."""
+    """Reader of the keys of a sweep file."""
 
-    def __init__(self, found: DocumentText, directory: str) -> None:
-        self.found = found
+    def __init__(self, source: DocumentText, directory: str) -> None:
+        self.source = source
         self.directory = directory
 
     def options(self, root: Mapping) -> SweepOptions:
-        said: dict[str, Any] = {}
+        values: dict[str, Any] = {}
         for key, node in root.entries:
             if key.text not in OPTIONS:
-                hint = self.found.hint(key.text, OPTIONS)
+                hint = self.source.hint(key.text, OPTIONS)
                 expected = hint or f", expected {spoken(map(quoted, OPTIONS))}"
                 self.add(f"unknown key `{shown(key.text)}`{expected}", key)
-            elif key.text in said:
+            elif key.text in values:
                 self.add(f"key `{key.text}` is given twice", key)
             elif not is_null(node):
-                said[key.text] = None
+                values[key.text] = None
                 option = OPTIONS[key.text]
-                try:  # the method of the name of its kind
-                    said[key.text] = getattr(self, option.kind)(node, option)
+                try:  # the method named after the kind of the option
+                    values[key.text] = getattr(self, option.kind)(node, option)
                 except _WrongError as error:
                     wrong = error.node or node
                     self.add(f"read {what(wrong)}, expected {error}", wrong)
-        return SweepOptions(**said)
+        return SweepOptions(**values)
 
     def add(self, message: str, node: Node) -> None:
-        self.found.add(message, node.line, node.column)
+        self.source.add(message, node.line, node.column)
 
     def path(self, node: Node, _: Option) -> str:
         if not isinstance(node, Scalar) or not node.text or "\0" in node.text:
@@ -138,7 +138,7 @@ class _Reader:
     def choice(self, node: Node, option: Option) -> str:
         if isinstance(node, Scalar) and node.text in option.choices:
             return node.text
-        hint = self.found.hint(node.text, option.choices) if isinstance(node, Scalar) else ""
+        hint = self.source.hint(node.text, option.choices) if isinstance(node, Scalar) else ""
         raise _WrongError(f"{spoken(map(quoted, option.choices), 'or')}{hint}")
 
     def text(self, node: Node, _: Option | None = None) -> Text:
@@ -155,11 +155,11 @@ class _Reader:
         return tuple(self.text(item) for item in items)
 
     def list(self, node: Node, _: Option) -> Text:
-        """The items of a list as one text with commas."""
+        """Join the items of a list by commas."""
         return joined(Text(""), self.texts(node), ", ")
 
     def vary(self, node: Node, _: Option) -> tuple[Text, ...]:
-        """Texts as of the option, or the varied numbers as keys."""
+        """Return texts as of the option, also for varied numbers given as keys."""
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(
@@ -168,6 +168,6 @@ class _Reader:
         )
 
     def place(self, node: Node) -> Place:
-        place = self.found.source.place(node.line, node.column)
+        place = self.source.source.place(node.line, node.column)
         quoted = place.text[place.column - 1 : place.column] in ("'", '"')
         return place._replace(column=place.column + quoted)

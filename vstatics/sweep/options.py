@@ -1,4 +1,4 @@
-"""The options of a sweep, declared once for the command line, sweep files and `sweep()`."""
+"""Options of a sweep, declared once for the command line, sweep files and `sweep()`."""
 
 from __future__ import annotations
 
@@ -14,35 +14,35 @@ from vstatics.sweep.variants.samples import METHODS
 
 
 class PlacedPart(NamedTuple):
-    """Where a part of a text stands."""
+    """Place of a part of a text."""
 
     first: int
-    """Its first column in the text, from 1."""
+    """First column of the part in the text, from 1."""
     place: Place
     as_written: bool = True
-    """Letter by letter; else, as where several lines became one, only as a whole."""
+    """True if columns correspond; false for text joined from several lines."""
 
 
 class PlacedFile(str):
-    """The name of a file that stands in a sweep file, and where it stands there."""
+    """Name of a file in a sweep file, with place."""
 
     __slots__ = ("place",)
     place: Place
 
     def at(self, place: Place) -> PlacedFile:
-        """Keep the place."""
+        """Set the place, and return the name."""
         self.place = place
         return self
 
 
 class Text(NamedTuple):
-    """The text of an option, and where it stands in a sweep file, if in one."""
+    """Text of an option, with places in a sweep file, if any."""
 
     text: str
     parts: tuple[PlacedPart, ...] = ()
 
     def place(self, column: int) -> Place | None:
-        """Where a column of the text stands."""
+        """Return the place of a column of the text."""
         for first, place, as_written in reversed(self.parts):
             if column >= first:
                 further = column - first if as_written else 0
@@ -51,7 +51,7 @@ class Text(NamedTuple):
 
 
 def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
-    """A text and others behind it, with a separator between these, each with its place.
+    """Join texts after a first text with a separator, and keep all places.
 
     >>> joined(Text("D1.ratio="), (Text("-2"), Text("-3")), ",").text
     'D1.ratio=-2,-3'
@@ -66,7 +66,7 @@ def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
 
 @contextmanager
 def located(text: Text) -> Iterator[None]:
-    """Give problems with the text of an option their place in the sweep file."""
+    """Add places in the sweep file to problems of the text of an option."""
     try:
         yield
     except ReadError as error:
@@ -81,20 +81,20 @@ def _moved(problem: Problem, text: Text) -> Problem:
 
 
 Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
-"""How an option is read; `list`: one text, of items with commas; `vary`: texts such as `a=1`."""
+"""Kind of an option; `list` is a text of items with commas, `vary` are texts such as `a=1`."""
 
 
 class Option(NamedTuple):
-    """How an option is read and described; its name is that of the field."""
+    """Declaration of an option; the name is the name of the field."""
 
     kind: Kind
     help: str = ""
-    """On the command line; nothing where other commands have it, too."""
+    """Help on the command line; empty for an option that other commands have, too."""
     metavar: str | None = None
     short: str = ""
-    """A second name on the command line."""
+    """Short name on the command line."""
     least: int = 1
-    """The smallest count."""
+    """Smallest count."""
     choices: tuple[str, ...] = ()
 
 
@@ -105,7 +105,7 @@ def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
 
 @dataclass(frozen=True)
 class SweepOptions:
-    """What a command line, a sweep file or a call says; None and () say nothing."""
+    """Options of a command line, a sweep file or a call; `None` and () if missing."""
 
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number; repeatable.", metavar="NAME=VALUES")
@@ -137,43 +137,47 @@ class SweepOptions:
     idle: str | None = _option("choice", choices=get_args(IdleConvention))
 
     @classmethod
-    def of(cls, **said: Any) -> SweepOptions:
-        """Options from plain values, in which texts are of type str.
+    def of(cls, **values: Any) -> SweepOptions:
+        """Return options from plain values, in which texts are of type str.
 
         >>> SweepOptions.of(vary=["D1.ratio=-2,-3"], out=["ratio", "losses"]).out.text
         'ratio,losses'
         """
-        return cls(**{name: _with_texts(OPTIONS[name].kind, value) for name, value in said.items()})
+        return cls(
+            **{name: _with_texts(OPTIONS[name].kind, value) for name, value in values.items()}
+        )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """These options, and the others where these say nothing.
+        """Return the options, completed by others.
 
-        What these exclude goes, with what belongs to it: who gives a table does not want the
-        others' grid. What is to be small and large goes together.
+        Other options that these exclude are dropped with their dependent options: a given table
+        replaces a grid. Objectives are replaced together.
         """
-        own = vars(self)
-        given = {name for name in own if says(own[name])}
+        options = vars(self)
+        given = {name for name in options if says(options[name])}
         dropped = {"min", "max"} if given & {"min", "max"} else set()
         for rule in EXCLUSIONS:
             dropped |= set(rule.others) if rule.option in given else set()
             dropped |= {rule.option} if given & set(rule.others) else set()
         dropped |= {rule.option for rule in NEEDS if dropped - given >= set(rule.others)}
-        kept = {name: value for name, value in vars(others).items() if name not in dropped}
-        said = {name: value for name, value in own.items() if value not in (None, ())}
-        return SweepOptions(**{**kept, **said})
+        completions = {name: value for name, value in vars(others).items() if name not in dropped}
+        given_options = {name: value for name, value in options.items() if value not in (None, ())}
+        return SweepOptions(**{**completions, **given_options})
 
 
-OPTIONS: Mapping[str, Option] = {one.name: one.metadata["option"] for one in fields(SweepOptions)}
+OPTIONS: Mapping[str, Option] = {
+    option_field.name: option_field.metadata["option"] for option_field in fields(SweepOptions)
+}
 """All options by name, in order."""
 
 
 class Rule(NamedTuple):
-    """An option, and others that it does not go with, or does not go without."""
+    """Option with the excluded or required further options."""
 
     option: str
     others: tuple[str, ...]
     message: str
-    """With the names of options in braces, to be spelled as where they were given."""
+    """Message with names of options in braces, which are spelled as given."""
 
 
 EXCLUSIONS = (
@@ -192,14 +196,14 @@ NEEDS = (
 
 
 def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -> Iterator[str]:
-    """What does not go together, and what does not go alone.
+    """Yield messages about options that are contradictory or incomplete.
 
     Parameters
     ----------
     said : mapping of str to object
         Options and their values.
     spelled : callable
-        Gives the name of an option as it is written where it was given: ``--zip``.
+        Function that spells an option as the user gave it: ``--zip``.
 
     Examples
     --------
@@ -215,7 +219,7 @@ def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -
 
 
 def says(value: object) -> bool:
-    """Whether an option asks for something: a count of 0 does, a flag that is false does not."""
+    """Return whether an option is given: a count of 0 is, a false flag is not."""
     return value is not False and value not in (None, (), "")
 
 

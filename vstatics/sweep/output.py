@@ -1,4 +1,4 @@
-"""The output file of a sweep: calculated piece by piece, then assembled and moved into place."""
+"""Output file of a sweep: calculated piece by piece, then assembled and moved into place."""
 
 from __future__ import annotations
 
@@ -26,26 +26,26 @@ Advance = Callable[[int], None]
 
 
 class SweepReport(NamedTuple):
-    """What became of a sweep."""
+    """Outcome of a sweep."""
 
     rows: int
     counts: dict[str, int]
-    """How many variants, or gears of them, have a status."""
+    """Status -> number of variants, or of gears of variants."""
     removed: tuple[int, ...] = ()
-    """How many of those that are left each part of the condition removed."""
+    """Number of variants that each part of the condition removed, in turn."""
     outside: tuple[str, ...] = ()
-    """Laws that were asked outside their points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of runs."""
 
     @property
     def variants(self) -> int:
-        """All variants, or gears of them, that were calculated."""
+        """Number of calculated variants, or of gears of variants."""
         return sum(self.counts.values())
 
 
 def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
-    """What a sweep is, for its directory of pieces and for whoever looks into that."""
+    """Return the description of a sweep in the directory of pieces."""
     return {
         "what": "unfinished sweep of vstatics; the same command with --resume goes on",
         "build": build(),
@@ -64,7 +64,7 @@ def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
 
 
 def column_types(plan: SweepPlan) -> list[ColumnType]:
-    """Names and types of the columns of the output."""
+    """Return names and types of the columns of the output."""
     types = {"variant": "<i8", "status": "u1"}
     place = 2 + len(plan.names)
     return [
@@ -74,37 +74,37 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 
 
 class Output:
-    """The way of a sweep to its file; `store` is to be opened before."""
+    """Calculation and assembly of the file of a sweep, with a `store` that is opened before."""
 
     def __init__(
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
-        """Take the pieces that the store has; they are the same whether headings are raw."""
+        """Use the stored pieces, which do not depend on `raw`."""
         self.task = SweepTask(plan, form, store.directory, raw, store.work)
         self.store = store
 
     @property
     def pending(self) -> Iterator[int]:
-        """The pieces that are not there, one by one: there may be millions."""
+        """Missing pieces, as an iterator because millions are possible."""
         pieces = range(self.task.plan.pieces)
         return (piece for piece in pieces if piece not in self.store.accounts)
 
     @property
     def finished(self) -> int:
-        """Variants of the pieces that are there, also of those that nobody has told of yet."""
+        """Number of variants of the stored pieces, including pieces not yet reported."""
         plan = self.task.plan
         spans = [plan.span(piece) for piece in self.store.finished() if piece < plan.pieces]
         return sum(stop - start for start, stop in spans) * (len(plan.gears) or 1)
 
     def calculate(self, workers: Workers, advance: Advance) -> None:
-        """Calculate what is not there.
+        """Calculate the missing pieces.
 
         Raises
         ------
         CaseError
-            If a piece can't be calculated; it names the variants.
+            If a piece cannot be calculated; the message names the variants.
         OSError
-            If a piece can't be written.
+            If a piece cannot be written.
         """
         for account in self._accounts(workers):
             self.store.accounts[account.piece] = account
@@ -121,16 +121,16 @@ class Output:
                 yield account
 
     def assemble(self, workers: Workers) -> SweepReport:
-        """Put the pieces together and the output into its place.
+        """Assemble the pieces and move the output into place.
 
         Raises
         ------
         OSError
-            If it can't be written; the pieces stay.
+            If the output cannot be written; the pieces stay.
         """
         plan = self.task.plan
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
-        told = (
+        counts_and_notes = (
             chunk.counted(accounts),
             chunk.removed_in(accounts),
             chunk.outside_in(accounts),
@@ -144,13 +144,13 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.discard(piece_file.ASSEMBLED)  # what is there of it may fill a disk
+            self.store.discard(piece_file.ASSEMBLED)  # an unfinished output can fill the disk
             raise
         self.store.finish()
-        return SweepReport(sum(account.rows for account in accounts), *told)
+        return SweepReport(sum(account.rows for account in accounts), *counts_and_notes)
 
     def _write(self, accounts: Sequence[Account]) -> None:
-        """Write what is made of all rows together."""
+        """Write formats that are built from all rows together."""
         from vstatics.sweep.formats import tables
 
         rows = self.task.plan.output_headings, self._chunks(accounts)
@@ -174,15 +174,15 @@ class Output:
         return ArchiveLayout([(0, head)], copies, place)
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
-        """Write what is known and let the workers copy the rest, each piece to its place."""
+        """Write the known texts, and let the workers copy each piece into place."""
         with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
-            for place, known in layout.texts:
+            for place, text in layout.texts:
                 file.seek(place)
-                file.write(known)
+                file.write(text)
         by_piece: dict[int, list[Copy]] = {}
-        for one in layout.copies:
-            by_piece.setdefault(one.piece, []).append(one)
+        for part in layout.copies:
+            by_piece.setdefault(part.piece, []).append(part)
         here: Workers = Alone(self.task, self.task.describe) if workers.remote else workers
         for _ in here.each(tasks.copy, by_piece.values()):
             pass
@@ -192,7 +192,7 @@ class Output:
             yield tasks.read_chunk(self.task, account)
 
     def _select(self, accounts: Sequence[Account]) -> Iterator[Account]:
-        """The best rows of all pieces, as pieces of their own behind the others."""
+        """Yield the best rows of all pieces, as further pieces."""
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)
@@ -206,16 +206,16 @@ class Output:
 def stream(
     task: SweepTask, workers: Workers, advance: Advance, write: Callable[[bytes], Any]
 ) -> SweepReport:
-    """Calculate everything and write it as text, in order; nothing is kept on disk.
+    """Calculate all variants and write the rows as text, in order, without files of pieces.
 
-    Where the first piece can't be calculated nothing is written.
+    If the first piece cannot be calculated, nothing is written.
 
     Raises
     ------
     CaseError
-        If a piece can't be calculated; it names the variants.
+        If a piece cannot be calculated; the message names the variants.
     OSError
-        As `write` raises it.
+        If `write` fails.
     """
     plan, form = task.plan, task.form
     counts: Counter[str] = Counter()
@@ -227,16 +227,16 @@ def stream(
         write(heads.pop() + data if heads else data)
 
     if plan.objectives:
-        kept: list[Chunk] = []
+        candidates: list[Chunk] = []
         for _, calculated in workers.each(tasks.calculate, items, ordered=True):
             counts.update(calculated.counts)
             advance(sum(calculated.counts.values()))
-            kept = [best.within(plan, chunk.joined([*kept, calculated]))]
-        for selected in best.among(plan, lambda: kept):
+            candidates = [best.within(plan, chunk.joined([*candidates, calculated]))]
+        for selected in best.among(plan, lambda: candidates):
             rows += len(selected.variants)
             put(text.rows(form, selected))
         put()
-        [whole] = kept
+        [whole] = candidates
         return SweepReport(rows, dict(counts), whole.removed, whole.outside, whole.noticed)
     removed: Counter[int] = Counter()
     outside: dict[str, None] = {}

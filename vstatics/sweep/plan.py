@@ -1,4 +1,4 @@
-"""Everything that a sweep is: what is varied, what is kept of each variant."""
+"""Plan of a sweep: variants, columns, condition and objectives."""
 
 from __future__ import annotations
 
@@ -21,13 +21,15 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target
 
 PIECE = 65536
-"""Variants of a piece: what is calculated, kept and taken up again as a whole. Constant,
-so that the result does not depend on the number of jobs."""
+"""Number of variants in a piece, which is calculated and stored as a whole.
+
+The number is constant, so that the result does not depend on the number of jobs.
+"""
 
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """A sweep, checked when its parts were made; the same plan gives the same result.
+    """Checked plan of a sweep; equal plans give equal results.
 
     Parameters
     ----------
@@ -36,15 +38,15 @@ class SweepPlan:
     variants : Variants
         The numbered variants.
     columns : OutputColumns
-        What is written of each.
+        Columns written for each variant.
     where : WhereCondition, optional
-        Which variants are written; all when not given.
+        Condition on the variants that are written; by default all are.
     objectives : sequence of Objective
-        If there are any only the best variants are written.
+        Objectives; with any, only the best variants are written.
     best : int, optional
-        So many at most. When not given 20 by one objective, all by several.
+        Number of best variants; by default 20 for one objective, all for several.
     piece : int
-        Variants of a piece.
+        Number of variants in a piece.
     by_gear : bool
         Whether each gear of a variant has a row.
     """
@@ -60,68 +62,68 @@ class SweepPlan:
 
     @property
     def gears(self) -> tuple[str, ...]:
-        """The gears of each variant that have a row; none where a row is of all of them."""
+        """Gears of each variant with a row each; empty if a row covers all gears."""
         return tuple(gear.name for gear in self.case.gears) if self.by_gear else ()
 
     @property
     def count(self) -> int:
-        """Of what may have a row: variants, or their gears."""
+        """Number of possible rows: variants, or gears of variants."""
         return self.variants.count * (len(self.gears) or 1)
 
     @property
     def case(self) -> Transmission:
-        """What is swept, where that is a case."""
-        assert isinstance(self.subject, Transmission)  # noqa: S101 - who asks knows it
+        """Case of the sweep, if the subject is a case."""
+        assert isinstance(self.subject, Transmission)  # noqa: S101 - callers know the kind
         return self.subject
 
     @property
     def targets(self) -> tuple[Target, ...]:
-        """What is varied of a case."""
-        return tuple(one for one in self.variants.targets if isinstance(one, Target))
+        """Varied numbers of a case."""
+        return tuple(varied for varied in self.variants.targets if isinstance(varied, Target))
 
     @property
     def places(self) -> list[int]:
-        """Where the columns of `targets` stand among all varied numbers."""
-        return [n for n, one in enumerate(self.variants.targets) if isinstance(one, Target)]
+        """Indices of `targets` among all varied numbers."""
+        return [n for n, varied in enumerate(self.variants.targets) if isinstance(varied, Target)]
 
     @property
     def paths(self) -> list[CasePath]:
-        """What is varied of a case by its path."""
-        return [one for one in self.variants.targets if isinstance(one, CasePath)]
+        """Numbers of a case varied by path."""
+        return [varied for varied in self.variants.targets if isinstance(varied, CasePath)]
 
     @property
     def parts(self) -> dict[int, CasePath]:
-        """What is varied of the parts of a case, by its column: each set of numbers makes one."""
+        """Column -> varied number of a part, for which each set of values is a new case."""
         paths = enumerate(self.variants.targets)
-        return {n: one for n, one in paths if isinstance(one, CasePath) and one.part}
+        return {n: varied for n, varied in paths if isinstance(varied, CasePath) and varied.part}
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the varied numbers."""
+        """Names of the varied numbers."""
         return tuple(target.name for target in self.variants.targets)
 
     @property
     def headings(self) -> tuple[str, ...]:
-        """Of the columns."""
+        """Headings of the columns."""
         return self.columns.headings
 
     @property
     def output_headings(self) -> list[str]:
-        """Of all that is written of a variant."""
+        """Headings of the whole output."""
         return output_headings(self.names, self.headings, by_gear=self.by_gear)
 
     @property
     def pieces(self) -> int:
-        """How many pieces there are."""
+        """Number of pieces."""
         return -(-self.variants.count // self.piece)
 
     def span(self, piece: int) -> tuple[int, int]:
-        """The first variant of a piece, and the one behind its last."""
+        """Return the first variant of a piece, and the end."""
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     @property
     def expressions(self) -> Iterator[Expression]:
-        """All that is asked of a variant."""
+        """All expressions evaluated for a variant."""
         yield from (part.expression for part in self.columns.parts)
         yield from (objective.expression for objective in self.objectives)
         if self.where is not None:
@@ -129,24 +131,24 @@ class SweepPlan:
 
     @property
     def tables(self) -> set[str]:
-        """All tables that are asked for."""
-        return {part.table for one in self.expressions for part in one.selections}
+        """All tables used by expressions."""
+        return {part.table for expression in self.expressions for part in expression.selections}
 
     @property
     def asks_for_results(self) -> bool:
-        """Whether the results of statics are asked for: unless all that is asked is of modes."""
+        """True if results of statics are needed, not only natural frequencies."""
         return self.tables - {OK} != {OMEGA}
 
     @property
     def takes_all(self) -> bool:
-        """Whether what can't be assembled may be among the best: the condition speaks of it."""
+        """True if the condition allows variants that cannot be assembled."""
         parts = () if self.where is None else self.where.parts
-        return any(one.table == OK for part in parts for one in part.selections)
+        return any(selection.table == OK for part in parts for selection in part.selections)
 
     @property
     def asked_gears(self) -> list[int]:
-        """Indices of the gears that are asked for: all where a number is of all, or of none."""
-        every = [part for one in self.expressions for part in one.selections]
+        """Indices of the gears used by expressions; all if an expression covers all."""
+        every = [part for expression in self.expressions for part in expression.selections]
         parts = [part for part in every if part.table not in (OK, *PART_NUMBERS.values())]
         if not parts or any(part.gear is None or part.table in OF_RATIOS for part in parts):
             return [*range(len(self.case.gears))]
@@ -154,7 +156,7 @@ class SweepPlan:
 
     @property
     def modes(self) -> dict[int, list[int]]:
-        """The natural frequencies that are asked for: index of a gear -> indices of modes."""
+        """Index of a gear -> indices of the natural frequencies used by expressions."""
         asked: dict[int, set[int]] = {}
         for expression in self.expressions:
             for part in expression.selections:
@@ -167,9 +169,9 @@ class SweepPlan:
         return {gear: sorted(modes) for gear, modes in sorted(asked.items())}
 
     def objective_values(self, tables: Tables, values: Floats) -> Floats:
-        """(variants, objectives): each is better the smaller it is.
+        """Return the objectives, (variants, objectives), smaller is better.
 
-        To as many digits as are written, so that rounding prefers nobody.
+        The values are rounded as in the output, so that rounding noise decides nothing.
         """
         objectives = np.empty((len(values), len(self.objectives)))
         for column, objective in enumerate(self.objectives):
@@ -177,21 +179,20 @@ class SweepPlan:
         return objectives
 
     def fingerprint(self, *more: str) -> str:
-        """A number for everything that decides the result, and for more texts.
+        """Return a hash of everything that decides the result, and of more texts.
 
-        Two plans with the same fingerprint give the same file, with the same build of
-        this package.
+        With equal builds of this package, equal fingerprints give equal files.
         """
         digest = hashlib.sha256()
-        one = self.subject
-        case = one if isinstance(one, Transmission) else one.base_case
+        subject = self.subject
+        case = subject if isinstance(subject, Transmission) else subject.base_case
         for part in _canonical((self, more, case.laws)):
             digest.update(part)
         return digest.hexdigest()
 
 
 def rounded(numbers: Floats) -> Floats:
-    """Numbers to 12 significant digits.
+    """Round numbers to 12 significant digits.
 
     >>> rounded(np.array([1 + 2**-52, -123456.7890123456, 0.0])).tolist()
     [1.0, -123456.789012, 0.0]
@@ -204,9 +205,9 @@ def rounded(numbers: Floats) -> Floats:
 
 
 def _canonical(part: Any) -> Iterator[bytes]:
-    """A part of a plan as bytes that tell it from any other, the same in every process.
+    """Yield bytes that identify a part of a plan, equal in every process.
 
-    What a class keeps in attributes that begin with an underscore follows from the others.
+    Attributes that begin with an underscore follow from other attributes, and are left out.
     """
     yield f"{type(part).__name__}(".encode()
     if isinstance(part, np.ndarray):
@@ -222,7 +223,7 @@ def _canonical(part: Any) -> Iterator[bytes]:
 
 
 def _parts(part: Any) -> Iterator[tuple[object, Any]]:
-    """What a part of a plan consists of, each with a name."""
+    """Yield the components of a part of a plan, each with a name."""
     if isinstance(part, Mapping):
         yield from sorted(part.items(), key=lambda item: str(item[0]))
     elif is_dataclass(part):

@@ -1,4 +1,4 @@
-"""A part of a sweep of a document: each variant is a run."""
+"""Part of a sweep of a document: each variant is a run."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results.documents import SweptDocument
 
 LEAST_PIECE, MOST_PIECES = 16, 4096
-"""Runs of a piece, which take about half a second; more where there were too many pieces."""
+"""Runs per piece at least, which take about half a second, and pieces at most."""
 
 
 def piece_of_runs(count: int) -> int:
-    """How many of so many runs are a piece.
+    """Return the number of runs per piece for a number of runs.
 
     >>> piece_of_runs(1000), piece_of_runs(10**6)
     (16, 245)
@@ -26,23 +26,25 @@ def piece_of_runs(count: int) -> int:
 
 
 def calculate(plan: SweepPlan, subject: SweptDocument, start: int, stop: int) -> Chunk:
-    """Run the variants from `start` up to `stop`, one after the other."""
-    asked = subject.asked(part for one in plan.expressions for part in one.selections)
+    """Run the variants from `start` up to `stop`."""
+    asked = subject.asked(part for expression in plan.expressions for part in expression.selections)
     return joined([_row(plan, subject, number, asked) for number in range(start, stop)])
 
 
 def reason(plan: SweepPlan, subject: SweptDocument) -> list[Problem]:
-    """Why the first variant has no numbers, if it has none."""
+    """Return the reasons if the first variant has no numbers."""
     return subject.reason(plan.variants.targets, plan.variants.block(0, 1)[0].tolist())
 
 
 def _row(
     plan: SweepPlan, subject: SweptDocument, number: int, asked: Sequence[tuple[str, str]]
 ) -> Chunk:
-    """The row of a variant, if it passes the plan's condition."""
+    """Return the row of a variant, if the variant passes the condition."""
     values = plan.variants.block(number, number + 1)
     outcome = subject.outcome(plan.variants.targets, values[0], asked)
     status, unknown = np.array([outcome.status], np.uint8), np.array([outcome.unknown])
     row = rows_of(plan, number, values, status, outcome.tables, unknown)
-    told = [Noticed(one.id, one.text, number, 1) for one in outcome.messages]
-    return row._replace(noticed=tuple({one.alike: one for one in reversed(told)}.values()))
+    messages = [Noticed(message.id, message.text, number, 1) for message in outcome.messages]
+    return row._replace(
+        noticed=tuple({message.alike: message for message in reversed(messages)}.values())
+    )

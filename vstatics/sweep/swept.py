@@ -1,4 +1,4 @@
-"""A sweep that is asked for in Python: chunk by chunk, or all of it as a table or a dataset."""
+"""Sweep in Python: chunk by chunk, or as a complete table or dataset."""
 
 from __future__ import annotations
 
@@ -25,81 +25,81 @@ if TYPE_CHECKING:
     import xarray as xr
 
 LEFT_OUT = "left out"
-"""The status of a place of a grid whose variant a condition removed."""
+"""Status of a cell of a grid whose variant a condition removed."""
 GIB = 2**30
 
 
 class Sweep(Iterator[Chunk]):
-    """Variants of a case, calculated when they are asked for.
+    """Iterator over the variants of a case, calculated on demand.
 
-    It is iterated once, by chunks; `to_dataframe`, `to_xarray` and `plot` calculate all variants,
-    whatever has been iterated.
+    The sweep can be iterated once, by chunks; `to_dataframe`, `to_xarray` and `plot` always
+    calculate all variants.
 
     Parameters
     ----------
     plan : SweepPlan
     jobs : int
-        Processes that calculate.
+        Number of processes.
     """
 
     def __init__(self, plan: SweepPlan, jobs: int = 1) -> None:
         self.plan, self.jobs = plan, jobs
-        self._left = self._chunks()
+        self._remaining = self._chunks()
 
     def __iter__(self) -> Self:
         return self
 
     def __next__(self) -> Chunk:
-        return next(self._left)
+        return next(self._remaining)
 
     def close(self) -> None:
-        """End it where it is, and the processes that calculate."""
-        self._left.close()
+        """End the iteration and the processes."""
+        self._remaining.close()
 
     def __repr__(self) -> str:
-        """What varies, and what is kept of it."""
+        """Return the varied numbers, the number of variants and the columns."""
         plan, of = self.plan, " x ".join(map(str, self._shape or [self.plan.variants.count]))
         return f"<Sweep of {listed(plan.names)}: {of} variants, columns {listed(plan.headings)}>"
 
     def _chunks(self) -> Generator[Chunk]:
         task = SweepTask(self.plan, "csv")
         with task.workers(self.jobs) as called:
-            kept: list[Chunk] = []
+            candidates: list[Chunk] = []
             for _, chunk in called.each(calculate, range(self.plan.pieces), ordered=True):
                 if self.plan.objectives:
-                    kept = [best.within(self.plan, joined([*kept, chunk]))]
+                    candidates = [best.within(self.plan, joined([*candidates, chunk]))]
                 else:
                     yield chunk
-            if kept:
-                yield from best.among(self.plan, lambda: kept)
+            if candidates:
+                yield from best.among(self.plan, lambda: candidates)
 
     @property
     def _shape(self) -> list[int]:
-        """Numbers of values of a grid; none of what is no grid."""
+        """Numbers of values of a grid; empty for other variants."""
         variants = self.plan.variants
         return [*map(len, variants.values)] if isinstance(variants, VariantGrid) else []
 
     def to_dataframe(self) -> pd.DataFrame:
-        """All variants as a pandas table.
+        """Return all variants as a pandas table.
 
         Returns
         -------
         DataFrame
             A row per variant, or per gear of one; the index is the number of the variant from 0.
-            Columns as in a file: varied numbers, `status`, what was asked for; what they are in
-            says `attrs["units"]`: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in rpm. [-]
+            Columns as in a file: varied numbers, `status`, columns of `out`. `attrs["units"]` has
+            the units: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in rpm. [-]
 
         Raises
         ------
         CaseError
-            If pandas is missing, or memory could not hold them.
+            If pandas is missing, or the table does not fit into memory.
 
         Examples
         --------
         >>> from vstatics import Gear, Mechanism, Transmission, sweep
         >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
-        >>> found = sweep(case, {"D1.ratio": [-2, -3]}, out="ratio[1]", where="ratio[1] > 3")
-        >>> found.to_dataframe()["ratio[1]"].to_dict()
+        >>> swept = sweep(case, {"D1.ratio": [-2, -3]}, out="ratio[1]", where="ratio[1] > 3")
+        >>> swept.to_dataframe()["ratio[1]"].to_dict()
         {1: 4.0}
         """
         require("pandas", "to_dataframe")
@@ -108,22 +108,22 @@ class Sweep(Iterator[Chunk]):
         return frame
 
     def to_xarray(self) -> xr.Dataset:
-        """All variants as a dataset of xarray.
+        """Return all variants as a dataset of xarray.
 
         Returns
         -------
         Dataset
-            Of a grid a dimension for each varied number, with its values [-]; else the dimension
-            `variant`, with the varied numbers along it. With a row for each gear also `gear`. A
-            variable for each column, by its heading, and `status` in words. What a condition
-            removed from a grid is NaN there and `left out`; of what is no grid it is not there.
-            `units` say what a variable is in; one without is relative to the input [-], or no
-            part of one table alone.
+            A grid has a dimension for each varied number, with its values [-]; other variants have
+            the dimension `variant`, with the varied numbers along it. With a row for each gear the
+            dataset also has `gear`. Variables are the columns, by heading, and `status` in words.
+            Cells of a grid removed by a condition are NaN with the status `left out`; other
+            removed variants are absent. The attribute `units` is missing if a variable is
+            relative to the input [-], or is not part of a single table.
 
         Raises
         ------
         CaseError
-            If xarray is missing, or memory could not hold them.
+            If xarray is missing, or the dataset does not fit into memory.
 
         Examples
         --------
@@ -139,7 +139,7 @@ class Sweep(Iterator[Chunk]):
 
         plan, gears = self.plan, [GEAR] * self.plan.by_gear
         units = units_of(plan)
-        told = {
+        attributes = {
             name: {"units": units[name]} if name in units else {}
             for name in (*plan.names, *plan.headings)
         }
@@ -148,7 +148,7 @@ class Sweep(Iterator[Chunk]):
             self._expect_room("a grid")
             along, shape = [*plan.names], self._shape
             varied: dict[str, Any] = {
-                name: (name, values[np.arange(len(values))], told[name])
+                name: (name, values[np.arange(len(values))], attributes[name])
                 for name, values in zip(along, plan.variants.values, strict=True)
             }
             parts: Iterable[tuple[Integers, Chunk]] = (
@@ -159,7 +159,7 @@ class Sweep(Iterator[Chunk]):
             numbers, first, of = np.unique(rows.variants, return_index=True, return_inverse=True)
             along, shape = ["variant"], [len(numbers)]
             varied = {"variant": numbers} | {
-                name: ("variant", rows.values[first, column], told[name])  # noqa: PD011 - a chunk
+                name: ("variant", rows.values[first, column], attributes[name])  # noqa: PD011 - a chunk
                 for column, name in enumerate(plan.names)
             }
             parts = [(of * per_variant + (rows.of_gear if gears else 0), rows)]
@@ -167,15 +167,15 @@ class Sweep(Iterator[Chunk]):
         whole = *shape, *map(len, [plan.gears] * plan.by_gear)
         dimensions = [*along, *gears]
         variables = {"status": (dimensions, status.reshape(whole))} | {
-            heading: (dimensions, column.reshape(whole), told[heading])
+            heading: (dimensions, column.reshape(whole), attributes[heading])
             for heading, column in zip(plan.headings, columns, strict=True)
         }
         return xr.Dataset(variables, varied | {name: list(plan.gears) for name in gears})
 
     def plot(self, kind: str = "curves", **how: Any) -> AnyPicture:
-        """A picture, which a notebook shows: curves, a map or histograms of all variants.
+        """Draw a picture, which a notebook shows: curves, a map or histograms of all variants.
 
-        It shows as many digits as are written: a limit is not missed by the last one.
+        Numbers are rounded as in the output, so that rounding noise does not cross a limit.
 
         Parameters
         ----------
@@ -187,10 +187,9 @@ class Sweep(Iterator[Chunk]):
         Raises
         ------
         CaseError
-            If matplotlib is missing, memory could not hold the variants, or there is no such
-            column.
+            If matplotlib or a column is missing, or the variants do not fit into memory.
         ValueError
-            If there is no such kind, or a column is not for it.
+            If the kind does not exist, or a column does not suit the kind.
 
         Examples
         --------
@@ -215,8 +214,8 @@ class Sweep(Iterator[Chunk]):
     def _placed(
         self, parts: Iterable[tuple[Integers, Chunk]], size: int
     ) -> tuple[Floats, np.ndarray[Any, np.dtype[np.object_]]]:
-        """Columns and the words of the status, each row in its place; the rest is left out."""
-        words = np.array(STATUS, object)  # of 8 bytes each, however long the word
+        """Return columns and statuses in words, with each row in place."""
+        words = np.array(STATUS, object)  # 8 bytes each, for words of any length
         columns = np.full((len(self.plan.headings), size), np.nan)
         status = np.full(size, LEFT_OUT, object)
         for places, chunk in parts:
@@ -225,13 +224,13 @@ class Sweep(Iterator[Chunk]):
         return columns, status
 
     def _rows(self, what: str) -> Chunk:
-        """All rows as one chunk; how many a condition or several objectives leave shows later."""
+        """Return all rows as a chunk; check the memory if the number of rows is known."""
         if self.plan.where is None and not self.plan.objectives:
             self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])
 
     def _expect_room(self, what: str) -> None:
-        """Refuse what this machine has no memory for, before anything is calculated.
+        """Refuse a table larger than the memory, before anything is calculated.
 
         Raises
         ------
@@ -248,7 +247,6 @@ class Sweep(Iterator[Chunk]):
 
 
 def _no_rows(plan: SweepPlan) -> Chunk:
-    """Of a sweep without variants."""
     values, columns = (np.empty((0, len(names))) for names in (plan.names, plan.headings))
     none, status = np.empty(0, np.int64), np.empty(0, np.uint8)
     named = plan.names, plan.headings, (), plan.gears
@@ -256,8 +254,8 @@ def _no_rows(plan: SweepPlan) -> Chunk:
 
 
 def _memory() -> float:
-    """Of this machine [bytes]; infinite where it does not tell."""
+    """Return the memory of the machine [bytes]; infinite if unknown."""
     try:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, OSError, ValueError):  # no such names there
+    except (AttributeError, OSError, ValueError):  # names unknown to the system
         return math.inf

@@ -1,4 +1,4 @@
-"""What a worker does with a piece of a sweep."""
+"""Task of a worker: the calculation of a piece of a sweep."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from vstatics.sweep.variants.numbered import VariantPart, VariantTable
 
 
 class SweepTask(NamedTuple):
-    """What a worker needs to know to do a piece."""
+    """Task of all pieces of a sweep."""
 
     plan: SweepPlan
     form: Format
     directory: str = ""
     raw: bool = False
-    """Whether headings in CSV stay as they are, also where a spreadsheet calculates them."""
+    """True if headings in CSV are written without a guarding apostrophe."""
     work: str = ""
     """Hash of the definition of the sweep."""
 
     def describe(self, item: object) -> str:
-        """The variants of a piece, in words."""
+        """Return the words for the variants of a piece."""
         piece = _number(item)
         if not isinstance(piece, int):
             return "putting the output together"
@@ -40,13 +40,13 @@ class SweepTask(NamedTuple):
         return f"variants {start} to {stop - 1}"
 
     def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
-        """Who does the pieces: no more processes than there are of them."""
+        """Return workers for the pieces, at most a process per piece."""
         jobs = min(jobs, self.plan.pieces)
         return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 
 
 class Portion(NamedTuple):
-    """A piece with its variants, for a worker that does not see the file they are in."""
+    """Piece with the variants, for a worker without access to the file of variants."""
 
     piece: int
     variants: VariantPart
@@ -56,7 +56,7 @@ Item = int | Portion
 
 
 def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
-    """The numbers of pieces, or pieces with their variants where workers need these."""
+    """Yield the numbers of pieces, or pieces with variants for remote workers."""
     variants = task.plan.variants
     for piece in pieces:
         if remote and isinstance(variants, VariantTable):
@@ -66,7 +66,7 @@ def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[I
 
 
 def calculate(task: SweepTask, item: Item) -> Chunk:
-    """The rows of a piece that may get into the output."""
+    """Return the rows of a piece that can be in the output."""
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
@@ -75,52 +75,51 @@ def calculate(task: SweepTask, item: Item) -> Chunk:
 
 
 def _number(item: Any) -> Any:
-    """The number of a piece, or what is none."""
     return item.piece if isinstance(item, Portion) else item
 
 
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """An account of a piece, and its rows as text."""
+    """Return the account of a piece, and the rows as text."""
     rows = calculate(task, item)
-    told = rows.removed, rows.outside, rows.noticed
-    account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *told)
+    notes = rows.removed, rows.outside, rows.noticed
+    account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *notes)
     return account, text.rows(task.form, rows)
 
 
 def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
-    """A piece as it lies on disk: text if that can be the output, else columns."""
+    """Return a piece as stored: text if the output is text, else columns."""
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    told = rows.removed, rows.outside, rows.noticed, task.work
-    return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *told)
+    notes = rows.removed, rows.outside, rows.noticed, task.work
+    return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *notes)
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """A piece from another machine."""
+    """Return a piece in the form sent between machines."""
     account, data = piece_data(task, item)
-    return account, b"".join(memoryview(one).cast("B") for one in data)
+    return account, b"".join(memoryview(segment).cast("B") for segment in data)
 
 
 def write_piece(task: SweepTask, piece: int) -> Account:
-    """Calculate a piece and leave it on disk."""
+    """Calculate and store a piece."""
     account, data = piece_data(task, piece)
     piece_file.write_piece(task.directory, piece, data)
     return account
 
 
 def copy(task: SweepTask, copies: Sequence[Copy]) -> int:
-    """Copy stretches of pieces into the output."""
+    """Copy parts of pieces into the output."""
     return piece_file.copy(task.directory, copies)
 
 
 def data_of(form: Format, rows: Chunk) -> list[Any]:
-    """The rows of a chunk as they are in the output: as text, or as columns."""
+    """Return the rows of a chunk in the form of the output: as text, or as columns."""
     return [text.rows(form, rows)] if form in TEXTS else columns_of(rows)
 
 
 def columns_of(rows: Chunk) -> list[Any]:
-    """The columns of a chunk, each in one stretch."""
+    """Return the contiguous columns of a chunk."""
     return [
         np.ascontiguousarray(column, dtype=column.dtype.newbyteorder("<"))
         for column in (*rows.output_columns().values(), *rows.objectives.T)
@@ -128,7 +127,7 @@ def columns_of(rows: Chunk) -> list[Any]:
 
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:
-    """A piece of columns back from disk."""
+    """Read a stored piece of columns."""
     data = piece_file.read_segments(task.directory, account)
     names, headings, gears = task.plan.names, task.plan.headings, task.plan.gears
     values = 1 + len(names)
@@ -139,7 +138,7 @@ def read_chunk(task: SweepTask, account: Account) -> Chunk:
         places = places * len(gears) + np.frombuffer(data[values + 1], dtype="<u2")
 
     def table(texts: Sequence[bytes]) -> Any:
-        arrays = [np.frombuffer(one, dtype="<f8") for one in texts]
+        arrays = [np.frombuffer(column, dtype="<f8") for column in texts]
         return np.array(arrays).reshape(len(arrays), account.rows).T
 
     return Chunk(

@@ -1,4 +1,4 @@
-"""Units of what a sweep varies and of its columns, as a dataset tells them."""
+"""Units of varied numbers and of columns, as attributes of a dataset."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target, Varied
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
-"""Functions whose value is in the unit of what they are of."""
+"""Functions whose value has the unit of the operands."""
 
 
 def units_of(plan: SweepPlan) -> dict[str, str]:
-    """The units of varied numbers and columns, as far as they have one that is known.
+    """Return the known units of varied numbers and columns.
 
     Examples
     --------
@@ -31,32 +31,32 @@ def units_of(plan: SweepPlan) -> dict[str, str]:
     """
     subject = plan.subject
     case = subject if isinstance(subject, Transmission) else subject.base_case
-    found = {one.name: _of_varied(one, case) for one in plan.variants.targets}
+    units_by_name = {varied.name: _of_varied(varied, case) for varied in plan.variants.targets}
     each = (part.expression.node for part in plan.columns.parts for _ in part.cells)
     units = (_of_node(node, subject) for node in each)
-    found |= zip(plan.headings, units, strict=True)
-    return {name: unit for name, unit in found.items() if unit}
+    units_by_name |= zip(plan.headings, units, strict=True)
+    return {name: unit for name, unit in units_by_name.items() if unit}
 
 
-def _of_varied(one: Varied, case: Transmission) -> str:
-    if isinstance(one, CasePath):
-        if one.unit or one.measure is None:
-            return one.unit
-        return "W" if one.measure == "power" else UNIT_OF[one.measure]
-    if not isinstance(one, Target):
-        return getattr(one, "unit", "")
-    quantity = one.quantity
+def _of_varied(varied: Varied, case: Transmission) -> str:
+    if isinstance(varied, CasePath):
+        if varied.unit or varied.measure is None:
+            return varied.unit
+        return "W" if varied.measure == "power" else UNIT_OF[varied.measure]
+    if not isinstance(varied, Target):
+        return getattr(varied, "unit", "")
+    quantity = varied.quantity
     if quantity == "inertia":
-        return UNIT_OF["mass" if one.owner + 1 in case.masses else quantity]
+        return UNIT_OF["mass" if varied.owner + 1 in case.masses else quantity]
     if quantity not in ("stiffness", "compliance", "damping"):
         return ""
-    spring = one.owner - case.among_devices.stop
+    spring = varied.owner - case.among_devices.stop
     is_straight = spring >= 0 and case.is_straight(case.springs[spring])
     return UNIT_OF[STRAIGHT[quantity] if is_straight else quantity]
 
 
 def _of_node(node: Node, subject: Subject) -> str:
-    """The unit of a table, or of what is left of it; nothing where that takes more thought."""
+    """Return the unit of an expression, or "" unless the expression is part of a table."""
     if isinstance(node, Selection):
         if not isinstance(subject, Transmission):
             return subject.unit_of(node.table)
@@ -65,6 +65,6 @@ def _of_node(node: Node, subject: Subject) -> str:
         quantity = BY_NAME.get(node.table)
         return UNITS[quantity.unit].text if quantity and quantity.unit else ""
     if isinstance(node, Applied) and node.name in KEEPING:
-        units = {_of_node(one, subject) for one in node.operands}
+        units = {_of_node(operand, subject) for operand in node.operands}
         return units.pop() if len(units) == 1 else ""
     return ""

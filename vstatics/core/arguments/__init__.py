@@ -1,9 +1,8 @@
-"""What public functions are given: what they do not take is refused before anything is done.
+"""Checks of the arguments of public functions, before anything is calculated.
 
-What a function takes is told once, by the types of its arguments; `refusing` holds it to them, in
-one wording (`decorators`, `types`, `words`). Which numbers and names are right is the function's
-own matter. By `naming` its problems speak of arguments where those of the command line speak of
-options.
+The types of the arguments declare what a function accepts; `refusing` enforces them with uniform
+messages (`decorators`, `types`, `words`). Functions check numbers and names themselves. `naming`
+replaces the options in problems by the arguments of Python.
 """
 
 from vstatics.core.arguments.decorators import naming, refuse_fields, refusing

@@ -1,4 +1,4 @@
-"""Decorators of public functions: types of arguments are refused, problems name arguments."""
+"""Decorators of public functions, which check types and name arguments in problems."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Given = TypeVar("Given")
 
 
 def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Asked, Given]]:
-    """A decorator of public functions, by which they refuse arguments of other types.
+    """Return a decorator that refuses arguments of the wrong type.
 
     Parameters
     ----------
     **classes : str
-        The modules of names of types that the function's own module has not when it runs.
+        Name of a type -> module, for types that the module of the function does not import.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
     Traceback (most recent call last):
     TypeError: twice: `times` is float 0.5, expected a whole number
 
-    A text that is none of those that may be chosen is a ValueError.
+    A text that is not an allowed choice raises ValueError.
     """
 
     def decorated(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
@@ -71,12 +71,12 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
 
 
 def refuse_fields(what: str, fields: object, types: Mapping[str, object], **classes: str) -> None:
-    """Refuse the fields of a dataclass that are of other types than it declares.
+    """Refuse fields of a dataclass whose type differs from the declared type.
 
     Parameters
     ----------
     types : mapping
-        Types of some fields, instead of the declared ones.
+        Types of some fields, instead of the declared types.
 
     Raises
     ------
@@ -89,7 +89,7 @@ def refuse_fields(what: str, fields: object, types: Mapping[str, object], **clas
 
 
 def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
-    """A decorator of functions that are a command, too: problems name arguments, not options.
+    """Decorate a function so that problems name arguments instead of options.
 
     Examples
     --------
@@ -104,31 +104,33 @@ def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
 
     def named(option: re.Match[str]) -> str:
         name = option[1].replace("-", "_")
-        found = [one for one in names if one in {name, f"{name}s"}]
-        return f"`{found[0]}`" if found else option[0]
+        matches = [argument for argument in names if argument in {name, f"{name}s"}]
+        return f"`{matches[0]}`" if matches else option[0]
 
     @wraps(function)
-    def told(*args: Asked.args, **kwargs: Asked.kwargs) -> Given:
+    def checked(*args: Asked.args, **kwargs: Asked.kwargs) -> Given:
         try:
             return function(*args, **kwargs)
         except CaseError as error:
             raise type(error)(
-                one._replace(
-                    message=_OPTION.sub(named, one.message),
-                    place=one.place
-                    and one.place._replace(file=_OPTION.sub(named, one.place.file).strip("`")),
+                problem._replace(
+                    message=_OPTION.sub(named, problem.message),
+                    place=problem.place
+                    and problem.place._replace(
+                        file=_OPTION.sub(named, problem.place.file).strip("`")
+                    ),
                 )
-                for one in error.problems
+                for problem in error.problems
             ) from None
 
-    return told
+    return checked
 
 
 _OPTION = re.compile(r"(?<!\S)--([a-z][a-z-]*[a-z]|[a-z])\b")
 
 
 def _arguments(function: Callable[..., Any]) -> tuple[Sequence[str], bool]:
-    """The names of a function's arguments, and whether it takes any besides."""
+    """Return the names of the arguments, and whether further ones are accepted."""
     code = inspect.unwrap(function).__code__
     names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     return names, bool(code.co_flags & inspect.CO_VARKEYWORDS)

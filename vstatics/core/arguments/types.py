@@ -1,4 +1,4 @@
-"""Whether something is of the type that a function declares for it."""
+"""Comparison of values with the types that a function declares."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from types import NoneType, UnionType
 from typing import Any, Literal
 
 MOST = 1000
-"""Of so many parts of a sequence or mapping the types are looked at."""
+"""Number of items of a sequence or mapping whose types are checked."""
 
 
 class _AnnotationNames(dict[str, Any]):
-    """Names as annotations mean them; those that nobody knows now stand for anything."""
+    """Names as annotations use them; unknown names stand for any type."""
 
     def __init__(self, module: Mapping[str, Any], classes: Mapping[str, str]) -> None:
         super().__init__()
@@ -39,18 +39,20 @@ class _AnnotationNames(dict[str, Any]):
 
 
 def hints(function: Any, classes: Mapping[str, str]) -> dict[str, Any]:
-    """The types of a function's arguments, or of a class's fields, resolved when it is called."""
-    own = (
+    """Return the types of arguments of a function, or of fields of a class."""
+    names_of_module = (
         vars(sys.modules[function.__module__])
         if isinstance(function, type)
         else inspect.unwrap(function).__globals__
     )
-    found = typing.get_type_hints(function, own, _AnnotationNames(own, classes))
-    return {name: hint for name, hint in found.items() if name != "return"}
+    resolved = typing.get_type_hints(
+        function, names_of_module, _AnnotationNames(names_of_module, classes)
+    )
+    return {name: hint for name, hint in resolved.items() if name != "return"}
 
 
 def fits(given: object, hint: Any) -> bool:
-    """Whether something is of a type, as far as that can be seen without using it up.
+    """Return whether a value has a type, as far as visible without consuming the value.
 
     >>> fits([1, "R"], Sequence[int | str] | None), fits("12", Sequence[int | str])
     (True, False)
@@ -58,7 +60,7 @@ def fits(given: object, hint: Any) -> bool:
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     kind = origin or hint
     if kind in (typing.Union, UnionType):
-        fit = any(fits(given, one) for one in parts)
+        fit = any(fits(given, part) for part in parts)
     elif kind is Literal:
         fit = isinstance(given, Hashable) and given in parts
     elif kind in _BASIC:
@@ -68,7 +70,7 @@ def fits(given: object, hint: Any) -> bool:
     elif kind.__module__ == "numpy":
         fit = _is_row(given) or _is_number(given) or hasattr(given, "__array__")
     elif issubclass(kind, Mapping):
-        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # as a table of pandas has
+        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # a table of pandas has keys, too
     elif is_of_rows(kind):
         fit = _is_row(given) and _each_fits(given, parts)
     else:
@@ -77,12 +79,12 @@ def fits(given: object, hint: Any) -> bool:
 
 
 def is_of_rows(kind: type) -> bool:
-    """Whether a type is a sequence of whatever class, such as `Iterable`."""
+    """Return whether a type is a sequence of any class, such as `Iterable`."""
     return kind.__module__ in {"collections.abc", "builtins"} and issubclass(kind, Iterable)
 
 
 def _is_row(given: object) -> bool:
-    """Whether it is a row of things; a text is none, although it has letters."""
+    """Return whether a value is a sequence and not a text."""
     return (
         isinstance(given, Iterable)
         and not isinstance(given, str | bytes | bytearray | Mapping)
@@ -92,10 +94,10 @@ def _is_row(given: object) -> bool:
 
 def _each_fits(given: Any, parts: Sequence[Any]) -> bool:
     if not parts or not isinstance(given, Sequence):
-        return True  # an iterator would be used up, an array is of numbers
+        return True  # an iterator would be consumed, an array contains numbers
     if parts[-1] is not Ellipsis and len(parts) > 1:
         return len(given) == len(parts) and all(map(fits, given, parts))
-    return all(fits(one, parts[0]) for one in islice(given, MOST))
+    return all(fits(item, parts[0]) for item in islice(given, MOST))
 
 
 def _parts_fit(given: Any, parts: Sequence[Any]) -> bool:
@@ -105,7 +107,6 @@ def _parts_fit(given: Any, parts: Sequence[Any]) -> bool:
 
 
 def _is_number(given: object) -> bool:
-    """Of Python or of NumPy: one that is no text."""
     return hasattr(given, "__float__") and getattr(given, "ndim", 0) == 0
 
 

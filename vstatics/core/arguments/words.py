@@ -1,4 +1,4 @@
-"""What a function expects of an argument, in words, and what it was given."""
+"""Words for the expected type of an argument and for the given value."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MAKERS = {
     "TorsionScheme": "vstatics.torsion.gear_scheme(case, gear) gives one",
     "Gear": "such as case.gears[0]",
 }
-"""How one comes by an object of these classes."""
+"""Class -> advice on how to obtain an object."""
 _WORDS = {
     float: "a number",
     int: "a whole number",
@@ -34,42 +34,41 @@ _WORDS = {
 
 
 def is_no_choice(given: object, hint: Any) -> bool:
-    """Whether it is a text, but none of those that may be chosen."""
+    """Return whether a value is a text where only certain texts are allowed."""
     return isinstance(given, str) and bool(_choices(hint))
 
 
 def _choices(hint: Any) -> list[str]:
-    """The words that may be given, if some are told."""
+    """Return the allowed texts, if the type lists any."""
     if typing.get_origin(hint) is Literal:
-        return [str(one) for one in typing.get_args(hint)]
-    return [word for one in typing.get_args(hint) for word in _choices(one)]
+        return [str(choice) for choice in typing.get_args(hint)]
+    return [word for part in typing.get_args(hint) for word in _choices(part)]
 
 
 def expected(given: object, hint: Any) -> str:
-    """What is expected, and how one comes by it."""
+    """Return the words for the expected type, with advice."""
     if isinstance(given, str) and (choices := _choices(hint)):
         return f"expected {_words(hint)}{nearest(given, choices)}"
     if isinstance(given, os.PathLike) and fits("", hint):
         return f"expected {_words(hint)}; vstatics.load reads a file"
-    for one in (hint, *typing.get_args(hint)):
-        maker = MAKERS.get(getattr(one, "__name__", ""), "")
+    for kind in (hint, *typing.get_args(hint)):
+        maker = MAKERS.get(getattr(kind, "__name__", ""), "")
         if maker:
-            has_one = isinstance(one, type) and isinstance(getattr(given, "case", None), one)
+            has_one = isinstance(kind, type) and isinstance(getattr(given, "case", None), kind)
             return f"expected {_words(hint)}; {'its `case` is one' if has_one else maker}"
     return f"expected {_words(hint)}"
 
 
 def _words(hint: Any) -> str:
-    """A type as one says it."""
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     kind = origin or hint
     if kind in (typing.Union, UnionType):
-        said = dict.fromkeys(_words(one) for one in parts if one is not NoneType)
-        if "a path" in said:
-            said.pop("a text", None)  # a path that is written
-        words = spoken(said, "or")
+        alternatives = dict.fromkeys(_words(part) for part in parts if part is not NoneType)
+        if "a path" in alternatives:
+            alternatives.pop("a text", None)  # a text is a written path
+        words = spoken(alternatives, "or")
     elif kind is Literal:
-        words = spoken([repr(one) for one in parts], "or")
+        words = spoken([repr(choice) for choice in parts], "or")
     elif kind in _WORDS:
         words = _WORDS[kind]
     elif kind.__module__ == "numpy":
@@ -87,7 +86,7 @@ def _words(hint: Any) -> str:
 
 
 def type_and_value(given: object) -> str:
-    """What was given to a function, for a TypeError.
+    """Return type and value of an argument for a TypeError.
 
     >>> type_and_value("box.yaml")
     "str 'box.yaml'"

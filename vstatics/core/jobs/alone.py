@@ -1,7 +1,7 @@
-"""What workers of every kind give, and the simplest of them: this process itself.
+"""Interface of workers of every kind, and the simplest kind: the process itself.
 
-All of them give `each(function, items)`: `function(state, item)` for every item, with a
-state that every worker got once. However many items there are, only a few are under way.
+All workers provide `each(function, items)`, which calls `function(state, item)` for every item,
+with a state that each worker receives once. Only a few items are in progress at any time.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 Describe = Callable[[Any], str]
 Work = Callable[[Any, Item], Result]
-"""What is done with a state and an item."""
+"""Function of a state and an item."""
 
 
 class Workers(ABC):
-    """They take the items, as long as the context lasts.
+    """Workers that process items as long as the context lasts.
 
     Parameters
     ----------
     state : object
-        What each of them gets once.
+        State that each worker receives once.
     describe : callable
-        Names an item in words, for errors.
+        Function that names an item in words, for errors.
     """
 
     remote = False
-    """Whether they may be on other machines, so that they see no files of this one."""
+    """True if workers can be on other machines, which do not see local files."""
 
     def __init__(self, state: object, describe: Describe) -> None:
         self.state = state
@@ -40,46 +40,46 @@ class Workers(ABC):
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *error: object) -> None:  # noqa: B027 (there may be nobody to end)
-        """End; at once if there was an error."""
+    def __exit__(self, *error: object) -> None:  # noqa: B027 (not every kind has workers to end)
+        """End the workers, at once after an error."""
 
     @abstractmethod
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """Give each item with its result, in order if that is asked for.
+        """Yield each item with the result, in order on request.
 
         Raises
         ------
         CaseError
-            If an item cannot be done; it names the item.
+            If an item fails; the message names the item.
         OSError
-            As the function raised it.
+            If the function raises an OSError.
         """
 
 
 class Rules(NamedTuple):
-    """What processes do with items that are not all alike, and where one of them dies."""
+    """Treatment of special items by processes, and of a process that dies."""
 
     ahead: int = 2
-    """So many results for each process may wait for one that takes long."""
+    """Number of results per process that can wait for a slow item."""
     tries: int = 3
-    """An item at which so many processes died is given up."""
+    """Number of dead processes after which an item is given up."""
     lost: Callable[[Any], Any] | None = None
-    """The result of an item that is given up; without it that is an error."""
+    """Function that returns the result of an item given up; by default an error is raised."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
-    """Whether only this process can do an item."""
+    """Function that returns whether only the main process can process an item."""
 
 
 def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:
-    """The result of an item.
+    """Return the result of an item.
 
     Raises
     ------
     CaseError
-        Of the function, or in place of any other exception; then it names the item.
+        If the function raises a CaseError, or any other exception; the message names the item.
     OSError
-        As the function raised it.
+        If the function raises an OSError.
     """
     try:
         return function(state, item)
@@ -90,13 +90,13 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
-    """The program has a fault, which an item shows."""
-    told = f"an error of vstatics, please report it: {type(error).__name__}: {error}"
-    return CaseError("E002", f"{describe(item)}: {told}")
+    """Return the error of a fault in the program that occurred at an item."""
+    message = f"an error of vstatics, please report it: {type(error).__name__}: {error}"
+    return CaseError("E002", f"{describe(item)}: {message}")
 
 
 class Alone(Workers):
-    """The process itself does everything."""
+    """Workers that consist of the process itself."""
 
     def each(
         self,
@@ -105,6 +105,6 @@ class Alone(Workers):
         *,
         ordered: bool = False,  # noqa: ARG002
     ) -> Iterator[tuple[Item, Result]]:
-        """See `Workers`."""
+        """Process the items in sequence; see `Workers`."""
         for item in items:
             yield item, call(function, self.state, item, self.describe)

@@ -1,4 +1,4 @@
-"""A Dask cluster does the work: machines that run `dask worker`, with this package installed."""
+"""Workers of a Dask cluster: machines that run `dask worker`, with this package installed."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 SCHEDULER_SECONDS = 10
-"""Seconds to wait for a scheduler, and then for a first worker."""
+"""Longest wait for a scheduler, and then for a first worker [s]."""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
-"""How Dask tells that the scheduler went away, or all workers that had the state."""
+"""Names of Dask's errors after the loss of the scheduler or of all workers with the state."""
 
 
 class Cluster(Workers):
@@ -27,7 +27,6 @@ class Cluster(Workers):
     remote = True
 
     def __init__(self, state: object, describe: Describe, address: str) -> None:
-        """Nothing is connected before the context is entered."""
         super().__init__(state, describe)
         self.address = address
         self._client: Any = None
@@ -39,12 +38,12 @@ class Cluster(Workers):
         Raises
         ------
         ReadError
-            If there is no scheduler, or no worker that can do it.
+            If no scheduler answers, or no worker has this build of the package.
         """
         distributed = import_module("distributed")  # costs start-up time, and may be missing
         _silence()
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # other versions of Python on the workers, say
+            warnings.simplefilter("ignore")  # such as other versions of Python on the workers
             try:
                 self._client = distributed.Client(
                     self.address, timeout=SCHEDULER_SECONDS, set_as_default=False
@@ -62,7 +61,7 @@ class Cluster(Workers):
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Disconnect; what is under way is dropped."""
+        """Disconnect, and drop items in progress."""
         self._close()
 
     def _close(self) -> None:
@@ -74,7 +73,7 @@ class Cluster(Workers):
         return ReadError([of_file("E028", self.address, message)])
 
     def _check_builds(self) -> None:
-        """Refuse workers without this package, or with another build of it."""
+        """Refuse workers without the package or with a different build."""
         for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
                 message = f"can't do it: {version}; install vstatics {__version__} there"
@@ -85,17 +84,20 @@ class Cluster(Workers):
             raise self._problem(f"worker {worker} {message}")
 
     def _loss(self, error: Exception) -> ReadError:
-        """Who went away: Dask may tell both losses alike, then the scheduler is asked."""
+        """Return the error of a lost scheduler or of lost workers.
+
+        Dask can report both losses alike; then the scheduler is asked for an answer.
+        """
         client = self._client
-        told = getattr(error, "reason", None) == "scheduler-connection-lost"
-        if told or client.status != "running" or not client.sync(_answers, client):
+        is_scheduler_lost = getattr(error, "reason", None) == "scheduler-connection-lost"
+        if is_scheduler_lost or client.status != "running" or not client.sync(_answers, client):
             return self._problem("the connection to the scheduler is lost")
         return self._problem("all workers are lost, or all that were there in the beginning")
 
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """See `vstatics.core.jobs.alone.Workers`; pieces of a worker that dies go to the others."""
+        """Process the items on the cluster; items of a lost worker go to other workers."""
         entries = enumerate(items)
         under_way: dict[str, tuple[int, Item]] = {}
         done: dict[int, tuple[Item, Result]] = {}
@@ -129,12 +131,14 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """The result of a future, of this build: a worker may have joined since they were asked.
+        """Return the result of a future, if calculated by the local build.
+
+        A worker with another build can join after the check of the builds.
 
         Raises
         ------
         CaseError
-            That names the item, or the worker.
+            If the item fails, or a worker has another build.
         """
         answer = self._answer(future, item)
         if isinstance(answer, _Answer) and answer.version == _version():
@@ -158,39 +162,39 @@ class Cluster(Workers):
 
 
 def _silence() -> None:
-    """What Dask logs is told in better words here, if it is to be told."""
+    """Silence the log of Dask, whose failures are reported as problems instead."""
     for name in logging.root.manager.loggerDict:
         if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
             logging.getLogger(name).setLevel(logging.CRITICAL)
 
 
 async def _answers(client: Any) -> bool:
-    """Whether the scheduler answers; that it is gone the client may not know yet."""
-    asked = asyncio.ensure_future(client.scheduler.ncores(workers=None))
+    """Return whether the scheduler answers, because a client can notice a loss late."""
+    request = asyncio.ensure_future(client.scheduler.ncores(workers=None))
     end = time.monotonic() + SCHEDULER_SECONDS
-    while client.status == "running" and not asked.done() and time.monotonic() < end:
-        await asyncio.wait([asked], timeout=0.1)
-    asked.cancel()
-    answers = await asyncio.gather(asked, return_exceptions=True)
+    while client.status == "running" and not request.done() and time.monotonic() < end:
+        await asyncio.wait([request], timeout=0.1)
+    request.cancel()
+    answers = await asyncio.gather(request, return_exceptions=True)
     return client.status == "running" and not isinstance(answers[0], BaseException)
 
 
 class _Held:
-    """Keeps Dask from looking into the state."""
+    """Wrapper that hides the content of the state from Dask."""
 
     def __init__(self, state: object) -> None:
         self.state = state
 
 
 class _Answer(NamedTuple):
-    """A result, and the build that calculated it."""
+    """Result, and the build that calculated it."""
 
     version: str
     result: Any
 
 
 def _version() -> str:
-    """The version and build of this package here, or on a worker."""
+    """Return the version and build of the local package."""
     return f"{__version__} (build {build()})"
 
 
@@ -199,7 +203,7 @@ def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
 
 
 def _reason(error: Exception) -> str:
-    """Why there is no cluster, in one line."""
+    """Return why a cluster cannot be reached, in one line."""
     if isinstance(error, ValueError):
         return f"is no address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():

@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, and streams that are written where they stand."""
+"""Files that are written completely or not at all, and streams that are written in place."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
-"""Errors of writing that one name has; any other would meet every file."""
+"""Errors of writing that concern a single name; other errors affect every file."""
 Write = Callable[[bytes | memoryview], None]
 
 
 def is_stream(output: str | None) -> bool:
-    """Whether an output is stdout, or is there and no file that could be replaced.
+    """Return whether an output is stdout, or exists and is not a replaceable file.
 
     >>> is_stream("-"), is_stream("/dev/stdout"), is_stream("gears.csv")
     (True, True, False)
@@ -32,7 +32,7 @@ def is_stream(output: str | None) -> bool:
     if output is None or output == STDOUT:
         return True
     if output.startswith("/dev/") and not output.startswith("/dev/shm/"):  # noqa: S108
-        return True  # /dev/stdout is not to be replaced, whatever it is
+        return True  # /dev/stdout must not be replaced, even if it is a file
     try:
         mode = os.stat(output).st_mode  # noqa: PTH116
     except OSError:
@@ -41,15 +41,15 @@ def is_stream(output: str | None) -> bool:
 
 
 def unwritable(output: str | None, error: OSError) -> Problem:
-    """The problem that an output, or stdout, cannot be written."""
-    told = f"can't be written: {error.strerror or error}"
+    """Return the problem of an output, or stdout, that cannot be written."""
+    message = f"can't be written: {error.strerror or error}"
     if output is None or output == STDOUT:
-        return of_file("E030", "<stdout>", told)
-    return missing_folder(output) or of_file("E030", output, told)
+        return of_file("E030", "<stdout>", message)
+    return missing_folder(output) or of_file("E030", output, message)
 
 
 def missing_folder(output: str) -> Problem | None:
-    """The problem that the directory of an output is not there, which nobody but its user makes.
+    """Return the problem of an output in a missing directory.
 
     >>> str(missing_folder("nowhere/new.csv"))
     "nowhere/new.csv: error: can't be written: there is no directory nowhere, make it [E030]"
@@ -62,18 +62,18 @@ def missing_folder(output: str) -> Problem | None:
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:
-    """Write to a stream that is there, where it stands: not at the end of a file behind it."""
-    own = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
-    if own is None:
+    """Open an existing stream for writing, at the current position of a redirected file."""
+    standard = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
+    if standard is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
     else:
-        handle = os.dup(int(own[2]) if own[2] else 1 if own[1] else 2)
+        handle = os.dup(int(standard[2]) if standard[2] else 1 if standard[1] else 2)
     return descriptor_writing(handle)
 
 
 @contextlib.contextmanager
 def descriptor_writing(handle: int) -> Iterator[Write]:
-    """Write to a file that is open, and close it."""
+    """Yield a function that writes to an open file, and close the file."""
     try:
         yield partial(write_all, handle)
     finally:
@@ -81,19 +81,19 @@ def descriptor_writing(handle: int) -> Iterator[Write]:
 
 
 def replace(path: str, data: bytes, mark: str = "") -> None:
-    """Write a file, whole or not at all.
+    """Write a file, completely or not at all.
 
     Parameters
     ----------
     path : str
     data : bytes
     mark : str, optional
-        Whose file it is, by which the rest of a killed process is removed later.
+        Mark in temporary names, by which files of a killed process are removed later.
 
     Raises
     ------
     OSError
-        If it cannot be written; then the file is as it was.
+        If the file cannot be written; an earlier file is unchanged.
     """
     with replacing(path, mark) as write:
         write(data)
@@ -103,14 +103,14 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 def replacing(
     path: str, mark: str = "", folder: int | None = None, expected: bytes | None = None
 ) -> Iterator[Write]:
-    """Write beside a file, or in an open folder, and move it into place when the block ends well.
+    """Write a temporary file and move the file into place when the block ends without error.
 
-    An old file keeps its permissions; a link stays, and its file is written.
+    An old file keeps its permissions; through a link, the target is written.
 
     Raises
     ------
     ChangedFileError
-        If the old file then has another content than is expected; it stays as it is.
+        If the old file has unexpected content, and is therefore unchanged.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
@@ -129,25 +129,24 @@ def whole_file(  # noqa: PLR0913
     target: int | None = None,
     expected: bytes | None = None,
 ) -> Iterator[Write]:
-    """Write a new file, and rename it to a path when the block ends well.
+    """Write a new file, and rename the file to a path when the block ends without error.
 
     Parameters
     ----------
     path : str
     mark : str
-        As of `replace`.
+        Mark in the temporary name; see `replace`.
     mode : int, optional
-        Its permissions; otherwise those of the umask.
+        Permissions; by default as the umask says.
     source, target : int, optional
-        Open folders: in which it is written, instead of the folder of the path, and in which
-        the path is.
+        Open folders of the temporary file and of the path.
     expected : bytes, optional
-        Content of the file that is replaced; it has no open folders.
+        Content of the file that is replaced; not together with open folders.
 
     Raises
     ------
     ChangedFileError
-        If that file has another content; it stays as it is.
+        If the replaced file has unexpected content, and is therefore unchanged.
     """
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
@@ -167,14 +166,14 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file that another process has written meanwhile."""
+    """Error for a file that was changed in the meantime by a further process."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
-    """Move a new file into the place of a file whose content is known.
+    """Move a new file into the place of a file with known content.
 
-    Where the system can, both change places in one step, and the old file is compared after it:
-    a text that somebody writes between a comparison and a renaming is not lost.
+    If the system supports it, both files change places in one step and the old file is compared
+    afterwards, so that a text written between comparison and renaming is not lost.
     """
     if not _holds(path, expected):
         raise ChangedFileError
@@ -188,7 +187,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in one step; false where the system cannot."""
+    """Exchange two files in a single step; return False if the system cannot."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None
@@ -205,7 +204,7 @@ def _holds(path: str, expected: bytes) -> bool:
 
 
 def sync(path: str) -> None:
-    """Wait until what was written to a file is on the disk, whoever wrote it."""
+    """Wait until a file is completely on the disk."""
     handle = os.open(path, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -214,7 +213,7 @@ def sync(path: str) -> None:
 
 
 def set_aside(path: str) -> str:
-    """Rename an earlier file, so that nobody takes it for a new one; its name now, if there was."""
+    """Rename an earlier file with the suffix `OLD`, and return the new name if any."""
     with contextlib.suppress(FileNotFoundError):
         if stat.S_ISREG(os.lstat(path).st_mode):
             os.replace(path, path + OLD)  # noqa: PTH105
@@ -223,14 +222,14 @@ def set_aside(path: str) -> str:
 
 
 def hash_of(case: bytes) -> str:
-    """The hash of a case as it was read."""
+    """Return the SHA-256 of a case as read."""
     from hashlib import sha256  # costs start-up time
 
     return sha256(case).hexdigest()
 
 
 def hash_of_file(name: str) -> str | None:
-    """The hash of a case; None if it is no file that stays."""
+    """Return the hash of a file, or `None` for a stream or a missing file."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123
@@ -241,39 +240,39 @@ def hash_of_file(name: str) -> str | None:
 
 
 def is_temporary(name: str) -> bool:
-    """Whether a file was not finished, by its name."""
-    return name.startswith(PREFIX) or name.endswith(".tmp")  # the earlier names
+    """Return whether the name belongs to an unfinished file."""
+    return name.startswith(PREFIX) or name.endswith(".tmp")  # the suffix of earlier versions
 
 
 def front(mark: str) -> str:
-    """Return the beginning of the names of files of a mark."""
+    """Return the beginning of the names of temporary files with a mark."""
     return f"{PREFIX}{mark}-" if mark else PREFIX
 
 
 def _new_file(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
-    """Create a file in a folder, with the permissions of the umask; its name and handle."""
+    """Create a temporary file in a folder, and return the name and the handle."""
     for number in itertools.count():
         temporary = os.path.join(folder, f"{front(mark)}{os.getpid()}-{number}")  # noqa: PTH118
         try:
             flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
             return temporary, os.open(temporary, flags, 0o666, dir_fd=opened)
-        except FileExistsError:  # left by a process that was killed
+        except FileExistsError:  # left by a killed process
             continue
         except OSError as error:
-            error.filename = folder or os.curdir  # not our own file
+            error.filename = folder or os.curdir  # name the folder, not the temporary file
             raise
     raise AssertionError
 
 
 def write_all(handle: int, data: bytes | memoryview) -> None:
-    """Write all of it: one call takes 2 GB at most, and less where a disk gets full."""
-    left = memoryview(data)
-    while left:
-        left = left[os.write(handle, left) :]
+    """Write all data, although a single call writes at most 2 GB, and less on a full disk."""
+    remaining = memoryview(data)
+    while remaining:
+        remaining = remaining[os.write(handle, remaining) :]
 
 
 def _mode(path: str) -> int | None:
-    """Type and permissions of a file, if it is there; it is no directory."""
+    """Return type and permissions of a file, or `None` if missing; refuse a directory."""
     try:
         mode = os.stat(path).st_mode  # noqa: PTH116
     except FileNotFoundError:

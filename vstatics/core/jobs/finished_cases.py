@@ -1,11 +1,11 @@
-"""Results in a directory that a resumed run trusts.
+"""Results in a directory, which a resumed run reuses.
 
-A run into a directory leaves a hidden file for each format there: what the results depend
-on (options and the build of this package), then a line for each result as it is finished.
-The line holds the hash of the case that was read and of the files that it names, a number for
-all that the run depends on, the state of the result, and whether the case failed (a gear is tied
-up). A result counts as done if its line says so: of this case, this run, and not written by
-anybody since. Each line begins with its own hash; a line that is damaged does not count.
+A run into a directory leaves a hidden file for each format: the options and the build of this
+package, then a line for each result as soon as it is finished. The line contains the hashes of
+the case that was read and of the files that it names, a number for everything on which the run
+depends, the state of the result, and whether the case failed (a gear is tied up). A result counts
+as done if its line agrees with this case and this run, and the file has not been changed since.
+Each line begins with its own hash, and damaged lines are ignored.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 Description = dict[str, Any]
-"""Everything that finished work depends on, besides what is read."""
+"""Everything on which finished work depends, except the inputs."""
 LOCKED = ".lock"
 _SEAL = 16
-"""Digits of the hash of a line: 64 bits."""
+"""Number of digits of the hash of a line: 64 bits."""
 NO_RUN = "there is no run to go on with"
 OTHER_BUILD = "what is there is of another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
-    """Name the keys in which finished work, as JSON has it, is not what is wanted.
+    """Return the keys whose values differ between finished and new work.
 
     >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
     []
@@ -44,7 +44,7 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
 
 
 def sealed(text: bytes) -> bytes:
-    r"""Return a line of a state: its hash, by which damage is noticed later, and a text.
+    r"""Return a line of a state: a hash that reveals damage, and a text.
 
     >>> unsealed(sealed(b"[1, 2]").rstrip(b"\n")), unsealed(b"[1, 3]")
     (b'[1, 2]', None)
@@ -53,13 +53,13 @@ def sealed(text: bytes) -> bytes:
 
 
 def unsealed(line: bytes) -> bytes | None:
-    """Return the text of a line of a state, without its end; None if it is damaged."""
+    """Return the text of a line of a state without its end, or `None` if damaged."""
     text = line[_SEAL + 1 :]
     return text if sealed(text) == line + b"\n" else None
 
 
 def described(options: Description) -> bytes:
-    """A line that tells of what run something is: its options, and the build of this package."""
+    """Return the line that identifies a run: the options and the build of the package."""
     return json.dumps({"build": build(), **options}).encode()
 
 
@@ -69,23 +69,22 @@ def why_not_taken(
     path: str,
     anew: str = "calculate all cases again without --resume",
 ) -> str:
-    """Why finished work can't be taken up, by the line that tells of what run it is; "" if it can.
+    """Return why finished work cannot be reused, or "" if possible.
 
     Parameters
     ----------
     first : bytes
-        That line.
+        First line of the finished work, which identifies the run.
     options : dict
     path : str
-        Where it stands.
+        File of the line.
     anew : str
-        What to do for another run, in words.
+        Advice for a new run, in words.
 
     Raises
     ------
     ReadError
-        If that run had other options, so that its results would not go together
-        with those to come.
+        If the earlier run had other options, so that results would not belong together.
     """
     try:
         known = dict(json.loads(first))
@@ -106,23 +105,22 @@ def why_not_taken(
 
 
 class _Entry(NamedTuple):
-    """A line: what is known of a result."""
+    """Line about a result."""
 
     case: str
-    """The hash of its case."""
-    beside: dict[str, str | None]
-    """The hashes of the files that the case names."""
+    """Hash of the case."""
+    named_files: dict[str, str | None]
+    """Hashes of the files that the case names."""
     run: str
-    """A number for all that its run depended on."""
+    """Identification of the options and the build of the run."""
     state: list[int]
-    """Its size, and when it was written [ns]."""
+    """Size of the result, and time of writing [ns]."""
 
 
 class FinishedCases:
-    """The results of a run in a directory, which one process at a time writes."""
+    """Results of a run in a directory, which one process at a time writes."""
 
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
-        """Name the file; nothing is touched yet."""
         self.folder = folder
         self.mark = suffix[1:]
         self.name = f".vstatics-run-{self.mark}"
@@ -134,11 +132,10 @@ class FinishedCases:
         self._lock: int | None = None
 
     def __enter__(self) -> Self:
-        """Nothing is touched yet."""
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Let go of the directory, without what a worker was writing when it was ended."""
+        """Release the directory, and remove unfinished files of ended workers."""
         if self._lock is not None:
             self._files.forget(self.mark)
             self._files.remove(self.name + LOCKED)
@@ -149,11 +146,11 @@ class FinishedCases:
         return os.path.isdir(self.folder) and self.name in self._files.names()  # noqa: PTH112
 
     def lock(self) -> None:
-        """Take the results of this format for this process; see `vstatics.core.jobs.lock.lock`."""
+        """Lock the results of a format; see `vstatics.core.jobs.lock.lock`."""
         self._files.check(self.name, self.name + LOCKED)
         self._lock = lock(self._files, self.name + LOCKED, "run")
         if self._lock is not None:
-            self._files.forget(self.mark)  # of a run that was killed
+            self._files.forget(self.mark)  # unfinished files of a killed run
 
     def begin(self) -> None:
         """Begin a run.
@@ -161,30 +158,29 @@ class FinishedCases:
         Raises
         ------
         OSError
-            If that cannot be written.
+            If the record cannot be written.
         """
         self._files.replace(self.name, described(self.options) + b"\n")
 
     def resume(self) -> str:
-        """Take up the run that is there; why every case is calculated, if there is none.
+        """Resume the run; return why every case is calculated again, if so.
 
         Raises
         ------
         ReadError
-            If that run had other options, so that its results would not go together
-            with those to come.
+            If the earlier run had other options, so that results would not belong together.
         """
         try:
             with self._files.reading(self.name) as file:
                 first, *lines = file.read().split(b"\n")
         except FileNotFoundError:
             return NO_RUN
-        without = why_not_taken(first, self.options, self.path)
-        if without:
-            return without
+        why_not = why_not_taken(first, self.options, self.path)
+        if why_not:
+            return why_not
         for line in lines:
             self._take(line)
-        if lines[-1:] != [b""]:  # a disk was full: the next line is not to be added to this one
+        if lines[-1:] != [b""]:  # a full disk has cut the last line
             self._append(b"\n")
         return ""
 
@@ -193,21 +189,21 @@ class FinishedCases:
             write(data)
 
     def _take(self, line: bytes) -> None:
-        """Take up an entry, unless its line was cut or damaged."""
+        """Load an entry, unless the line is cut or damaged."""
         text = unsealed(line)
         if text is None:
             return
-        name, case, beside, run, state, failed = json.loads(text)
+        name, case, named_files, run, state, failed = json.loads(text)
         self._done.pop(name, None)
         if not failed:
-            self._done[name] = _Entry(case, dict(beside), run, state)
+            self._done[name] = _Entry(case, dict(named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
-        """Whether there is a result of this run, and of the case as it is now."""
+        """Return whether a result of the run and the present case exists."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
-        hashes = {file: entry.case, **entry.beside}
+        hashes = {file: entry.case, **entry.named_files}
         return all(hash_of_file(name) == known for name, known in hashes.items())
 
     def put(
@@ -215,34 +211,33 @@ class FinishedCases:
         target: str,
         result: Sequence[bytes],
         case: bytes,
-        beside: Iterable[str],
+        named_files: Iterable[str],
         *,
         failed: bool,
     ) -> None:
-        """Write a result, and note of what case as it was read, and files beside it, it is.
+        """Write a result, and record the case as read and all files named in the case.
 
         Parameters
         ----------
         result : sequence of bytes
-            Its pages; a text has one.
+            Pages of the result; a text has one.
 
         Raises
         ------
         ReadError
-            If a page would overwrite a file of others.
+            If a page would overwrite a file of another origin.
         OSError
-            If that is not possible.
+            If the result cannot be written.
         """
         from vstatics.core.jobs.page_files import replace_pages  # few runs write pages
 
         replace_pages(target, result, self.mark)
-        name, others = os.path.basename(target), {one: hash_of_file(one) for one in beside}  # noqa: PTH119
-        entry = [name, hash_of(case), others, self._run, _state(target), failed]
+        name, hashes = os.path.basename(target), {file: hash_of_file(file) for file in named_files}  # noqa: PTH119
+        entry = [name, hash_of(case), hashes, self._run, _state(target), failed]
         self._append(sealed(json.dumps(entry).encode()))
 
 
 def _state(target: str) -> list[int] | None:
-    """The size of a result, and when it was written [ns]; None if it is not there."""
     try:
         status = os.lstat(target)
     except OSError:

@@ -1,11 +1,10 @@
-"""Parts of one output of many cases that a resumed run trusts.
+"""Parts of a single output of many cases, which a resumed run reuses.
 
-While a run writes one file, a directory beside it holds the parts of cases that are finished: a
-line for what they depend on (options and the build of this package), then for each part a line,
-with the hashes of the case that was read, of the files that it names and of the part, and the part
-itself. Each of these lines begins with its own hash, and whatever is damaged does not count. The
-directory goes when the output is there, if no case failed: else the others need not be calculated
-again.
+While a run writes a file, a directory next to it contains the parts of finished cases: a line for
+the options and the build of this package, then for each part a line with the hashes of the case,
+of the files that it names and of the part, and the part itself. Each of these lines begins with
+its own hash, and damaged lines are ignored. The directory is removed with the output complete,
+unless a case failed: then only failed cases are calculated again.
 """
 
 from __future__ import annotations
@@ -31,30 +30,30 @@ from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 PARTS, OVER = "parts", "over"
-"""The parts; a file that is there where their run was not stopped."""
+"""Name of the file of parts, and of a file that marks a run that was not stopped."""
 ANEW = "remove the directory to begin anew"
 
 
 class CaseMark(NamedTuple):
-    """Of which case a part is."""
+    """Hashes that identify the case of a part."""
 
     case: str
-    """Its hash."""
-    beside: dict[str, str | None]
-    """Hashes of the files that it names."""
+    """Hash of the case."""
+    named_files: dict[str, str | None]
+    """Hashes of the files that the case names."""
 
 
-def case_mark(data: bytes, beside: Iterable[str]) -> CaseMark:
-    """The mark of a case as it was read, and of files beside it.
+def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
+    """Return the mark of a case as read, and of further files named in the case.
 
-    >>> case_mark(b"links: 2", ["nowhere.csv"]).beside
+    >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
     {'nowhere.csv': None}
     """
-    return CaseMark(hash_of(data), {one: hash_of_file(one) for one in beside})
+    return CaseMark(hash_of(data), {file: hash_of_file(file) for file in named_files})
 
 
 class _Stretch(NamedTuple):
-    """Place of a part in the file of parts."""
+    """Position of a part in the file of parts."""
 
     mark: CaseMark
     start: int
@@ -62,14 +61,14 @@ class _Stretch(NamedTuple):
 
 
 class FinishedParts:
-    """The parts of one output, which one process writes.
+    """Parts of an output of a single process.
 
     Parameters
     ----------
     output : str
-        The file that will be there in the end.
+        Final file.
     options : dict
-        What the parts depend on, besides the cases.
+        Options on which the parts depend, in addition to the cases.
     """
 
     def __init__(self, output: str, options: Description) -> None:
@@ -79,21 +78,20 @@ class FinishedParts:
         self.path = self.folder.file(PARTS)
         self.options = options
         self.stays = False
-        """Whether parts stay after a run that came to its end."""
+        """True if parts stay after a completed run."""
         self._parts: dict[str, _Stretch] = {}
-        """Of the run that is taken up."""
+        """Parts of the resumed run."""
         self._added = False
         self._lock: int | None = None
         self._file: int | None = None
 
     def __enter__(self) -> Self:
-        """Nothing is touched yet."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Let go of the parts; they stay after an error, or where that is wanted."""
+        """Release the parts, which stay after an error or on request."""
         if self._file is not None:
-            with contextlib.suppress(OSError):  # a part that is not there is calculated again
+            with contextlib.suppress(OSError):  # a missing part is calculated again
                 os.close(self._file)
             self._leave(is_over=error[0] is None)
         elif self._lock is not None:
@@ -101,7 +99,7 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove the parts, or leave them with a mark if their run came to its end."""
+        """Remove the parts, or keep all with a mark if the run was completed."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -111,13 +109,12 @@ class FinishedParts:
         self._remove()
 
     def _remove(self) -> None:
-        """Remove the directory, unless it holds parts."""
         self.folder.remove(LOCK)
         self.folder.drop()
 
     @property
     def count(self) -> int:
-        """Number of parts of the run that is taken up."""
+        """Number of parts of the resumed run."""
         return len(self._parts)
 
     def exists(self) -> bool:
@@ -125,36 +122,36 @@ class FinishedParts:
         return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
-        """Begin, or take up what is there; why nothing is taken up, where that was asked for.
+        """Begin, or resume an earlier run; return why resuming is impossible, if so.
 
         Raises
         ------
         ReadError
-            If what is there had other options, another process writes it, or it was stopped and
-            nobody asked to take it up.
+            If an earlier run had other options, is still active, or was stopped and `resume` is
+            not set.
         OSError
-            If nothing can be written.
+            If the directory cannot be written to.
         """
         self.folder.make()
         self.folder.check()
         self._lock = lock(self.folder, LOCK, "run")
         if self._lock is not None:
-            self.folder.forget()  # the output itself, of a run that was killed
+            self.folder.forget()  # the unfinished output of a killed run
         if not (resume or OVER in self.folder.names()):
             self._refuse()
-        without = self._take() if resume else NO_RUN
+        why_not = self._take() if resume else NO_RUN
         self.folder.remove(OVER)
         first = described(self.options) + b"\n"
-        if without:
+        if why_not:
             self.folder.replace(PARTS, first)
         self._file = self.folder.open(PARTS, os.O_RDWR)
         end = max([len(first), *(part.start + part.size for part in self._parts.values())])
-        os.ftruncate(self._file, end)  # what a run that was killed has cut
+        os.ftruncate(self._file, end)  # remove a part that a killed run has cut
         os.lseek(self._file, end, os.SEEK_SET)
-        return without if resume else ""
+        return why_not if resume else ""
 
     def _refuse(self) -> None:
-        """Keep the parts of a run that was stopped."""
+        """Refuse to overwrite the parts of a stopped run."""
         count = 0
         with contextlib.suppress(FileNotFoundError), self.folder.reading(PARTS) as file:
             file.readline()
@@ -165,32 +162,32 @@ class FinishedParts:
             raise ReadError([of_file("E033", self.directory, message)])
 
     def _take(self) -> str:
-        """Learn which parts are there; why they can't be taken up."""
+        """Load the existing parts; return why resuming is impossible, if so."""
         try:
             with self.folder.reading(PARTS) as file:
-                without = why_not_taken(file.readline(), self.options, self.path, ANEW)
-                if not without:
+                why_not = why_not_taken(file.readline(), self.options, self.path, ANEW)
+                if not why_not:
                     self._parts.update(_whole_parts(file))
         except FileNotFoundError:
             return NO_RUN
-        return without
+        return why_not
 
     def is_done(self, file: str) -> bool:
-        """Whether there is the part of a case as it is now."""
+        """Return whether a part of the present version of a case exists."""
         part = self._parts.get(file)
         if part is None:
             return False
-        hashes = {file: part.mark.case, **part.mark.beside}
+        hashes = {file: part.mark.case, **part.mark.named_files}
         return all(hash_of_file(name) == known for name, known in hashes.items())
 
     def part(self, file: str) -> bytes:
-        """The part of a case."""
+        """Return the part of a case."""
         assert self._file is not None  # noqa: S101 - it was opened
         stretch = self._parts[file]
         return os.pread(self._file, stretch.size, stretch.start)
 
     def put(self, file: str, mark: CaseMark, part: bytes) -> None:
-        """Keep the part of a case.
+        """Store the part of a case.
 
         Raises
         ------
@@ -198,7 +195,7 @@ class FinishedParts:
             If that is not possible.
         """
         assert self._file is not None  # noqa: S101 - it was opened
-        entry = [file, mark.case, mark.beside, len(part), hash_of(part)]
+        entry = [file, mark.case, mark.named_files, len(part), hash_of(part)]
         write_all(self._file, sealed(json.dumps(entry).encode()) + part)
         self._added = True  # what is new is in memory no longer than it takes to write it
 
@@ -209,7 +206,7 @@ def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
     A line that is cut or damaged ends them: nobody knows where the next one begins.
     """
     while (text := unsealed(file.readline()[:-1])) is not None:
-        name, case, beside, length, known = json.loads(text)
+        name, case, named_files, length, known = json.loads(text)
         start = file.tell()
         if hash_of(file.read(length)) == known:
-            yield name, _Stretch(CaseMark(case, beside), start, length)
+            yield name, _Stretch(CaseMark(case, named_files), start, length)

@@ -1,8 +1,8 @@
-"""Finished pieces of work that takes long, a sweep say, which a resumed one trusts.
+"""Finished pieces of long work such as a sweep, which a resumed run reuses.
 
-While a sweep into `out.csv` runs there is a directory `out.csv.parts`. It holds a file for
-each finished piece, a description of the sweep, and a lock. What other work is called, and
-whether its output is a directory too, it says itself.
+While a sweep into `out.csv` runs, the directory `out.csv.parts` contains a file for each finished
+piece, a description of the sweep, and a lock. Other kinds of work supply their own name, and
+whether the output is a directory.
 """
 
 from __future__ import annotations
@@ -23,42 +23,40 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 CASE = "the case, a file that it names, or an option"
-"""What is changed where nothing else is told of."""
+"""Words for a change that cannot be named more precisely."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
-"""What another build may have otherwise for the same work."""
+"""Keys of a description that can differ between builds for equal work."""
 
 
 class FinishedPieces:
-    """The directory of finished pieces of one sweep, say, held by one process.
+    """Directory of the finished pieces of a sweep or other work of a single process.
 
     Parameters
     ----------
     output : str
-        The file, or directory, that will be there in the end.
+        Final file or directory.
     what : str
-        What the work is called.
+        Name of the work.
     into_folder : bool
-        Whether the output is a directory, which others fill.
+        Whether the output is a directory, which the caller fills.
     """
 
     def __init__(self, output: str, what: str = "sweep", *, into_folder: bool = False) -> None:
-        """Name the directory; `open` makes it."""
         self.output = os.path.realpath(output)
         self.what, self.into_folder = what, into_folder
         self.directory = self.output + SUFFIX
         self.folder = StateFolder(self.directory)
         self.accounts: dict[int, Account] = {}
         self.work = ""
-        """Hash of the definition of the work, which each of its pieces carries."""
+        """Hash of the definition of the work, stored in each piece."""
         self._lock: int | None = None
         self.is_open = False
 
     def __enter__(self) -> Self:
-        """Nothing is touched yet."""
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Let go of the directory; what is finished stays."""
+        """Release the directory; finished pieces stay."""
         if self.is_open and not self.finished():
             self._remove()
         self.unlock()
@@ -76,47 +74,46 @@ class FinishedPieces:
         return self.folder.size()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Make the directory, or take up the pieces that it holds; why not, if so.
+        """Create the directory or load the pieces; return why not, if so.
 
         Parameters
         ----------
         description : dict
-            What the work is; its `fingerprint` must be that of the pieces that are there.
-            Those of another `build` of this package are removed.
+            Definition of the work, with a `fingerprint` equal to that of existing pieces.
+            Pieces of another `build` of this package are removed.
         pieces : int
-            How many there will be.
+            Number of all pieces.
         resume : bool
-            Whether pieces may be there.
+            Whether existing pieces are accepted.
 
         Raises
         ------
         ReadError
-            If another process is at it, or pieces are there that are not to be taken up.
+            If another process holds the directory, or existing pieces cannot be accepted.
         OSError
         """
         if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-        if self.into_folder:  # it is made with its parents, as every directory of results
+        if self.into_folder:  # created with its parents, like every directory of results
             os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
         self.work = description["fingerprint"]
         self.lock()
         known = self._known()
         finished = [piece for piece in self.finished() if piece < pieces]
-        without = ""
+        why_not = ""
         if finished and known is not None:
-            without = self._check(known, description, len(finished), resume=resume)
-            trusted = [] if without else finished
+            why_not = self._check(known, description, len(finished), resume=resume)
+            trusted = [] if why_not else finished
             accounts = (read_account(self.directory, piece, self.work) for piece in trusted)
             self.accounts = {account.piece: account for account in accounts if account}
         self.is_open = True
-        for name in self.folder.names():  # what a killed process left unfinished
+        for name in self.folder.names():  # left unfinished by a killed process
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
                 self.folder.remove(name)
         self.folder.replace(PLAN, json.dumps(description, indent=2, ensure_ascii=False).encode())
-        return without
+        return why_not
 
     def _known(self) -> Description | None:
-        """The description of the work whose pieces are there."""
         try:
             with self.folder.reading(PLAN) as file:
                 known = json.load(file)
@@ -130,16 +127,16 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """The numbers of the pieces that are there, whoever finished them."""
+        """Return the numbers of the existing pieces of any process."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(
         self, known: Description, wanted: Description, finished: int, *, resume: bool
     ) -> str:
-        """Refuse pieces of other work, and pieces that nobody asked to take up.
+        """Refuse pieces of other work, and existing pieces without --resume.
 
-        The result tells why pieces of this work are not taken up: two builds have other
-        fingerprints for the same.
+        Return why pieces of this work are not used: two builds have different fingerprints for
+        equal work.
         """
         changed = differing(known, wanted)
         said = [key for key in changed if key not in OF_BUILDS]
@@ -156,22 +153,22 @@ class FinishedPieces:
         raise ReadError([of_file("E033", self.directory, message)])
 
     def lock(self) -> None:
-        """Take the directory for this process; see `vstatics.core.jobs.lock.lock`."""
+        """Lock the directory; see `vstatics.core.jobs.lock.lock`."""
         self.folder.make()
         self.folder.check()
         self._lock = lock(self.folder, LOCK, self.what)
 
     def unlock(self) -> None:
-        """Let go of the directory."""
+        """Release the directory."""
         unlock(self._lock)
         self._lock = None
 
     def discard(self, name: str) -> None:
-        """Remove a file from the directory, if it is there."""
+        """Remove a file from the directory, if present."""
         self.folder.remove(name)
 
     def finish(self) -> None:
-        """Move the assembled output into place and, when it is on the disk, remove the pieces.
+        """Move the assembled output into place, and then remove the pieces.
 
         Raises
         ------
@@ -181,12 +178,12 @@ class FinishedPieces:
         self.drop()
 
     def drop(self) -> None:
-        """Remove the pieces: what was made of them is there."""
+        """Remove the pieces after the output was written."""
         self._remove()
         self.unlock()
 
     def _remove(self) -> None:
-        """Remove the directory, last what tells of which work it is: so any rest can go on."""
+        """Remove the directory, and the description last, so that resuming stays possible."""
         for name in sorted(self.folder.names(), key=(PLAN, LOCK).__contains__):
             self.folder.remove(name)
         self.folder.drop()

@@ -1,4 +1,4 @@
-"""Files and streams that are read: each has a bound, which holds before anything is read."""
+"""Input files and streams, with a limit on the size that is checked before reading."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import BinaryIO, Protocol, TypeVar, cast
 from vstatics.core.errors import Problem, of_file
 
 DOCUMENT_BYTES = 10_000_000
-"""Bound of a document: a case, a scenario, a list of files. Large ones have some 100 kB."""
+"""Largest size of a document: a case, a scenario, a list of files. [bytes]"""
 TABLE_BYTES = 256_000_000
-"""Bound of a file of numbers: results, variants, records."""
+"""Largest size of a file of numbers: results, variants, records. [bytes]"""
 
 KINDS = {
     stat.S_IFLNK: "a link",
@@ -25,34 +25,32 @@ KINDS = {
 }
 """Names of kinds of files in messages."""
 AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""Flag that opens a FIFO without waiting for the process at its other end."""
+"""Flag that opens a FIFO without waiting for the process at the other end."""
 _STREAM_PIECE = 2**20
-"""Size of the parts in which a stream is read. [bytes]"""
+"""Size of the parts in which a stream is read [bytes]."""
 Data = TypeVar("Data", str, bytes)
 Data_co = TypeVar("Data_co", str, bytes, covariant=True)
 
 
 class Readable(Protocol[Data_co]):
-    """Stream that gives at most as much as it is asked for, and nothing at its end."""
+    """Stream that returns at most the requested size, and nothing at the end."""
 
     def read(self, size: int, /) -> Data_co:
         """Return the next part."""
 
 
 class TooLargeError(OSError):
-    """Error for an input that is larger than its bound, or that has no end."""
+    """Error for an input that is too large or endless."""
 
     def __init__(self, most: int, file: str | None = None) -> None:
-        """Name the bound, and the file if it has a name."""
         message = f"larger than {most / 1e6:g} MB, expected at most that"
         super().__init__(errno.EFBIG, message, file)
 
 
 class NotRegularError(OSError):
-    """Error for a pipe or a device where a file names it, as it may never end, or never begin."""
+    """Error for a pipe or device named by a file, which could block or never end."""
 
     def __init__(self, mode: int, file: str) -> None:
-        """Say what the file is."""
         kind = KINDS.get(stat.S_IFMT(mode), "not a file")
         super().__init__(errno.EINVAL, f"{kind}, expected a regular file", file)
 
@@ -66,15 +64,15 @@ def read_file(
     ----------
     file : path-like
     most : int
-        Bound of its size. [bytes]
+        Largest size. [bytes]
     regular : bool
-        Whether it must be a regular file. A user who names a pipe waits for it; one that another
-        file names, or that appears in a folder, is refused.
+        Whether the file must be regular. A user can name a pipe and wait for it; a pipe that
+        another file names, or that appears in a folder, is refused.
 
     Raises
     ------
     OSError
-        If it cannot be opened or read; `TooLargeError` and `NotRegularError` are such.
+        If the file cannot be opened or read, with `TooLargeError` and `NotRegularError`.
     """
     with opened(file, regular=regular) as stream:
         about = os.fstat(stream.fileno())
@@ -86,7 +84,7 @@ def read_file(
 
 
 def unreadable(file: str, error: OSError) -> Problem:
-    """Return the problem that an input cannot be read.
+    """Return the problem of an input that cannot be read.
 
     >>> str(unreadable("large.yaml", TooLargeError(2_000_000)))
     "large.yaml: error: can't be read: larger than 2 MB, expected at most that [E046]"
@@ -97,7 +95,7 @@ def unreadable(file: str, error: OSError) -> Problem:
 
 
 def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
-    """Open a file without a buffer; parameters and errors as of `read_file`."""
+    """Open a file without a buffer; see `read_file` for parameters and errors."""
     name = os.fspath(file)
     how = _at_once if regular else None
     stream = cast("BinaryIO", open(name, "rb", buffering=0, opener=how))  # noqa: SIM115 - closed by the caller
@@ -109,24 +107,24 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
 
 
 def _at_once(name: str, flags: int) -> int:
-    """Open a file without waiting for another process to write to it."""
+    """Open a file without waiting for another process to write."""
     return os.open(name, flags | AT_ONCE)
 
 
 def read_stream(
     stream: Readable[Data], most: int, file: str | None = None, first: int = _STREAM_PIECE
 ) -> Data:
-    r"""Return all that a stream gives, text or bytes.
+    r"""Return the whole content of a stream, text or bytes.
 
     Parameters
     ----------
     stream : Readable
     most : int
-        Bound of its length. [bytes or characters]
+        Largest length. [bytes or characters]
     file : str, optional
-        Its name, for the message.
+        Name in the message.
     first : int
-        Size of the first part that is read. [bytes]
+        Size of the first part read. [bytes]
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""A directory that one process has for as long as it lives, however it ends."""
+"""Lock of a directory for the lifetime of a process."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.state_files import StateFolder
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
-"""How a file system says that it has no locks."""
+"""Errors of a file system without locks."""
 LOCK_TENTHS = 10
-"""Tenths of a second to wait for it."""
+"""Longest wait for the lock, in tenths of a second."""
 
 
 def lock(folder: StateFolder, name: str, what: str) -> int | None:
-    """Make a folder, if need be, and lock it; the file to `unlock` in the end.
+    """Create a folder if necessary, lock the folder, and return the file for `unlock`.
 
-    None where a system, or the file system, has no such locks.
+    Return None if the system or the file system has no such locks.
 
     Parameters
     ----------
     folder : StateFolder
     name : str
-        Of the file in the folder; it names the process.
+        Name of the lock file, which contains the number of the process.
     what : str
-        What the process does, for the message to others.
+        Name of the work, for the message of other processes.
 
     Raises
     ------
     ReadError
-        If another process has it, or something else has its name.
+        If another process holds the lock, or the name belongs to something else.
     OSError
     """
     folder.make()
@@ -57,8 +57,8 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
                 return None
             raise
         else:
-            if folder.has(name, file):  # else it was removed, by one that has finished
-                with contextlib.suppress(OSError):  # a full disk: it is locked all the same
+            if folder.has(name, file):  # not removed by a process that has finished
+                with contextlib.suppress(OSError):  # a full disk does not prevent the lock
                     os.ftruncate(file, 0)
                     os.write(file, f"{os.getpid()}\n".encode())
                 return file
@@ -69,7 +69,7 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
 
 
 def unlock(file: int | None) -> None:
-    """Let go of a folder."""
+    """Release a folder."""
     if file is not None:
-        with contextlib.suppress(OSError):  # a full disk elsewhere: the number is not there
+        with contextlib.suppress(OSError):  # after a full disk, the file may lack the number
             os.close(file)

@@ -1,7 +1,7 @@
-"""Pages of one picture in files beside one another: NAME.svg, NAME-2.svg, NAME-3.svg.
+"""Pages of a picture in a series of files: NAME.svg, NAME-2.svg, NAME-3.svg.
 
-Nobody named the files of further pages. So these carry a mark, by which they are told from files
-that somebody else has put there: only what has it is replaced, or removed when it is stale.
+The user has not named the files of further pages. So these files carry a mark, which
+distinguishes them from other files: only marked files are replaced, or removed when stale.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.files import replacing, set_aside
 
 PAGE_KEY = "data-page"
-"""Of an SVG that is a further page, with its number; of a PNG, as the key of a text."""
+"""Attribute of an SVG, or text key of a PNG, with the number of a further page."""
 _MARK = re.compile(rb'(?:<svg\b[^>]*? data-page="|tEXtdata-page\0)([1-9]\d{0,5})')
 _LOOKED_AT = 2000
-"""Bytes of a file in which its mark would be."""
+"""Number of bytes at the beginning of a file in which the mark is searched."""
 _FURTHER = re.compile(r"(.+)-([1-9]\d{0,5})")
 
 
 def page_name(path: str, number: int) -> str:
-    """The file of a page of a picture, from 1.
+    """Return the file of a page of a picture, from 1.
 
     >>> page_name("flows/box.svg", 1), page_name("flows/box.svg", 2)
     ('flows/box.svg', 'flows/box-2.svg')
@@ -33,22 +33,22 @@ def page_name(path: str, number: int) -> str:
 
 
 def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
-    """Write the pages of a picture, all or none; the last ones of an earlier one are removed.
+    """Write the pages of a picture, all or none, and remove stale further pages.
 
     Parameters
     ----------
     path : str
-        The file of the first page.
+        File of the first page.
     pages : sequence of bytes
-        Each a file.
+        Contents of the files.
     mark : str, optional
-        As of `vstatics.core.jobs.files.replace`.
+        Mark in temporary names; see `vstatics.core.jobs.files.replace`.
 
     Raises
     ------
     ReadError
-        If a page would take the place of a file that is no page of an earlier picture, or the
-        picture that of a further page of another one.
+        If a page would replace a file that is not a page of an earlier picture, or the first page
+        would replace a further page of another picture.
     OSError
         If a page cannot be written.
     """
@@ -61,7 +61,7 @@ def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
 
 
 def further_pages(path: str, count: int = 1) -> Iterator[str]:
-    """The files of the pages that a picture has behind so many."""
+    """Yield the files of the pages after the first `count` pages."""
     number = count + 1
     while _marked(page_name(path, number)) == number:
         yield page_name(path, number)
@@ -69,14 +69,14 @@ def further_pages(path: str, count: int = 1) -> Iterator[str]:
 
 
 def set_pages_aside(path: str) -> str:
-    """Rename an earlier picture with its further pages; the name of its first page now."""
+    """Rename an earlier picture and the further pages; return the first new name."""
     for further in further_pages(path):
         set_aside(further)
     return set_aside(path)
 
 
 def _refuse(path: str, count: int) -> None:
-    """Keep the files of others."""
+    """Refuse to replace files of another origin."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122
     named = _FURTHER.fullmatch(stem)
     if named and os.path.exists(named[1] + suffix) and _marked(path) == int(named[2]):  # noqa: PTH110
@@ -90,10 +90,10 @@ def _refuse(path: str, count: int) -> None:
 
 
 def _marked(path: str) -> int:
-    """Which page a file says that it is; 0 if it says nothing."""
+    """Return the page number that a file carries, or 0."""
     if not os.path.isfile(path):  # noqa: PTH113 - a FIFO would never answer
         return 0
     with suppress(OSError), open(path, "rb") as file:  # noqa: PTH123
-        found = _MARK.search(file.read(_LOOKED_AT))
-        return int(found[1]) if found else 0
+        mark = _MARK.search(file.read(_LOOKED_AT))
+        return int(mark[1]) if mark else 0
     return 0

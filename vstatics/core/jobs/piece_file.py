@@ -1,8 +1,8 @@
-"""A finished piece of a sweep as a file.
+"""Finished piece of a sweep as a file.
 
-It is written under another name and then renamed: it is whole or absent. Its data come
-first, so that they can be copied into the output as they are, then an account of them in
-JSON, with their check sums, and the length and the check sum of the account.
+The file is written under another name and then renamed, so it is complete or absent. The data
+come first, so that they can be copied into the output unchanged, then an account of the data in
+JSON, with checksums, and the length and checksum of the account.
 """
 
 from __future__ import annotations
@@ -20,70 +20,70 @@ from typing import Any, NamedTuple
 from vstatics.core.jobs.state_files import StateFolder
 
 ASSEMBLED = "output"
-"""The file that becomes the output."""
+"""Name of the file that becomes the output."""
 _END = struct.Struct("<QL8s")
 _MAGIC = b"vstpiece"
 _BUFFER = 2**20
 
 
 class Segment(NamedTuple):
-    """A part of the data of a piece: a column of numbers, or all its text."""
+    """Part of the data of a piece: a column of numbers, or the whole text."""
 
     length: int
     crc: int
 
 
 class Noticed(NamedTuple):
-    """A message that variants have alike, but for numbers in its text."""
+    """Message of several variants, with different numbers in the text."""
 
     id: str
     text: str
-    """That of the first variant."""
+    """Text of the message for the first variant."""
     first: int
-    """The number of that variant."""
+    """Number of the first variant with the message."""
     variants: int
-    """How many have it."""
+    """Number of variants with the message."""
 
     @property
     def alike(self) -> tuple[str, str]:
-        """Equal of messages that differ in numbers alone."""
+        """Key that is equal for messages that differ in numbers only."""
         return self.id, _NUMBER.sub("0", self.text)
 
 
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
-"""In a message; the digits of a name such as C1 are none."""
+"""Number in a message; digits of a name such as C1 do not match."""
 
 
 class Account(NamedTuple):
-    """What a finished piece holds."""
+    """Content of a finished piece."""
 
     piece: int
     rows: int
     counts: dict[str, int]
-    """How many variants have a status, those without a row too."""
+    """Status -> number of variants, including variants without a row."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
-    """How many of those that are left each part of a condition removed."""
+    """Number of variants that each part of the condition removed, in turn."""
     outside: tuple[str, ...] = ()
-    """What was asked outside its points."""
+    """Laws evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
-    """Hash of the definition of the work of which it is a piece."""
+    """Hash of the definition of the work."""
 
     @property
     def variants(self) -> int:
-        """All variants of the piece."""
+        """Number of variants of the piece."""
         return sum(self.counts.values())
 
     @property
     def length(self) -> int:
-        """Bytes of the data."""
+        """Length of the data [bytes]."""
         return sum(segment.length for segment in self.segments)
 
 
 class Copy(NamedTuple):
-    """A part of a piece, and where it goes."""
+    """Part of a piece, with the place in the output."""
 
     piece: int
     source: int
@@ -101,7 +101,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     noticed: tuple[Noticed, ...] = (),
     work: str = "",
 ) -> tuple[Account, list[Any]]:
-    """A finished piece as buffers to write one behind the other.
+    """Return a finished piece as buffers to be written in sequence.
 
     Parameters
     ----------
@@ -109,19 +109,19 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     counts : dict
         See `Account`.
     data : sequence of bytes-like
-        A segment each.
+        Segments.
     removed, outside, noticed : tuple
     work : str
         See `Account`.
     """
-    segments = tuple(Segment(memoryview(one).nbytes, zlib.crc32(one)) for one in data)
+    segments = tuple(Segment(memoryview(segment).nbytes, zlib.crc32(segment)) for segment in data)
     account = Account(piece, rows, counts, segments, removed, outside, noticed, work)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), zlib.crc32(text), _MAGIC)]
 
 
 def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
-    """Write a piece, whole or not at all.
+    """Write a piece, completely or not at all.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 
 
 def read_account(directory: str, piece: int, work: str = "") -> Account | None:
-    """The account of a piece, if it is there and its data are what this work wrote."""
+    """Return the account of a piece, if the file exists and is intact."""
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)
@@ -146,7 +146,7 @@ def read_account(directory: str, piece: int, work: str = "") -> Account | None:
             fields = json.loads(text)
             segments = tuple(Segment(*segment) for segment in fields.pop("segments"))
             fields |= {name: tuple(fields[name]) for name in ("removed", "outside")}
-            fields["noticed"] = tuple(Noticed(*one) for one in fields["noticed"])
+            fields["noticed"] = tuple(Noticed(*entry) for entry in fields["noticed"])
             account = Account(segments=segments, **fields)
             file.seek(0)
             whole = all(_crc(file, segment.length) == segment.crc for segment in account.segments)
@@ -188,9 +188,9 @@ def piece_path(directory: str, piece: int) -> str:
 
 
 def copy(directory: str, copies: Sequence[Copy]) -> int:
-    """Copy parts of pieces into the file that becomes the output; how many bytes.
+    """Copy parts of pieces into the file that becomes the output; return the number of bytes.
 
-    The kernel does it where it can.
+    The kernel copies if the system supports it.
 
     Raises
     ------
@@ -199,16 +199,16 @@ def copy(directory: str, copies: Sequence[Copy]) -> int:
     folder = StateFolder(directory)
     target = folder.open(ASSEMBLED, os.O_WRONLY)
     try:
-        for piece, group in groupby(copies, key=lambda one: one.piece):
+        for piece, group in groupby(copies, key=lambda part: part.piece):
             source = folder.open(piece_name(piece), os.O_RDONLY)
             try:
-                for one in group:
-                    _copy(source, target, one)
+                for part in group:
+                    _copy(source, target, part)
             finally:
                 os.close(source)
     finally:
         os.close(target)
-    return sum(one.length for one in copies)
+    return sum(part.length for part in copies)
 
 
 def _copy(source: int, target: int, one: Copy) -> None:

@@ -1,7 +1,7 @@
-"""Several processes of this machine; one that dies is replaced.
+"""Several processes on this machine, replaced when one dies.
 
-Each has a line of its own, so that it is known at which item one died: that item is tried
-again by a new process, and given up in the end. The others lose nothing.
+Each process has a pipe of its own, so the item at which a process died is known. This item is tried
+again by a new process, and finally given up. All other items are unaffected.
 """
 
 from __future__ import annotations
@@ -23,35 +23,34 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 QUEUED = 2
-"""So many items a process has, so that it need not wait for the next."""
+"""Number of items queued per process, so that no process waits for the next item."""
 END_SECONDS = 5
-"""So long a process may take to end when its line is closed. [s]"""
+"""Longest time a process can take to end after the pipe is closed [s]."""
 TELLING = "telling"
-"""The name of a thread that sleeps, and holds no lock, but for the moments in which it speaks."""
+"""Name of a thread that sleeps, and holds locks only while printing."""
 
 
 class Processes(Workers):
-    """Several processes on this machine; see `vstatics.core.jobs.alone.Workers`."""
+    """Several processes on the local machine; see `vstatics.core.jobs.alone.Workers`."""
 
     def __init__(self, state: object, describe: Describe, jobs: int, rules: Rules) -> None:
-        """Nothing is started before there is something to do."""
         super().__init__(state, describe)
         self.jobs, self.rules = jobs, rules
         self._processes: list[_Process] = []
 
     def __exit__(self, *error: object) -> None:
-        """End the processes; at once if there was an error."""
+        """End the processes, at once after an error."""
         self._end(list(self._processes), at_once=error[0] is not None)
 
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """See `vstatics.core.jobs.alone.Workers`.
+        """Process the items; see `vstatics.core.jobs.alone.Workers`.
 
         Raises
         ------
         ReadError
-            If no process can be started.
+            If processes cannot be started.
         """
         coming = _Coming(items)
         done: dict[int, tuple[Item, Result]] = {}
@@ -67,14 +66,13 @@ class Processes(Workers):
                 else:
                     return
         finally:
-            self._end([one for one in self._processes if one.items], at_once=True)
+            self._end([process for process in self._processes if process.items], at_once=True)
 
     def _under_way(self) -> int:
-        """How many items the processes have."""
         return sum(len(process.items) for process in self._processes)
 
     def _give(self, function: Work[Any, Any], coming: _Coming, done: dict[int, Any]) -> None:
-        """Give items to the processes, as many as may be under way."""
+        """Hand out items to the processes, up to the limits."""
         under_way = self._under_way()
         while under_way + len(done) < self.rules.ahead * self.jobs:
             if under_way >= QUEUED * self.jobs:
@@ -90,7 +88,7 @@ class Processes(Workers):
                 under_way += 1
 
     def _free(self) -> _Process:
-        """A new process, or the one with the least to do."""
+        """Return a new process, or the process with the fewest items."""
         if len(self._processes) < self.jobs:
             try:
                 process = _Process(self.state, self.describe, self._processes)
@@ -102,11 +100,13 @@ class Processes(Workers):
         return min(self._processes, key=lambda process: len(process.items))
 
     def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
-        """Wait for results; what a process that died was at is tried again."""
+        """Wait for results, and requeue the items of a process that died."""
         from multiprocessing.connection import wait
 
         ready = set(wait([process.connection for process in self._processes]))
-        for process in [one for one in self._processes if one.connection in ready]:
+        for process in [
+            candidate for candidate in self._processes if candidate.connection in ready
+        ]:
             try:
                 number, result, error = process.connection.recv()
             except (EOFError, OSError):
@@ -118,7 +118,7 @@ class Processes(Workers):
             done[number] = process.items.pop(number), result
 
     def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
-        """Take back what a process that died had; the first of it is what it was at."""
+        """Requeue the items of a dead process, the first of which was in progress."""
         if entries and coming.dies(entries[0][0]) >= self.rules.tries:
             number, item = entries.pop(0)
             if self.rules.lost is None:
@@ -136,7 +136,7 @@ class Processes(Workers):
 
 
 class _Coming:
-    """The items to come with their numbers, those first that are to be tried again."""
+    """Numbered items to come, first the items to be tried again."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self.items = enumerate(items)
@@ -147,7 +147,7 @@ class _Coming:
         return self.again.popleft() if self.again else next(self.items, None)
 
     def dies(self, number: int) -> int:
-        """Count a death at an item; how many there were."""
+        """Count a death at an item, and return the number of deaths."""
         self.deaths[number] += 1
         return self.deaths[number]
 
@@ -156,17 +156,17 @@ class _Coming:
 
 
 class _Process:
-    """A process, the line to it, and what it has still to do."""
+    """Process with a pipe and queued items."""
 
     def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
         import multiprocessing
         from multiprocessing import resource_tracker
 
         # A fork costs nothing, but is not safe where another thread holds a lock.
-        may_hold = [one for one in threading.enumerate() if one.name != TELLING]
+        may_hold = [thread for thread in threading.enumerate() if thread.name != TELLING]
         fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")
-        if not fork:  # to start it later would let signals come in the middle of what starts
+        if not fork:  # a later start could be interrupted by a signal
             resource_tracker.ensure_running()
         self.items: dict[int, Any] = {}
         self.connection, far = context.Pipe()
@@ -174,14 +174,14 @@ class _Process:
         arguments = (state, describe, far, inherited)
         self.process = context.Process(target=_serve, args=arguments, daemon=True)
         with _later(signal.SIGINT, signal.SIGTERM), warnings.catch_warnings():
-            # Python counts the threads of BLAS, which can stand it.
+            # Python warns of the threads of BLAS, which are safe to fork.
             warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         far.close()
 
     def give(self, number: int, item: Any, function: Work[Any, Any]) -> None:
         self.items[number] = item
-        with suppress(OSError):  # it died: that is seen when its results are read
+        with suppress(OSError):  # a dead process is noticed when its results are read
             self.connection.send((number, item, function))
 
     def dismiss(self, *, at_once: bool) -> None:
@@ -198,7 +198,6 @@ class _Process:
 
 @contextmanager
 def _later(*signals: signal.Signals) -> Iterator[None]:
-    """Let signals wait; a process that is started meanwhile begins so, too."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, signals)
     try:
         yield
@@ -209,14 +208,14 @@ def _later(*signals: signal.Signals) -> Iterator[None]:
 def _serve(
     state: object, describe: Describe, connection: Connection, inherited: Iterable[Connection]
 ) -> None:
-    """Do items until the line ends, or the parent; Ctrl-C is left to the parent."""
+    """Process items until the pipe or the parent ends; the parent handles Ctrl-C."""
     for other in inherited:
         other.close()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    with suppress(EOFError, OSError):  # the line has ended
+    with suppress(EOFError, OSError):  # the pipe has ended
         while True:
             number, item, function = connection.recv()
             try:
@@ -228,7 +227,7 @@ def _serve(
 
 
 def _end_with_parent() -> None:
-    """End this process with its parent, also in the middle of an item that takes long."""
+    """End this process with the parent, even in the middle of an item."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()

@@ -1,4 +1,4 @@
-"""Rows of numbers in a temporary file, for tables that memory should not hold."""
+"""Rows of numbers in a temporary file, for tables too large for memory."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ PREFIX = "vstatics-table-"
 
 
 class Spool:
-    """Rows of doubles in a temporary file; one writes, then all may read.
+    """Rows of doubles in a temporary file, written by a single process and readable by all.
 
-    The object that was made here owns the file: it goes with `close`, when the object
-    does, or with the process. A copy that was pickled knows the path only: it reads while
-    the owner lives, on the same machine, and deletes nothing.
+    The original object owns the file, which is deleted by `close`, with the object, or with the
+    process. A pickled copy knows only the path: it can read on the same machine while the owner
+    lives, and deletes nothing.
 
     Parameters
     ----------
     columns : int
-        Numbers of a row.
+        Number of values in a row.
 
     Raises
     ------
     ReadError
-        If the file cannot be made.
+        If the file cannot be created.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class Spool:
         Raises
         ------
         ReadError
-            If they cannot be written; the file is removed.
+            If the rows cannot be written; the file is removed.
         """
         try:
             with self._folder.appending(self._name) as write:
@@ -71,12 +71,12 @@ class Spool:
         self.rows += len(rows)
 
     def take(self, start: int, stop: int) -> Floats:
-        """The rows from `start` up to `stop`, (stop - start, columns).
+        """Return the rows from `start` up to `stop`, (stop - start, columns).
 
         Raises
         ------
         ReadError
-            If the file is gone.
+            If the file is missing or cut off.
         """
         count, before = (stop - start) * self.columns, start * self.columns * 8
         try:
@@ -90,17 +90,16 @@ class Spool:
         return np.frombuffer(data).reshape(stop - start, self.columns)
 
     def close(self) -> None:
-        """Remove the file, if it is one's own."""
+        """Remove the file if owned by this object."""
         if self._remove is not None:
             self._remove()
 
     def __getstate__(self) -> dict[str, Any]:
-        """All but the right to remove the file."""
+        """Return the state without the right to remove the file."""
         return {**vars(self), "_remove": None}
 
 
 def _remove(folder: StateFolder, name: str, owner: int) -> None:
-    """Remove a file, but not in a process that was forked off the owner."""
     if os.getpid() == owner:
         folder.remove(name)
 

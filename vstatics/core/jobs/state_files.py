@@ -1,4 +1,4 @@
-"""Locks and finished work in a folder where somebody else could have put other things.
+"""Locks and finished work in a folder to which other users can have access.
 
 No other module opens, renames or removes these files. The folder is opened first, then its files
 by their names in it, so the file that is checked is the file that is used. A file is accepted if
@@ -26,7 +26,7 @@ CURE = "remove it, or choose another output"
 
 
 class StateFolder(NamedTuple):
-    """A folder with files of a state.
+    """Folder with files of a state.
 
     Parameters
     ----------
@@ -44,11 +44,11 @@ class StateFolder(NamedTuple):
         return os.path.join(self.path, name)  # noqa: PTH118
 
     def exists(self) -> bool:
-        """Return whether anything has the name of the folder."""
+        """Return whether a file or folder has the name of the folder."""
         return os.path.lexists(self.path)
 
     def make(self) -> None:
-        """Create the folder unless it is there."""
+        """Create the folder if necessary."""
         with contextlib.suppress(FileExistsError):
             os.mkdir(self.path)  # noqa: PTH102
 
@@ -67,7 +67,7 @@ class StateFolder(NamedTuple):
                 self._look(folder, name)
 
     def names(self) -> list[str]:
-        """Return the names of all files, if the folder is there."""
+        """Return the names of all files, if the folder exists."""
         if not self.exists():
             return []
         with self._opened() as folder:
@@ -82,12 +82,12 @@ class StateFolder(NamedTuple):
             return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
 
     def open(self, name: str, flags: int) -> int:
-        """Open a file; the descriptor, which the caller closes.
+        """Open a file, and return the descriptor, which the caller closes.
 
         Raises
         ------
         ReadError
-            If it is not a file of a state.
+            If the file is not a file of a state.
         OSError
         """
         with self._opened() as folder:
@@ -101,7 +101,7 @@ class StateFolder(NamedTuple):
         return handle
 
     def has(self, name: str, handle: int) -> bool:
-        """Return whether an open file still has this name."""
+        """Return whether an open file still has a name."""
         try:
             with self._opened() as folder:
                 return os.path.samestat(os.fstat(handle), os.lstat(name, dir_fd=folder))
@@ -109,66 +109,66 @@ class StateFolder(NamedTuple):
             return False
 
     def reading(self, name: str) -> IO[bytes]:
-        """Open a file to read it."""
+        """Open a file for reading."""
         return open(self.open(name, os.O_RDONLY), "rb")  # noqa: PTH123
 
     def appending(self, name: str) -> contextlib.AbstractContextManager[Write]:
-        """Write at the end of a file, each time all at once; it need not be there."""
+        """Open or create a file for appending."""
         return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
-        """Open a new file to write it; an earlier file of this name is removed."""
+        """Open a new file for writing; an earlier file of the name is removed."""
         self.check(name)
         self.remove(name)
         return open(self.open(name, os.O_RDWR | os.O_CREAT | os.O_EXCL), "r+b")  # noqa: PTH123
 
     @contextlib.contextmanager
     def replacing(self, name: str, mark: str = "") -> Iterator[Write]:
-        """Write a file whole or not at all; see `vstatics.core.jobs.files.replacing`."""
+        """Write a file completely or not at all; see `vstatics.core.jobs.files.replacing`."""
         with self._opened() as folder:
             self._look(folder, name)
             with whole_file(name, mark, source=folder, target=folder) as write:
                 yield write
 
     def replace(self, name: str, data: bytes) -> None:
-        """Write a file whole or not at all."""
+        """Write a file completely or not at all."""
         with self.replacing(name) as write:
             write(data)
 
     @contextlib.contextmanager
     def replacing_output(self, path: str) -> Iterator[Write]:
-        """Write a file in the folder, and move it to a path when the block ends well."""
+        """Write a file in the folder, and finally move the file to a path."""
         with self._opened() as folder, replacing(path, folder=folder) as write:
             yield write
 
     def put_for_good(self, name: str, path: str) -> None:
-        """Move a file to a path, so that it is on the disk there even if the power fails now.
+        """Move a file to a path, and synchronise the disk.
 
         Raises
         ------
         OSError
-            If its data do not get there; then both files are as they were.
+            If the data cannot be written; then both files are unchanged.
         """
         with self.reading(name) as file:
             os.fsync(file.fileno())
         with self._opened() as folder:
             os.replace(name, path, src_dir_fd=folder)
-        with contextlib.suppress(OSError):  # not every system can do that for a folder
+        with contextlib.suppress(OSError):  # not every system can synchronise a folder
             sync(os.path.dirname(path) or os.curdir)  # noqa: PTH120
 
     def remove(self, name: str) -> None:
-        """Remove a file, if it is there and can be removed."""
+        """Remove a file if possible."""
         with contextlib.suppress(OSError), self._opened() as folder:
             os.unlink(name, dir_fd=folder)
 
     def forget(self, mark: str = "") -> None:
-        """Remove files of a mark that were not finished; nobody may be writing one."""
+        """Remove unfinished files with a mark; no process may be writing one."""
         for name in self.names():
             if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
                 self.remove(name)
 
     def drop(self) -> None:
-        """Remove the folder, if it is empty."""
+        """Remove the folder if empty."""
         with contextlib.suppress(OSError):
             os.rmdir(self.path)  # noqa: PTH106
 
@@ -193,7 +193,6 @@ class StateFolder(NamedTuple):
             os.close(handle)
 
     def _look(self, folder: int, name: str) -> None:
-        """Refuse a name in the open folder that is not a file of a state."""
         try:
             status = os.lstat(name, dir_fd=folder)
         except FileNotFoundError:
@@ -202,7 +201,7 @@ class StateFolder(NamedTuple):
 
 
 def _refuse(path: str, status: os.stat_result, kind: int) -> None:
-    """Refuse a path by its status, if it is not of a kind or not of this user.
+    """Refuse a path of a wrong kind or with a wrong owner.
 
     Raises
     ------

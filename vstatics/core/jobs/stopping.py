@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM as an exception, so that nothing is left half written."""
+"""Ctrl-C and SIGTERM as an exception, so that no output is left half written."""
 
 from __future__ import annotations
 
@@ -11,33 +11,32 @@ from types import FrameType
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
-"""Of a timer, where a system has one."""
+"""Signal of a timer, on systems with timers."""
 SIGNAL_DELAY = 0.001
-"""So long a signal waits that comes while a module is imported. [s]"""
+"""Delay of a signal that arrives during the import of a module [s]."""
 
 
 class StoppedError(BaseException):
-    """The process was asked to end by a signal."""
+    """Request by a signal to end the process."""
 
     def __init__(self, number: int) -> None:
-        """Keep the number of the signal."""
         self.signal = number
 
 
 class Stop:
-    """What signal came, if one did."""
+    """Record of a received signal."""
 
     error: StoppedError | None = None
 
     def check(self) -> None:
-        """Raise it once more, if it came.
+        """Raise the error of a received signal again.
 
-        Python drops an exception that comes while an object is taken down.
+        Python drops an exception that is raised while an object is finalised.
 
         Raises
         ------
         StoppedError
-            If there was a signal.
+            If a signal was received.
         """
         if self.error is not None:
             raise self.error
@@ -45,10 +44,10 @@ class Stop:
 
 @contextmanager
 def stoppable() -> Iterator[Stop]:
-    """Make SIGINT and SIGTERM raise `StoppedError` in this block.
+    """Make SIGINT and SIGTERM raise `StoppedError` within the block.
 
-    In the middle of an import it is raised behind that: modules that are half imported, and
-    classes half made, turn it into errors of other kinds.
+    During an import the error is raised after the import, because half-imported modules and
+    half-created classes would turn it into unrelated errors.
 
     >>> try:
     ...     with stoppable() as stop:
@@ -59,11 +58,11 @@ def stoppable() -> Iterator[Stop]:
     """
     stop = Stop()
     if threading.current_thread() is not threading.main_thread():
-        yield stop  # only the main thread is told of signals
+        yield stop  # only the main thread receives signals
         return
     later = False
 
-    def come(number: int, frame: FrameType | None) -> None:
+    def receive(number: int, frame: FrameType | None) -> None:
         nonlocal later
         if number in ENDING:
             stop.error = StoppedError(number)
@@ -73,12 +72,12 @@ def stoppable() -> Iterator[Stop]:
         else:
             stop.check()
 
-    def dropped(what: sys.UnraisableHookArgs) -> None:
-        if not isinstance(what.exc_value, StoppedError):
-            tell(what)
+    def report_dropped(unraisable: sys.UnraisableHookArgs) -> None:
+        if not isinstance(unraisable.exc_value, StoppedError):
+            hook(unraisable)
 
-    tell, sys.unraisablehook = sys.unraisablehook, dropped
-    before = {number: signal.signal(number, come) for number in (*ENDING, *AGAIN)}
+    hook, sys.unraisablehook = sys.unraisablehook, report_dropped
+    before = {number: signal.signal(number, receive) for number in (*ENDING, *AGAIN)}
     try:
         yield stop
     finally:
@@ -86,13 +85,12 @@ def stoppable() -> Iterator[Stop]:
             signal.setitimer(signal.ITIMER_REAL, 0)
         for number, handler in before.items():
             signal.signal(number, handler)
-        sys.unraisablehook = tell
+        sys.unraisablehook = hook
     if later:
         stop.check()
 
 
 def _is_import(frame: FrameType | None) -> bool:
-    """Whether a module is being imported."""
     while frame is not None:
         if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
             return True

@@ -1,4 +1,4 @@
-"""Who does the items: this process, several processes, or a Dask cluster."""
+"""Choice of the workers: this process, several processes, or a Dask cluster."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vstatics.core.jobs.alone import Alone, Describe, Rules, Workers
 
 
 def cores() -> int:
-    """Cores that this process may use."""
+    """Return the number of available cores."""
     usable = getattr(os, "sched_getaffinity", None)
     return len(usable(0)) if usable else os.cpu_count() or 1
 
@@ -21,18 +21,18 @@ def workers(
     scheduler: str | None = None,
     rules: Rules = Rules(),  # noqa: B008 (it cannot be changed)
 ) -> Workers:
-    """The workers: a cluster if there is a scheduler, else so many processes.
+    """Return the workers: a cluster if a scheduler is given, otherwise processes.
 
     Parameters
     ----------
     state, describe
         See `Workers`; both can be pickled.
     jobs : int
-        Processes; with 1 this process does everything itself.
+        Number of processes; with 1 this process does everything.
     scheduler : str, optional
         Address of a Dask scheduler.
     rules : Rules
-        For several processes of this machine.
+        Rules for several processes on this machine.
     """
     if scheduler is not None:
         from vstatics.core.jobs.cluster import Cluster

@@ -1,7 +1,7 @@
-"""`vstatics sweep`: variants of a case or of a scenario, to a table.
+"""`vstatics sweep`: variants of a case or of a scenario, written as a table.
 
-`command` has the options and makes a plan of them. `subject` reads what is varied: a case, or a
-document of an annex. `estimate` tells before anything is calculated how many variants there
-are, how large the table becomes and how long it takes. `run` carries the plan out, to a file or a
-stream, and says what became of it; samples of ``vstatics simulate`` are carried out by it, too.
+`command` has the options and builds a plan. `subject` reads a case or a document of an annex.
+`estimate` predicts the number of variants, the size of the table and the time. `run` carries the
+plan out, to a file or a stream, and reports the outcome, also for samples of
+``vstatics simulate``.
 """

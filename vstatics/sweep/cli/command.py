@@ -1,4 +1,4 @@
-"""`vstatics sweep`: variants of a case, to a table."""
+"""`vstatics sweep`: variants of a case, written as a table."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, say
 
 
 def declared(command: Command) -> Command:
-    """The options that a sweep file and `vstatics.sweep()` have, too."""
+    """Add the options that sweep files and `vstatics.sweep()` have, too."""
     for name, option in reversed(list(OPTIONS.items())):
         if option.help:
             command = _click_option(name, option)(command)
@@ -52,7 +52,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 
 
 def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ...]) -> str | None:
-    """A text that is given twice is no text: the first one would be lost."""
+    """Return the text of an option, and refuse an option given twice."""
     if len(given) > 1:
         join = "with `and`" if option.name == "where" else "with commas"
         raise click.BadParameter(f"it is given {len(given)} times; expected one, {join}")
@@ -60,7 +60,7 @@ def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ..
 
 
 class Effort(NamedTuple):
-    """Whether a sweep is carried out, how long a run may take, and whether no row fails."""
+    """Options of execution: estimate only, time limit of a run, failure without rows."""
 
     fail_empty: bool
     dry_run: bool
@@ -170,24 +170,24 @@ def sweep(
             status, told = carry_out(run)
             problems = [*problems, *told]
         return status or (FAILED if telling.fails(problems) else DONE)
-    except CaseError as error:  # is shown as what ends a reading
+    except CaseError as error:  # printed like the problems of a file
         raise ReadError(error.problems) from error
 
 
-def _unquoted(name: str, said: Any) -> tuple[str, Any]:
-    """An option without marks around all of it, which only some shells take away.
+def _unquoted(name: str, given: Any) -> tuple[str, Any]:
+    """Remove quotes around a whole option, which some shells leave.
 
     >>> _unquoted("vary", ("'P1.ratio=-2,-3'", "'a b'.ratio=-2")), _unquoted("best", 5)
     (('vary', ('P1.ratio=-2,-3', "'a b'.ratio=-2")), ('best', 5))
     """
-    if isinstance(said, tuple):
-        return name, tuple(_unquoted(name, one)[1] for one in said)
-    is_whole = isinstance(said, str) and said[:1] == said[-1:] == "'" and said.count("'") == 2
-    return name, said[1:-1] if is_whole else said
+    if isinstance(given, tuple):
+        return name, tuple(_unquoted(name, text)[1] for text in given)
+    is_whole = isinstance(given, str) and given[:1] == given[-1:] == "'" and given.count("'") == 2
+    return name, given[1:-1] if is_whole else given
 
 
 def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Sharing) -> Format:
-    """The format of the output; wrong combinations of options are wrong use."""
+    """Return the format of the output, and refuse wrong combinations of options."""
     to_stream = is_stream(options.output)
     against = [
         (True, message if message.endswith("?") else f"{message}.")
@@ -202,8 +202,8 @@ def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Shar
         *against,
     )
     sharing.check(options.output)
-    told = format_of(options.output or "", FORMATS)
-    form = cast("Format | None", options.format) or told
+    form_of_suffix = format_of(options.output or "", FORMATS)
+    form = cast("Format | None", options.format) or form_of_suffix
     message = "" if to_stream else mismatch(form, str(options.output))
     as_text = form in TEXTS and format_of(str(options.output), ["text"])
     refuse(

@@ -1,4 +1,4 @@
-"""What is known of a sweep before it is carried out: how many, how large, how long."""
+"""Estimates of a sweep before it is carried out: number of variants, size, time."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from vstatics.sweep.results.best import BEST
 from vstatics.sweep.tasks import data_of
 
 TRIED = 1.0
-"""So long a run is tried, to tell how long it takes. [s]"""
+"""Time limit of a trial run, for an estimate [s]."""
 SPOTS, ROWS = 16, 16
-"""The size of a row is that of so many rows at so many spots of a sweep."""
+"""Number of positions in a sweep, and of rows at each, from which the row size is measured."""
 LONGEST_NUMBER = 32
-"""No number takes more bytes, with what stands around it but its name."""
+"""Largest size of a number with separators [bytes]."""
 
 
 def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPieces) -> None:
-    """Refuse an output that can't have room on its disk, before anything is written.
+    """Refuse an output without enough disk space, before anything is written.
 
-    Where a condition or an objective decides how many rows there are it can't be told.
-    Parquet is packed, and nobody knows how well; but its pieces lie there unpacked before.
+    The number of rows is unknown with a condition or an objective. The compression of Parquet is
+    unknown, but its pieces are first stored uncompressed.
 
     Raises
     ------
@@ -59,24 +59,23 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
 
 
 def _row_bytes(plan: SweepPlan, form: Format) -> float:
-    """The mean length of a row, all over the sweep."""
     last = max(plan.variants.count - ROWS, 0)
     starts = sorted({last * spot // (SPOTS - 1) for spot in range(SPOTS)})
     ends = ((start, min(start + ROWS, plan.variants.count)) for start in starts)
     parts = [blocks.calculate(plan, *two) for two in ends]
-    length = sum(memoryview(one).nbytes for part in parts for one in data_of(form, part))
+    length = sum(memoryview(column).nbytes for part in parts for column in data_of(form, part))
     return length / sum(len(part.places) for part in parts)
 
 
 def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
-    """The length of a block as a file of Parquet, which is packed about as well as the whole."""
+    """Return the length of a block in Parquet, whose compression resembles the whole."""
     file = io.BytesIO()
     write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
     return file.tell()
 
 
 def most_rows(plan: SweepPlan) -> int:
-    """The rows that there may be."""
+    """Return the largest possible number of rows."""
     count = plan.count
     if not plan.objectives:
         return count
@@ -84,14 +83,14 @@ def most_rows(plan: SweepPlan) -> int:
 
 
 def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
-    """How many variants, how large, about how long, by a block of the sweep."""
+    """Return an estimate of number, size and time, from a block of the sweep."""
     variants, headings = plan.variants.count, plan.output_headings
     needed, subject = 0.0, plan.subject
     if not isinstance(subject, Transmission) and (needed := subject.seconds(TRIED)):
         plan = replace(plan, subject=subject.limited(TRIED))
     start, stop = blocks.middle(plan)
     first = 100 if isinstance(plan.subject, Transmission) else 1
-    blocks.calculate(plan, start, min(start + first, stop))  # the first time costs more
+    blocks.calculate(plan, start, min(start + first, stop))  # the first calculation takes longer
     began = time.perf_counter()
     rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)
@@ -103,7 +102,7 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
         expected = f"the best, at most {min(count, most_rows(plan))}"
     else:
         expected = str(count) if plan.where is None else f"about {count}"
-    whole = sum(memoryview(one).nbytes for one in data)
+    whole = sum(memoryview(column).nbytes for column in data)
     if form == "parquet":
         whole = _packed_bytes(plan, rows)
     length = whole / max(len(rows.places), 1)

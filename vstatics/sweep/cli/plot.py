@@ -1,4 +1,4 @@
-"""Pictures of written sweeps, in place of cases."""
+"""Pictures of written sweeps."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 def plot_written_sweep(
     sweeps: Sequence[str], to: Destination, style: Style, asked: AskedPicture
 ) -> int:
-    """Write the picture of a written sweep, in place of a case; the exit status.
+    """Draw a written sweep, and return the exit status.
 
     Raises
     ------
     UsageError
-        If there are several files, or a column is not for the kind.
+        If there are several files, or a column does not suit the kind.
     ReadError
-        If the file is no sweep, there is nothing to draw, or the picture can't be written.
+        If the file is not a sweep, has nothing to draw, or the picture cannot be written.
     """
     from vstatics.core.readers import sweep_tables
 

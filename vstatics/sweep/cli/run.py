@@ -1,4 +1,4 @@
-"""Carrying out a sweep: to a file or a stream, with what is said when it ends."""
+"""Execution of a sweep, to a file or a stream, with a report at the end."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ from vstatics.sweep.variants.numbered import VariantTable
 UNSOLVED = [
     chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
 ]
-"""A variant of this status has no solution at all."""
+"""Statuses of a variant without any solution."""
 
 
 class SweepRun(NamedTuple):
-    """A sweep, who calculates it, and where it goes."""
+    """Sweep with the options of execution and output."""
 
     plan: SweepPlan
     form: Format
@@ -42,26 +42,26 @@ class SweepRun(NamedTuple):
     raw: bool
     telling: Telling
     fail_empty: bool = False
-    """Whether a sweep without rows fails."""
+    """True if a sweep without rows fails."""
 
     @property
     def quiet(self) -> bool:
-        """Whether it is said only what is not well."""
+        """True if only failures are reported."""
         return self.telling.quiet
 
     @property
     def task(self) -> SweepTask:
-        """What there is to do for each piece."""
+        """Task that workers receive."""
         return SweepTask(self.plan, self.form, raw=self.raw)
 
 
 class Ended(NamedTuple):
-    """How a sweep ended."""
+    """Outcome of a sweep."""
 
     status: int
-    """Of the command, so far."""
+    """Exit status of the command before the check of warnings."""
     told: Sequence[Problem] = ()
-    """What was said of its runs."""
+    """Messages about the runs."""
 
 
 def carry_out(run: SweepRun) -> Ended:
@@ -76,7 +76,7 @@ def carry_out(run: SweepRun) -> Ended:
 
 
 def to_file(run: SweepRun, output: str) -> Ended:
-    """Write the output file, whole or not at all."""
+    """Write the output file, completely or not at all."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing, quiet = run.plan, run.sharing, run.quiet
@@ -89,19 +89,21 @@ def to_file(run: SweepRun, output: str) -> Ended:
         with going_on_later(
             output, store, lambda: kept_pieces(written.finished, whole, store, output)
         ):
-            made = description(plan, run.form)
-            sharing.open(store, output, made, plan.pieces, "variant is calculated", quiet=quiet)
-            kept = written.finished
+            definition = description(plan, run.form)
+            sharing.open(
+                store, output, definition, plan.pieces, "variant is calculated", quiet=quiet
+            )
+            finished_before = written.finished
             called = written.task.workers(sharing.processes, sharing.scheduler)
             with called, progress(plan.count, what, quiet=quiet) as advance:
-                advance(kept)
+                advance(finished_before)
                 written.calculate(called, advance)
                 report = written.assemble(called)
-    return _summary(run, report, time.perf_counter() - began, kept)
+    return _summary(run, report, time.perf_counter() - began, finished_before)
 
 
 def to_stream(run: SweepRun) -> Ended:
-    """Write rows to stdout, or to what is no file, as they come."""
+    """Write rows to stdout or a further stream during the calculation."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing = run.plan, run.sharing
@@ -128,14 +130,12 @@ def to_stream(run: SweepRun) -> Ended:
 
 
 def _where_solved(plan: SweepPlan) -> str:
-    """Where a variant of several gears needs a solution."""
     if plan.by_gear or not isinstance(plan.subject, Transmission) or len(plan.asked_gears) < 2:
         return ""
     return " in every gear that is asked for"
 
 
-def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) -> Ended:
-    """Say what became of the variants."""
+def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before: int = 0) -> Ended:
     what = _counted(run.plan)
     output = "<stdout>" if run.output in (None, STDOUT) else run.output
     reasons = [
@@ -144,8 +144,8 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
         if status in report.counts
     ]
     unlike = f" ({', '.join(reasons)})" if reasons else ""
-    before = f", {kept} of them before" if kept else ""
-    rate = (report.variants - kept) / max(seconds, 1e-9)
+    before = f", {finished_before} of them before" if finished_before else ""
+    rate = (report.variants - finished_before) / max(seconds, 1e-9)
     if reasons or not run.quiet:
         files.say(
             f"{output}: {report.rows} rows of {report.variants} {what}{unlike}{before}; "
@@ -153,51 +153,50 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, kept: int = 0) 
         )
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
-    told = tell_noticed(run, report.noticed)
+    messages = tell_noticed(run, report.noticed)
     solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
     if not solved:
         files.say(f"no variant has a solution{_where_solved(run.plan)}")
         tell_reason(run.plan)
-        return Ended(FAILED, told)
+        return Ended(FAILED, messages)
     if run.plan.where is not None and not report.rows:
         _tell_removed(run.plan.where, report)
-    return Ended(EMPTY if run.fail_empty and not report.rows else DONE, told)
+    return Ended(EMPTY if run.fail_empty and not report.rows else DONE, messages)
 
 
 def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]:
-    """Tell the messages of runs, each once for all variants; they are returned."""
-    plan, telling = run.plan, run.telling._replace(notes=True)  # as `simulate` tells them
+    """Print and return the messages of runs, each once for all variants."""
+    plan, telling = run.plan, run.telling._replace(notes=True)  # as in `simulate`
     if isinstance(plan.subject, Transmission):
         return ()
     file, count = plan.subject.file, plan.variants.count
-    told = [
+    messages = [
         of_file(
-            one.id,
+            note.id,
             file,
-            f"in {'all' if one.variants == count else f'{one.variants} of'} {count} variants"
-            f"{'' if one.variants == count else f', the first is {one.first}'}: {one.text}",
+            f"in {'all' if note.variants == count else f'{note.variants} of'} {count} variants"
+            f"{'' if note.variants == count else f', the first is {note.first}'}: {note.text}",
         )
-        for one in not_allowed(noticed, telling.allow)
+        for note in not_allowed(noticed, telling.allow)
     ]
-    show_problems(told, telling, file)
-    return told
+    show_problems(messages, telling, file)
+    return messages
 
 
 def _counted(plan: SweepPlan) -> str:
-    """What a row may be of."""
     return "gears of variants" if plan.by_gear else "variants"
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
-    """Say how many of those that are left each part of a condition removed."""
-    left = report.variants
+    """Print the number of variants that each part of the condition removed."""
+    remaining = report.variants
     for part, removed in zip(where.parts, report.removed, strict=True):
-        files.say(f"`{part.text}` removed {removed} of {left}")
-        left -= removed
+        files.say(f"`{part.text}` removed {removed} of {remaining}")
+        remaining -= removed
 
 
 def tell_reason(plan: SweepPlan) -> None:
-    """Say why the first variant has no numbers, where that can be told."""
+    """Print the reason if the first variant has no numbers."""
     if isinstance(plan.subject, Transmission):
         files.show(blocks.reason(plan))
     else:

@@ -1,4 +1,4 @@
-"""What a sweep is of, as it is read from files: a case, or a scenario and its case."""
+"""Subject of a sweep as read from files: a case, or a scenario and its case."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vstatics.sweep.variants.table_file import headings
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
 _STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
 ReadSubject = tuple[Subject, list[Problem]]
-"""A case or a scenario, and what is doubtful of the case."""
+"""Case or scenario, and warnings about the case."""
 
 
 def read_subject(
@@ -34,12 +34,12 @@ def read_subject(
 ) -> ReadSubject:
     """Read the case or the scenario of a sweep, and print the warnings.
 
-    A case may lack the load that varies.
+    A case can lack a load that varies.
 
     Raises
     ------
     ReadError
-        If it can't be read; with the problems to print.
+        If the file cannot be read; with the problems to print.
     """
     file = options.case or ""
     try:
@@ -57,10 +57,10 @@ def read_subject(
     try:
         reading = arguments.read_data(data, name, input_format, telling)
     except ReadError:
-        found = _with_load(Document(data, name), input_format, options)
-        if found is None:
+        completed = _with_load(Document(data, name), input_format, options)
+        if completed is None:
             raise
-        reading = found.allowing(telling.allow)
+        reading = completed.allowing(telling.allow)
         arguments.show_problems(reading.warnings, telling, name)
     return reading.case, list(reading.warnings)
 
@@ -68,7 +68,7 @@ def read_subject(
 def _with_load(
     case: Document, input_format: readers.Format | None, options: SweepOptions
 ) -> Reading | None:
-    """A case without a load, read with one that stands in for those that vary."""
+    """Read a case without a load with a placeholder for the varied load."""
     varied = [text.text for text in options.vary]
     with suppress(OSError, ReadError):
         if options.variants is not None:
@@ -77,16 +77,16 @@ def _with_load(
         document = case_document(*case, input_format) if halves else None
         root = document and document.root
         if document and isinstance(root, Mapping) and not child(root, "load"):
-            told: list[tuple[Scalar, Node]] = [
+            placeholders: list[tuple[Scalar, Node]] = [
                 (Scalar(half, 1, 1), Scalar(_STAND_INS[half], 1, 1)) for half in halves
             ]
-            load = Scalar("load", 1, 1), Mapping(told, 1, 1)
+            load = Scalar("load", 1, 1), Mapping(placeholders, 1, 1)
             return document.reading(root._replace(entries=[*root.entries, load]))
     return None
 
 
 def spare(subject: Subject, output: str | None) -> None:
-    """Refuse an output that would write over the case of a scenario.
+    """Refuse an output that would overwrite the case of a scenario.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def spare(subject: Subject, output: str | None) -> None:
 
 
 def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
-    """Refuse options that say something about gears, where a scenario tells what happens.
+    """Refuse options about gears for a scenario, which defines the operation.
 
     Raises
     ------
@@ -109,12 +109,12 @@ def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> 
 
 
 def limited(subject: Subject, limit: float | None) -> Subject:
-    """A scenario each run of which may take so many seconds.
+    """Return a scenario with a limited time for each run.
 
     Raises
     ------
     UsageError
-        Of a case, which has no runs.
+        If the subject is a case, which has no runs.
     """
     if limit is None:
         return subject

@@ -1,6 +1,7 @@
-"""What is kept of variants: columns, conditions, the best, statistics.
+"""Results of variants: columns, conditions, the best variants, statistics.
 
-`expressions` makes a column of a text: `names` knows what its names mean (`meanings`) for a case,
-a document knows it itself (`documents`); `columns` reads a list of them. `selection` says which
-variants are kept, `best` puts these in order, `statistics` has what many have in common.
+`expressions` calculates a column from a text: `names` finds the meanings of names (`meanings`) for
+a case, and a document finds them itself (`documents`); `columns` reads a list of expressions.
+`selection` decides which variants are written, `best` sorts them, and `statistics` summarises
+many variants.
 """

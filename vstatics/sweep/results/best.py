@@ -1,6 +1,6 @@
-"""The best rows of a sweep: of a piece, then among those of all pieces.
+"""Best rows of a sweep: of a piece, then among the best of all pieces.
 
-What is best of all is best of its piece, so each piece keeps few rows.
+The best of all variants are among the best of their pieces, so each piece keeps few rows.
 """
 
 from __future__ import annotations
@@ -16,32 +16,32 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results import selection
 
 BEST = 20
-"""So many rows by one objective, where nobody asks for another number."""
+"""Default number of best rows by a single objective."""
 
 
 def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
-    """The rows of a chunk that may be among the best of all."""
+    """Return the rows of a chunk that can be among the best of all."""
     if len(plan.objectives) == 1:
         return chunk.rows(selection.best(chunk.objectives[:, 0], plan.best or BEST))
     return chunk.rows(fronts.non_dominated(chunk.objectives))
 
 
 def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
-    """The best rows of several chunks: of one objective sorted, else in order of variants.
+    """Yield the best rows of several chunks, sorted by a single objective, else by variant.
 
     Parameters
     ----------
     plan : SweepPlan
     chunks : callable
-        Gives all chunks, in order, each with the best of its rows; it is asked twice where
-        there are several objectives, so that only these have to be in memory.
+        Function that yields all chunks in order, each with its best rows. With several
+        objectives it is called twice, so that only objectives have to be in memory.
     """
     if len(plan.objectives) == 1:
-        kept: Chunk | None = None
+        best_rows: Chunk | None = None
         for chunk in chunks():
-            kept = chunk if kept is None else within(plan, joined([kept, chunk]))
-        if kept is not None:
-            yield kept
+            best_rows = chunk if best_rows is None else within(plan, joined([best_rows, chunk]))
+        if best_rows is not None:
+            yield best_rows
         return
     variants = _front(plan, chunks())
     for chunk in chunks():
@@ -51,7 +51,6 @@ def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Ch
 
 
 def _front(plan: SweepPlan, chunks: Iterable[Chunk]) -> Integers:
-    """The numbers of the variants that no other dominates, or so many of them as are asked for."""
     objectives = np.zeros((0, len(plan.objectives)))
     variants = np.zeros(0, dtype=np.int64)
     for chunk in chunks:

@@ -1,4 +1,4 @@
-"""The text of --out -> columns with headings."""
+"""Parser of --out: columns with headings."""
 
 from __future__ import annotations
 
@@ -47,29 +47,29 @@ _BLANK = re.compile(r"\s")
 
 
 class ColumnGroup(NamedTuple):
-    """An expression, and which of its values become columns."""
+    """Expression, and the cells of the value that become columns."""
 
     expression: Expression
     cells: tuple[tuple[int, int], ...]
-    """Index of gear and of row, 0 where it has none."""
+    """Index of gear and of row, 0 for a missing axis."""
 
 
 @dataclass(frozen=True)
 class OutputColumns:
-    """What is written of each variant.
+    """Columns written for each variant.
 
     Parameters
     ----------
     headings : tuple of str
-        All different.
+        Headings, all different.
     parts : tuple of ColumnGroup
-        What they stand for, in the same order.
+        Expressions of the columns, in the order of the headings.
     """
 
     headings: tuple[str, ...]
     parts: tuple[ColumnGroup, ...]
     named: Mapping[str, ResolvedPart] = field(default_factory=dict)
-    """What names of columns stand for."""
+    """Name of a column -> expression."""
 
     def __call__(self, tables: Tables, values: Floats) -> Floats:
         """Calculate all columns.
@@ -77,14 +77,14 @@ class OutputColumns:
         Parameters
         ----------
         tables : Tables
-            `Results` of an array of variants, or what else has tables of them.
+            `Results` of an array of variants, or another object with their tables.
         values : ndarray, shape (variants, targets)
             The varied numbers. [-]
 
         Returns
         -------
         ndarray, shape (variants, columns)
-            Each column lies in one stretch of memory. NaN does not exist. [-]
+            Each column is contiguous. NaN for undefined values. [-]
         """
         columns = np.empty((len(self.headings), len(values))).T
         column = 0
@@ -97,7 +97,7 @@ class OutputColumns:
 
 
 _NAMED = re.compile(rf"\s*({NAME.pattern})\s*=(?!=)")
-"""What stands before an expression that names its column."""
+"""Name and equals sign before an expression."""
 
 
 def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> OutputColumns:
@@ -134,30 +134,32 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
     """
     terms = terms_of(targets)
     names = names_of(Excerpt(text, OPTION), subject, terms)
-    varied = {one.name for one in terms.targets}
+    varied = {target.name for target in terms.targets}
     known = set(varied)
     headings: list[str] = []
     parts: list[ColumnGroup] = []
     problems: list[Problem] = []
     named: dict[str, ResolvedPart] = {}
     for start, stop in items(text):
-        own = _NAMED.match(text, start, stop)
-        source = Excerpt(text, OPTION, own.end() if own else start, stop)
+        name_match = _NAMED.match(text, start, stop)
+        source = Excerpt(text, OPTION, name_match.end() if name_match else start, stop)
         try:
             terms = terms._replace(named=named)
             expression, part = resolved_expression(source, subject, terms)
-            if own:
-                _check_name(own[1], names, own.start(1), {*known, *named})
-                named[own[1]] = part
+            if name_match:
+                _check_name(name_match[1], names, name_match.start(1), {*known, *named})
+                named[name_match[1]] = part
         except ReadError as error:
             problems += error.problems
             if len(problems) >= MOST_PROBLEMS:
                 break
             continue
         cells = []
-        for cell, heading in _headings(expression, names, terms.targets, own[1] if own else ""):
+        for cell, heading in _headings(
+            expression, names, terms.targets, name_match[1] if name_match else ""
+        ):
             if heading in varied and not isinstance(expression.node, VariedNumber):
-                heading = f"({heading})"  # noqa: PLW2901 - it is not what is varied
+                heading = f"({heading})"  # noqa: PLW2901 - differs from the varied number
             if heading not in known:
                 known.add(heading)
                 headings.append(heading)
@@ -169,12 +171,12 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
 
 
 def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -> None:
-    """Make sure that a column may have a name.
+    """Check that a column can have a name.
 
     Raises
     ------
     ReadError
-        If it means something else, or another column has it.
+        If the name has another meaning, or another column has the name.
     """
     meaning = *BY_NAME, *names.language.functions, *CONSTANTS, OMEGA, *OF_RATIOS, OK
     if name in (*meaning, *output_headings((), ()), GEAR):
@@ -189,12 +191,12 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
 def output_headings(
     names: Sequence[str], headings: Sequence[str], *, by_gear: bool = False
 ) -> list[str]:
-    """The headings of the output: of variants by varied numbers and columns."""
+    """Return the headings of the output: varied numbers, status, columns."""
     return ["variant", *names, "status", *[GEAR] * by_gear, *headings]
 
 
 def items(text: str) -> Iterator[tuple[int, int]]:
-    """The ends of the parts between commas that stand outside brackets and quotes."""
+    """Yield the ends of the parts between commas outside brackets and quotes."""
     start, depth, quote = 0, 0, ""
     for at, letter in enumerate(text):
         if quote:
@@ -212,11 +214,11 @@ def items(text: str) -> Iterator[tuple[int, int]]:
 
 
 def _headings(
-    expression: Expression, names: NameFinder, targets: Sequence[Varied], own: str
+    expression: Expression, names: NameFinder, targets: Sequence[Varied], given_name: str
 ) -> Iterator[tuple[tuple[int, int], str]]:
-    """Gear and row of each column, and its heading; `own` is the name that it was given."""
-    node, text = expression.node, own or _BLANK.sub(" ", expression.text)
-    if isinstance(node, VariedNumber) and not own:
+    """Yield gear, row and heading of each column, with the name given to the expression."""
+    node, text = expression.node, given_name or _BLANK.sub(" ", expression.text)
+    if isinstance(node, VariedNumber) and not given_name:
         yield (0, 0), targets[node.column].name
         return
     gears: Sequence[str] = expression.gears or ()
@@ -224,17 +226,19 @@ def _headings(
     own_gear = own_row = None
     if isinstance(node, Applied) and node.name == LAST and expression.table:
         (node,) = node.operands
-    call = own or (isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST))
+    call = given_name or (isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST))
     before = text if call else f"({text})"
-    if isinstance(node, Selection):  # a heading tells the row and gear that were picked, too
-        before = own or expression.table or node.table
-        if not own and node.table not in (SPREAD, OK, *PART_NUMBERS.values()):
+    if isinstance(node, Selection):  # a heading names the chosen row and gear, too
+        before = given_name or expression.table or node.table
+        if not given_name and node.table not in (SPREAD, OK, *PART_NUMBERS.values()):
             gears, rows = names.gears, names.written_rows(node.table)
             own_gear, own_row = node.gear, node.row
     for row in range(len(expression.rows or ("",))):
         for gear in range(len(expression.gears or ("",))):
             picked = ((own_row, row, rows), (own_gear, gear, gears))
             keys = [
-                names.key(n if own is None else own, every) for own, n, every in picked if every
+                names.key(n if given_name is None else given_name, every)
+                for given_name, n, every in picked
+                if every
             ]
             yield (gear, row), f"{before}[{','.join(keys)}]" if keys else text

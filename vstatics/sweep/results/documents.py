@@ -1,4 +1,4 @@
-"""Documents that are swept: what an expression can speak of, and what becomes of a variant."""
+"""Documents that are swept: names in expressions, and outcomes of variants."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class RunOutcome(NamedTuple):
     """Index into `chunk.STATUS`."""
     tables: Tables
     unknown: bool
-    """Whether the tables have no numbers."""
+    """True if the tables have no numbers."""
     messages: Sequence[Message] = ()
 
 
@@ -33,7 +33,7 @@ class SweptDocument(VariedDocument):
     public_name: ClassVar[str] = "VariedScenario"
     """Name of the class in messages about arguments."""
     default_columns: ClassVar[str]
-    """Columns where none are asked for."""
+    """Columns of a sweep without --out."""
 
     @property
     @abstractmethod
@@ -43,23 +43,23 @@ class SweptDocument(VariedDocument):
     @property
     @abstractmethod
     def case_file(self) -> str:
-        """Name of the file of its case."""
+        """Name of the file of the case."""
 
     @abstractmethod
     def limited(self, seconds: float) -> Self:
-        """Return the document with runs that take at most so long."""
+        """Return the document with a time limit for each run [s]."""
 
     @abstractmethod
     def names(self, source: Excerpt, targets: Sequence[Varied]) -> NameFinder:
-        """Return who knows the names in an expression."""
+        """Return the finder of the names in an expression."""
 
     @abstractmethod
     def unit_of(self, table: str) -> str:
-        """Return the unit of a table; nothing if it has none, or several."""
+        """Return the unit of a table, or "" for several or unknown units."""
 
     @abstractmethod
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return tables and rows of a run that expressions ask for, and no run has of itself."""
+        """Return the tables and rows that expressions need in addition to the usual ones."""
 
     @abstractmethod
     def outcome(
@@ -69,11 +69,11 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
-        """Return why a variant has no numbers; nothing if it has numbers."""
+        """Return the problems of a variant without numbers."""
 
     @abstractmethod
     def seconds(self, tried: float) -> float:
-        """Return how long a run takes, after a trial of so many seconds; 0 if it is done soon."""
+        """Return the time of a run after a trial of limited time; 0 if completed."""
 
 
 Subject: TypeAlias = Transmission | SweptDocument

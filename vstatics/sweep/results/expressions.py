@@ -1,4 +1,4 @@
-"""Expressions of a sweep: what is calculated of the results of each variant.
+"""Expressions of a sweep: numbers calculated from the results of each variant.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0}, name="low")])
@@ -6,11 +6,10 @@
 >>> ratio(solve(case), np.zeros(0))
 array(2.5)
 
-A text becomes a tree (`readers.expressions`), names become
-tables and numbers of the case (`names`), and the values are calculated on arrays
-(`evaluation`). All names are resolved when the text is read, so that a mistake is told before
-anything is calculated and an expression can go to other processes. `columns` makes the list
-of --out of it.
+A text becomes a tree (`readers.expressions`), names become tables and numbers of the case
+(`names`), and the values are calculated on arrays (`evaluation`). All names are resolved when the
+text is read, so that mistakes are reported before the calculation, and an expression can be sent
+to other processes. `columns` reads the list of --out.
 """
 
 from __future__ import annotations
@@ -35,27 +34,27 @@ from vstatics.sweep.variants.targets import Varied
 
 Node: TypeAlias = Name | Constant | Applied
 CONSTANTS = {"pi": math.pi}
-"""Numbers with a name."""
+"""Named constants."""
 
 
 @dataclass(frozen=True)
 class Expression:
-    """What is calculated of the results of each variant.
+    """Expression of the results of a variant.
 
     Parameters
     ----------
     text : str
-        As it was read, without blanks at its ends.
+        Text as read, without surrounding blanks.
     node : Constant, Applied, Selection or VariedNumber
-        What is calculated.
+        Tree of the calculation.
     gears : tuple of str, optional
-        The names along the axis of gears; None if there is no such axis.
+        Names along the axis of gears, if the value has this axis.
     rows : tuple of str, optional
-        The names along the axis of rows; None if there is no such axis.
+        Names along the axis of rows, if the value has this axis.
     row : str
-        What a row is, such as ``link``; empty if there is no such axis.
+        Noun for a row, such as ``link``, if the value has this axis.
     table : str
-        The name of the table as it was written, if it is nothing but a part of one.
+        Name of the table as written, if the expression is part of a table.
     """
 
     text: str
@@ -66,33 +65,33 @@ class Expression:
     table: str = ""
 
     def __call__(self, tables: Tables, values: Floats) -> Floats:
-        """Calculate it.
+        """Calculate the value for each variant.
 
         Parameters
         ----------
         tables : Tables
-            `Results` of arrays of variants, or what else has tables of them.
+            `Results` of arrays of variants, or another object with their tables.
         values : ndarray, shape (variants, targets)
             The varied numbers. [-]
 
         Returns
         -------
         ndarray, shape (variants, [gears,] [rows])
-            NaN does not exist; 1 and 0 stand for true and false. It may be a view. [-]
+            NaN for undefined values; 1 and 0 for true and false. Can be a view. [-]
         """
-        all_of_them = slice(None)
-        gears, rows = (0 if axis is None else all_of_them for axis in (self.gears, self.rows))
-        own_axes: Floats = self.spread(tables, values)[..., gears, rows]
-        return own_axes
+        whole_axis = slice(None)
+        gears, rows = (0 if axis is None else whole_axis for axis in (self.gears, self.rows))
+        values_on_axes: Floats = self.spread(tables, values)[..., gears, rows]
+        return values_on_axes
 
     def spread(self, tables: Tables, values: Floats) -> Floats:
-        """As when called, but always of shape (variants, gears or 1, rows or 1)."""
+        """Calculate the value with all axes, shape (variants, gears or 1, rows or 1)."""
         calculated = evaluate(self.node, lambda name: value_of(name, tables, values))
         return np.broadcast_to(calculated, (*values.shape[:-1], *calculated.shape[-2:]))
 
     @property
     def selections(self) -> Iterator[Selection]:
-        """All parts of tables that it asks for."""
+        """All parts of tables in the expression."""
         nodes: list[Node] = [self.node]
         while nodes:
             node = nodes.pop()
@@ -103,19 +102,19 @@ class Expression:
 
     @property
     def per(self) -> str:
-        """What it has a value for; nothing if it has one in all."""
+        """Words for the axes of the value; empty for a single value."""
         return " and ".join([self.row] * bool(self.row) + ["gear"] * bool(self.gears))
 
 
 class Terms(NamedTuple):
-    """What an expression may speak of besides tables and numbers of its subject."""
+    """Further names in an expression, in addition to tables and numbers of the subject."""
 
     targets: Sequence[Varied] = ()
-    """What is varied, in the order of the values."""
+    """Varied numbers, in the order of the values."""
     named: Mapping[str, ResolvedPart] = MappingProxyType({})
-    """Columns with names of their own."""
+    """Named columns."""
     by_gear: bool = False
-    """A row is of a gear, so that tables have none to be picked."""
+    """True if each row is of a gear, so that tables have no axis of gears."""
 
 
 def read_expression(
@@ -129,18 +128,18 @@ def read_expression(
     Parameters
     ----------
     text : str or Excerpt
-        All of a text, or a part of it.
+        Whole text, or a part of a text.
     subject : Transmission or VariedScenario
-        Whose names the text uses.
+        Subject whose names the text uses.
     targets : sequence of Varied, or Terms
-        What is varied, in the order of the values; other numbers are the subject's own.
+        Varied numbers, in the order of the values; other numbers are constants of the subject.
     option : str
-        Where a whole text was given, for messages: ``--where``.
+        Option of a whole text, for messages: ``--where``.
 
     Raises
     ------
     ReadError
-        With the place of what is wrong.
+        If the text is invalid, with the place of the error.
 
     Examples
     --------
@@ -161,18 +160,18 @@ def read_expression(
 
 
 def terms_of(targets: Sequence[Varied] | Terms) -> Terms:
-    """The terms where nothing but varied numbers is told."""
+    """Return terms that contain varied numbers only, unless terms are given."""
     return targets if isinstance(targets, Terms) else Terms(targets)
 
 
 def resolved_expression(
     source: Excerpt, subject: Subject, terms: Terms
 ) -> tuple[Expression, ResolvedPart]:
-    """An expression, and what stands for it in others; parameters as of `read_expression`."""
+    """Return an expression and the resolved part; see `read_expression`."""
     names = names_of(source, subject, terms)
     tree = parse(source, names.language)
     part = _resolve(tree, names, terms.named)
-    if part.per_gear and not names.gears:  # along time: what is left of it is the end
+    if part.per_gear and not names.gears:  # along time: only the end remains
         part = part._replace(node=Applied(LAST, (part.node,), 0, 1), per_gear=False)
     node, per_gear, table = part
     picked = isinstance(tree, TableName) and tree.name not in terms.named
@@ -188,7 +187,7 @@ def resolved_expression(
 
 
 def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms) -> NameFinder:
-    """Who knows the names in a text."""
+    """Return the finder of the names in a text."""
     terms = terms_of(targets)
     if isinstance(subject, Transmission):
         from vstatics.sweep.results.names import SweepNames
@@ -198,16 +197,16 @@ def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Term
 
 
 class ResolvedPart(NamedTuple):
-    """A part whose names are resolved, and the axes that it has."""
+    """Part with resolved names, and the axes of the values."""
 
     node: Node
     per_gear: bool = False
     table: str = ""
-    """A table whose rows it has, if it has rows."""
+    """Table whose rows the values have, if any."""
 
 
 def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -> ResolvedPart:
-    """Ask what the names in a tree mean, and whether operands go together."""
+    """Resolve the names in a tree, and check that operands fit together."""
     if not isinstance(tree, Applied):
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]
@@ -224,12 +223,12 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
         return ResolvedPart(node)
     tables = [operand.table for operand in operands if operand.table]
     for other in tables[1:]:
-        one, two = names.row(tables[0]), names.row(other)
-        unlike = (one == "mode") != (two == "mode")
+        row, paired = names.row(tables[0]), names.row(other)
+        unlike = (row == "mode") != (paired == "mode")
         if unlike or names.rows(tables[0]) != names.rows(other):
             message = (
-                f"`{tables[0]}` has one value per {one} and `{other}` one per {two}, so `{name}` "
-                "can't pair them: pick a row, or use min, max or sum"
+                f"`{tables[0]}` has one value per {row} and `{other}` one per {paired}, so "
+                f"`{name}` can't pair them: pick a row, or use min, max or sum"
             )
             raise names.source.error(message, tree.at)
     per_gear = any(operand.per_gear for operand in operands)
@@ -241,7 +240,6 @@ def _named(
     names: NameFinder,
     named: Mapping[str, ResolvedPart],
 ) -> ResolvedPart:
-    """What a number or a name means."""
     if isinstance(tree, TableName):
         if tree.name in (*named, *CONSTANTS):
             if tree.subscripts:

@@ -1,4 +1,4 @@
-"""What names in an expression stand for."""
+"""Meanings of names in an expression."""
 
 from __future__ import annotations
 
@@ -17,33 +17,33 @@ OMEGA = "omega"
 """Table of natural frequencies, which the annex of torsional vibration calculates. [rad/s]"""
 STEP, SPREAD = "step", "spread"
 OF_RATIOS = (STEP, SPREAD)
-"""Tables that follow from the ratios of all gears; only sweeps have them."""
+"""Tables derived from the ratios of all gears, which exist only in sweeps."""
 
 
 OK = "ok"
-"""Whether the status of a row is that; only sweeps have it."""
+"""Table that is 1 if the status of a row is ok, which exists only in sweeps."""
 
 
-PART_NUMBERS: dict[str, str] = {one: f"{one} of parts" for one in OF_MECHANISM}
-"""Tables of what mechanisms have in a variant, by the quantity; an expression names a number."""
+PART_NUMBERS: dict[str, str] = {quantity: f"{quantity} of parts" for quantity in OF_MECHANISM}
+"""Quantity -> table of the values of all mechanisms in a variant."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
-"""Tables that have one value for all gears."""
+"""Tables with a single value for all gears."""
 
 
 class Selection(NamedTuple):
-    """A table of the results, or what is left of it."""
+    """Table of the results, or a part of a table."""
 
     table: str
     gear: int | None
-    """None for all gears."""
+    """Index of the gear, or `None` for all gears."""
     row: int | None
-    """None for all rows, or where the table has none."""
+    """Index of the row, or `None` for all rows or a table without rows."""
     rows: int
-    """How many there are; 0: the table has one value per gear."""
+    """Number of rows; 0 for a table with a single value per gear."""
 
 
 class VariedNumber(NamedTuple):
-    """A number that the sweep varies."""
+    """Number that the sweep varies."""
 
     column: int
 
@@ -52,52 +52,52 @@ Name: TypeAlias = Selection | VariedNumber
 
 
 class NameFinder(Protocol):
-    """Finds what the names in an expression mean."""
+    """Finder of the meanings of names in an expression."""
 
     source: Excerpt
 
     @property
     def language(self) -> Language:
-        """What the expression can have."""
+        """Language of the expression."""
 
     @property
     def gears(self) -> Sequence[str]:
-        """Names along the axis of gears; none if it is another one."""
+        """Names along the axis of gears, if any."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
         """Return the meaning of a number of the subject."""
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return the meaning of a table, or of a part of it."""
+        """Return the meaning of a table, or of a part of a table."""
 
     def rows(self, table: str) -> Sequence[str]:
-        """Return the names of a table's rows; none if it has no rows."""
+        """Return the names of the rows of a table, if any."""
 
     def written_rows(self, table: str) -> Sequence[str]:
         """Return the names of all rows that a table can have in a variant."""
 
     def row(self, table: str) -> str:
-        """Return what a row of a table is."""
+        """Return the noun for a row of a table."""
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row or a gear as it is written between brackets."""
+        """Return a row or a gear as written between brackets."""
 
 
 class Tables(Protocol):
-    """What has tables: `Results`, or what a sweep calculates of a block of variants."""
+    """Object with tables: `Results`, or the results of a block of variants."""
 
     def existing(self, name: str) -> Floats:
-        """A table of shape (..., gears[, rows]), with NaN where there is nothing to be said."""
+        """Return a table of shape (..., gears[, rows]), with NaN for undefined values."""
 
 
 class GearRows(NamedTuple):
-    """Tables whose rows are of a gear: first all gears of the first variant."""
+    """Tables with a row per gear, beginning with all gears of the first variant."""
 
     tables: Tables
     gears: int
 
     def existing(self, name: str) -> Floats:
-        """A table of shape (variants * gears, 1[, rows])."""
+        """Return a table of shape (variants * gears, 1[, rows])."""
         table: Any = self.tables.existing(name)
         if name in OF_A_VARIANT:
             table = np.repeat(table, self.gears, axis=1)
@@ -107,14 +107,14 @@ class GearRows(NamedTuple):
 
 
 class WithStatus(NamedTuple):
-    """Tables, and which rows are of variants of which nothing bad is to be said."""
+    """Tables, and the rows of variants with the status ok."""
 
     tables: Tables
     good: Booleans
     """(rows,)"""
 
     def existing(self, name: str) -> Floats:
-        """A table; the one of the status has a single value for each row."""
+        """Return a table; the table of the status has a single value per row."""
         if name == OK:
             good: Floats = self.good[:, np.newaxis].astype(float)
             return good
@@ -122,9 +122,9 @@ class WithStatus(NamedTuple):
 
 
 def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
-    """The values of what a name stands for, shape (..., gears or 1, rows or 1).
+    """Return the values of a name, shape (..., gears or 1, rows or 1).
 
-    Floats are views of the results, whatever their strides; marks are copied to floats.
+    Floats are views of the results with any strides; booleans are copied to floats.
     """
     if isinstance(name, VariedNumber):
         return varied[..., name.column, None, None]

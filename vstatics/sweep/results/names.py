@@ -1,4 +1,4 @@
-"""What the names in an expression of a sweep mean: tables, rows, gears, numbers of the case."""
+"""Meanings of names in an expression of a sweep: tables, rows, gears, numbers of the case."""
 
 from __future__ import annotations
 
@@ -50,12 +50,12 @@ LANGUAGE = Language(
 
 
 def _changes_mechanisms(varied: Varied) -> bool:
-    """Whether a mechanism may have other numbers where a path varies."""
+    """Return whether a varied path can change the numbers of a mechanism."""
     return isinstance(varied, CasePath) and bool(varied.part or varied.quantity in OF_MECHANISM)
 
 
 class SweepNames:
-    """Finds what names in a text mean, for a case and what is varied of it.
+    """Finder of the meanings of names, for a case and the varied numbers.
 
     Examples
     --------
@@ -67,7 +67,7 @@ class SweepNames:
     """
 
     key = staticmethod(written)
-    """A row or a gear as it is written between brackets."""
+    """Row or gear as written between brackets."""
 
     def __init__(
         self,
@@ -83,44 +83,47 @@ class SweepNames:
         self.varied = targets
         self.by_gear = by_gear
         self.gears = [] if by_gear else [gear.name for gear in case.gears]
-        """None where a row is of a gear."""
+        """Names of the gears; empty if each row is of a gear."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
-        """A number of the case: varied, or else its own; a compliance by a varied stiffness.
+        """Return a number of the case, varied or constant.
 
-        That of a mechanism may follow from what varies, such as the teeth of its element.
+        A compliance follows from a varied stiffness. A number of a mechanism can follow from varied
+        numbers, such as the teeth of its gear set.
         """
-        found = number_of_case(name.written, self.case, self.source.place(name.at))
+        number_in_case = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
-            if varied.numbers == found.numbers:
+            if varied.numbers == number_in_case.numbers:
                 number = VariedNumber(column)
-                if not isinstance(varied, Target) or varied.quantity == found.quantity:
+                if not isinstance(varied, Target) or varied.quantity == number_in_case.quantity:
                     return number
                 return Applied("/", (Constant(1.0), number), name.at, 1)
-        if isinstance(found, CasePath):
+        if isinstance(number_in_case, CasePath):
             try:
-                return Constant(own_number_at(found, self.case))
+                return Constant(own_number_at(number_in_case, self.case))
             except ValueError as error:
                 raise self.source.error(str(error), name.at) from None
-        own = own_number(self.case, found.owner, found.quantity)
-        if isinstance(own, Law):
-            message = f"{quoted(found.name)} follows what the mechanism does: it is no number"
+        value = own_number(self.case, number_in_case.owner, number_in_case.quantity)
+        if isinstance(value, Law):
+            message = (
+                f"{quoted(number_in_case.name)} follows what the mechanism does: it is no number"
+            )
             raise self.source.error(message, name.at)
-        if found.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
-            table = PART_NUMBERS[found.quantity]
-            return Selection(table, 0, found.owner, len(self.case.mechanisms))
-        return Constant(own)
+        if number_in_case.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
+            table = PART_NUMBERS[number_in_case.quantity]
+            return Selection(table, 0, number_in_case.owner, len(self.case.mechanisms))
+        return Constant(value)
 
     @property
     def _units(self) -> set[str]:
-        """In which tables stand: by the load of the case, or that which is varied."""
-        loads = {one.quantity for one in self.varied if isinstance(one, CasePath)}
+        """Units of the available tables, by the load of the case or a varied load."""
+        loads = {varied.quantity for varied in self.varied if isinstance(varied, CasePath)}
         by_load = {"rpm": {"load.speed"}, "Nm": {"load.torque"}}
         known = known_units(self.case) | {unit for unit, of in by_load.items() if of & loads}
         return known | {"kW"} if {"rpm", "Nm"} <= known else known
 
     def table(self, read: TableName) -> Selection:
-        """A table, or a part of it."""
+        """Return a table, or a part of a table."""
         if read.name == OMEGA:
             return self._frequency(read)
         if read.name in OF_RATIOS:
@@ -152,42 +155,41 @@ class SweepNames:
         return Selection(known.name, gear, row, len(rows))
 
     def _gear(self, subscripts: list[Subscript]) -> int | None:
-        """The gear that the next subscript picks; that of the row where each is of a gear."""
+        """Return the gear of the next subscript, or the gear of the row."""
         if self.by_gear:
             return 0
         return self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
 
     def _nothing_more(self, subscripts: Sequence[Subscript], expected: str) -> None:
-        """Make sure that no subscript is left."""
         if subscripts:
             gears = "each row is of a gear, " * self.by_gear
             message = f"read one part too many, {gears}expected {expected}"
             raise self.source.error(message, subscripts[0].at)
 
     def rows(self, table: str) -> Sequence[str]:
-        """The names of a table's rows in the case; none if it has one value per gear."""
+        """Return the names of the rows of a table in the case, if any."""
         if table in (*OF_RATIOS, OK, *PART_NUMBERS.values()):
             return []
         return self._modes if table == OMEGA else table_rows(table, self.case)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """The names of all rows that a table may have, also in a variant that has more modes."""
+        """Return the names of all possible rows, including modes of other variants."""
         if table == OMEGA:
             return [str(number) for number in range(1, len(self.case.link_names) + 1)]
         return self.rows(table)
 
     def row(self, table: str) -> str:
-        """What a row of a table is."""
+        """Return the noun for a row of a table."""
         return "mode" if table == OMEGA else ROWS[BY_NAME[table].rows].singular
 
     @cached_property
     def _modes(self) -> list[str]:
-        varied = [one for one in self.varied if isinstance(one, Target)]
+        varied = [varied for varied in self.varied if isinstance(varied, Target)]
         names: list[str] = higher("mode_names", OMEGA)(self.case, varied)
         return names
 
     def _frequency(self, read: TableName) -> Selection:
-        """Natural frequencies; a mode that the case has not may be one of a variant."""
+        """Return natural frequencies; a mode missing in the case can exist in a variant."""
         if not self._modes:
             message = "the case has no natural mode in any gear, so there is no `omega`: it takes "
             message += "inertias, and springs or a stiffness between them"
@@ -206,21 +208,21 @@ class SweepNames:
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
-        """What a subscript stands for: by its name first, then by its number; None for all."""
+        """Return the index of a subscript, by name and then by number, or `None` for all."""
         written = subscript.written
         if written == ":":
             return None
         name = written[1:-1] if written[0] in "\"'" else written
         if kind == "one":
-            found = [names.index(name)] if name in names else []
+            matches = [names.index(name)] if name in names else []
         else:
-            found = rows_called(name, kind, self.case)
+            matches = rows_called(name, kind, self.case)
         if written[0] == "#":
-            found = []
-        if len(found) == 1:
-            return found[0]
-        if found:
-            raise self.source.error(several(name, found, names), subscript.at)
+            matches = []
+        if len(matches) == 1:
+            return matches[0]
+        if matches:
+            raise self.source.error(several(name, matches, names), subscript.at)
         number = (
             gear_place(written, names)
             if kind == "one"
@@ -231,7 +233,6 @@ class SweepNames:
         raise self.source.error(self._no_row(written, name, names, kind), subscript.at)
 
     def _no_row(self, written: str, name: str, names: Sequence[str], kind: Rows) -> str:
-        """What to say of a row or a gear that there is not."""
         if written[0] == "#":
             what = ROWS[kind].singular
             return f"read `{written}`, expected the number of a {what}, #1 to #{len(names)}"
@@ -242,7 +243,6 @@ class SweepNames:
         return no_row(name, kind, names, hint)
 
     def _no_table(self, name: str) -> str:
-        """What to say of a name that is no table."""
         case = self.case
         if name in [mechanism.name for mechanism in case.mechanisms]:
             hint = f"; `{name}` is a mechanism: {name}.ratio, or in brackets as in losses[{name}]"

@@ -1,7 +1,7 @@
-"""Which variants are kept: those that fulfil a condition, the best by one or by several.
+"""Selection of variants: by a condition, or the best by one or several objectives.
 
-The best by several are those that no other dominates: see `fronts`. A variant for which an
-objective does not exist (NaN) is never among the best.
+The best by several objectives are the variants that no other variant dominates: see `fronts`.
+A variant without a value of an objective (NaN) is never among the best.
 """
 
 from __future__ import annotations
@@ -23,38 +23,38 @@ from vstatics.sweep.variants.targets import Varied
 
 
 class Objective(NamedTuple):
-    """What is to be small, or large."""
+    """Quantity to minimise or maximise."""
 
     expression: Expression
     sign: Literal[1, -1]
-    """By which values are multiplied, so that smaller is better."""
+    """Factor that turns larger-is-better into smaller-is-better."""
 
 
 class WhereCondition(NamedTuple):
-    """Which variants are written: those for which all of its parts hold."""
+    """Condition on variants: a conjunction of parts."""
 
     text: str
     parts: tuple[Expression, ...]
-    """What stands between `and`; values are 1 where it is true, else 0."""
+    """Expressions between `and`, with values 1 for true and 0 for false."""
 
     def passed(
         self, tables: Tables, values: Floats, unknown: Booleans
     ) -> tuple[Booleans, tuple[int, ...]]:
-        """Which variants pass, and how many of those that are left each part removes.
+        """Return which variants pass, and how many each part removes in turn.
 
         Parameters
         ----------
         tables, values
-            As an `Expression` takes them.
+            Arguments of an `Expression`.
         unknown : ndarray, shape (variants,)
-            Variants that pass nothing.
+            Variants that never pass.
         """
-        left, removed = np.ones(len(values), np.bool_), []
+        passing, removed = np.ones(len(values), np.bool_), []
         for part in self.parts:
-            now = left & part(tables, values).astype(np.bool_) & ~unknown
-            removed.append(int(left.sum() - now.sum()))
-            left = now
-        return left, tuple(removed)
+            still_passing = passing & part(tables, values).astype(np.bool_) & ~unknown
+            removed.append(int(passing.sum() - still_passing.sum()))
+            passing = still_passing
+        return passing, tuple(removed)
 
 
 def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> WhereCondition:
@@ -63,7 +63,7 @@ def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -
     Raises
     ------
     ReadError
-        With the place of what is wrong.
+        If the text is invalid, with the place of the error.
 
     Examples
     --------
@@ -75,11 +75,11 @@ def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -
     vstatics.core.errors.ReadError: --where:1:1: error: `ratio < 3` has one value per gear: \
 pick a gear, or use min, max or sum [E105]
     """
-    whole = _of_one(Excerpt(text, "--where"), subject, targets)
+    whole = _single_value(Excerpt(text, "--where"), subject, targets)
     spans = _between_ands(text)
     parts = [whole]
     if len(spans) > 1:
-        parts = [_of_one(Excerpt(text, "--where", *span), subject, targets) for span in spans]
+        parts = [_single_value(Excerpt(text, "--where", *span), subject, targets) for span in spans]
     true = [Expression(part.text, Applied("true", (part.node,), 0, 0)) for part in parts]
     return WhereCondition(whole.text, tuple(true))
 
@@ -88,38 +88,40 @@ _JOINING_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b"""
 
 
 def _between_ands(text: str) -> list[tuple[int, int]]:
-    """The ends of the parts between `and`, as far as brackets and `or` do not join them.
+    """Return the ends of the parts between `and` outside brackets, unless joined by `or`.
 
     >>> _between_ands("a > 1 and max(b and c) < 2"), _between_ands("a and b or c")
     ([(0, 6), (9, 26)], [(0, 12)])
     """
     spans, start, depth = [], 0, 0
-    for found in _JOINING_WORDS.finditer(text):
-        depth += (found[0] in "([") - (found[0] in ")]")
-        if depth == 0 and found[0] == "or":
+    for word in _JOINING_WORDS.finditer(text):
+        depth += (word[0] in "([") - (word[0] in ")]")
+        if depth == 0 and word[0] == "or":
             return [(0, len(text))]
-        if depth == 0 and found[0] == "and":
-            spans.append((start, found.start()))
-            start = found.end()
+        if depth == 0 and word[0] == "and":
+            spans.append((start, word.start()))
+            start = word.end()
     return [*spans, (start, len(text))]
 
 
 def read_objective(
     text: str, subject: Subject, targets: Sequence[Varied] | Terms, option: str
 ) -> Objective:
-    """Read what is to be small (`option` ``--min``) or large (``--max``).
+    """Read a quantity to minimise (`option` ``--min``) or maximise (``--max``).
 
     Raises
     ------
     ReadError
-        With the place of what is wrong.
+        If the text is invalid, with the place of the error.
     """
-    expression = _of_one(Excerpt(text, option), subject, targets)
+    expression = _single_value(Excerpt(text, option), subject, targets)
     return Objective(expression, -1 if option == "--max" else 1)
 
 
-def _of_one(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms) -> Expression:
-    """An expression, if it has one value for each variant."""
+def _single_value(
+    source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms
+) -> Expression:
+    """Read an expression with a single value for each variant."""
     expression = read_expression(source, subject, targets)
     if not expression.per:
         return expression
@@ -132,16 +134,16 @@ def _of_one(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms
 
 
 def best(values: Floats, count: int) -> Integers:
-    """The rows of the smallest values, the smallest first.
+    """Return the rows of the smallest values, the smallest first.
 
-    Of equal ones the first row comes first. To go through many chunks in order of their
-    variants, ask for the best among those kept so far and the next chunk behind them.
+    Rows of equal values keep their order. For many chunks in order of their variants, append each
+    chunk to the best rows so far and call this function again.
 
     Parameters
     ----------
     values : ndarray, shape (rows,)
     count : int
-        So many at most.
+        Largest number of rows.
 
     Returns
     -------
@@ -160,22 +162,22 @@ def best(values: Floats, count: int) -> Integers:
 
 
 def limited(objectives: Floats, count: int) -> Integers:
-    """At most so many rows of a front, spread over it.
+    """Return at most `count` rows of a front, spread over the front.
 
-    The best by each objective come first, as many as there is room for; then always the one
-    that is farthest from those chosen, with each objective measured from its least to its
-    largest value on the front. Of equal ones the first row is taken.
+    The best row by each objective is chosen first, as far as `count` allows; then repeatedly the
+    row farthest from the chosen rows, with each objective scaled by its range on the front. Of
+    equal rows the first is taken.
 
     Parameters
     ----------
     objectives : ndarray, shape (rows, objectives)
-        Of a front, without NaN.
+        Objectives of a front, without NaN.
     count : int
 
     Returns
     -------
     ndarray of int, shape (at most count,)
-        In the order of the rows.
+        Indices in ascending order.
 
     Examples
     --------
@@ -189,7 +191,7 @@ def limited(objectives: Floats, count: int) -> Integers:
     chosen: list[int] = []
     for number in range(count):
         row = int(np.argmax(away))
-        if number < points.shape[1]:  # the best by this objective, if it isn't chosen already
+        if number < points.shape[1]:  # the best by this objective, unless already chosen
             least = np.flatnonzero(points[:, number] == points[:, number].min())
             row = int(least[np.argmax(away[least])]) if away[least].max() >= 0 else row
         chosen.append(row)

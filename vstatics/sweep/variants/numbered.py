@@ -1,4 +1,4 @@
-"""Numbered variants: any block of them at any time, always with the same numbers."""
+"""Numbered variants, of which any block has always equal numbers."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Variatio
 
 
 class Variants(Protocol):
-    """What is varied, how many variants there are, and their numbers."""
+    """Numbered variants with varied numbers."""
 
     @property
     def targets(self) -> tuple[Varied, ...]:
-        """What the columns of a block stand for."""
+        """Varied numbers, in the order of the columns of a block."""
 
     @property
     def count(self) -> int:
-        """How many variants there are."""
+        """Number of variants."""
 
     def block(self, start: int, stop: int) -> Floats:
-        """The varied numbers of the variants from `start` up to `stop`, counted from 0.
+        """Return the numbers of the variants from `start` up to `stop`, counted from 0.
 
-        Shape (stop - start, len(targets)), each column contiguous. Any block may be asked
-        for at any time; the numbers of a variant are always the same.
+        Shape (stop - start, len(targets)), each column contiguous. Blocks can be requested in
+        any order; the numbers of a variant never change.
         """
 
 
 class VariantGrid:
-    """Every value with every other; the last variation runs fastest, like nested loops.
+    """Grid of all combinations of values; the last variation runs fastest.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class VariantGrid:
     Raises
     ------
     ReadError
-        If a number is varied twice, or a variation has no values but a span.
+        If a number is varied twice, or a variation has a span instead of values.
     CaseError
         If there are 2**63 variants or more.
 
@@ -73,7 +73,7 @@ class VariantGrid:
             raise CaseError("E704", message + "give fewer values, or take a sample")
 
     def block(self, start: int, stop: int) -> Floats:
-        """The numbers of a block of variants, as `Variants` says."""
+        """Return the numbers of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         numbers = np.arange(start, stop)
         for column, values in reversed(list(enumerate(self.values))):
@@ -83,7 +83,7 @@ class VariantGrid:
 
 
 class Zip:
-    """The first values together, then the second, and so on.
+    """Variants of parallel values: the first values together, then the second, and so on.
 
     Parameters
     ----------
@@ -93,8 +93,8 @@ class Zip:
     Raises
     ------
     ReadError
-        If a number is varied twice, a variation has no values but a span, or there are
-        more or fewer values than in the first.
+        If a number is varied twice, a variation has a span instead of values, or the numbers of
+        values differ.
     """
 
     def __init__(self, variations: Iterable[Variation]) -> None:
@@ -115,7 +115,7 @@ class Zip:
             raise ReadError(problems)
 
     def block(self, start: int, stop: int) -> Floats:
-        """The numbers of a block of variants, as `Variants` says."""
+        """Return the numbers of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         numbers = np.arange(start, stop)
         for column, values in enumerate(self.values):
@@ -124,20 +124,19 @@ class Zip:
 
 
 class VariantTable:
-    """Variants of the user's own, a row each.
+    """Variants from a table of the user, a row each.
 
-    A table in a spool has a temporary file: `close` it in the end. Pickled copies are small
-    then, and read the same file.
+    A table in a spool has a temporary file: `close` it in the end. Pickled copies are then small,
+    and read this file.
 
     Parameters
     ----------
     targets : iterable of Varied
-        What the columns stand for.
+        Varied numbers, in the order of the columns.
     rows : ndarray, shape (variants, targets), or Spool
-        In memory, or in a temporary file.
+        Rows in memory, or in a temporary file.
     digest : str, optional
-        Of the rows, so that a plan can tell one table from another; made here from an
-        array when not given.
+        Hash of the rows, by which plans distinguish tables; calculated from an array by default.
 
     Examples
     --------
@@ -161,20 +160,20 @@ class VariantTable:
         self.count = rows.rows if isinstance(rows, Spool) else len(rows)
 
     def block(self, start: int, stop: int) -> Floats:
-        """The numbers of a block of variants, as `Variants` says."""
+        """Return the numbers of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         rows = self._rows
         block[:] = rows.take(start, stop) if isinstance(rows, Spool) else rows[start:stop]
         return block
 
     def close(self) -> None:
-        """Remove the temporary file, if there is one and it was made by this process."""
+        """Remove the temporary file, if created by the present process."""
         if isinstance(self._rows, Spool):
             self._rows.close()
 
 
 class VariantPart:
-    """A few of many variants, with their own numbers, for a machine that has not the rest.
+    """Part of many variants, with the numbers, for a machine without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
@@ -189,7 +188,7 @@ class VariantPart:
         self.values = whole.block(start, stop)
 
     def block(self, start: int, stop: int) -> Floats:
-        """The numbers of a block of variants within the part, as `Variants` says."""
+        """Return the numbers of a block within the part; see `Variants`."""
         end = self.start + len(self.values)
         if not self.start <= start <= stop <= end:
             raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")
@@ -197,12 +196,12 @@ class VariantPart:
 
 
 def empty_block(variants: Variants, start: int, stop: int) -> Floats:
-    """An array for a block of variants, each column contiguous.
+    """Return an array for a block of variants, each column contiguous.
 
     Raises
     ------
     IndexError
-        If there are no such variants.
+        If the variants do not exist.
     """
     if not 0 <= start <= stop <= variants.count:
         raise IndexError(f"variants {start} to {stop} of {variants.count}")
@@ -210,7 +209,7 @@ def empty_block(variants: Variants, start: int, stop: int) -> Floats:
 
 
 def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
-    """What is varied.
+    """Return the varied numbers of variations.
 
     Raises
     ------
@@ -235,7 +234,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
 
 
 def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
-    """What is varied, and over which values; a span has none."""
+    """Return the varied numbers and the values; refuse spans and distributions."""
     targets = checked_targets(variations)
     listed: list[Floats | Steps] = []
     problems: list[Problem] = []

@@ -1,7 +1,7 @@
-"""Numbers of a case by their paths: `load.torque`, `gears.split.speeds.MG1`, in units of their own.
+"""Numbers of a case by their paths: `load.torque`, `gears.split.speeds.MG1`, with units.
 
-What `vstatics.solve` varies can vary in a sweep, too; the values stand in the unit that is written
-behind them, and are turned into SI where they are calculated with.
+All numbers that `vstatics.solve` varies can vary in a sweep. The values are given in the unit
+written after each, and are converted to SI for the calculation.
 """
 
 from __future__ import annotations
@@ -27,49 +27,49 @@ EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 
 _FIXED = ("vehicle", "cylinders", "fatigue", "dump")
-"""Keys of a case whose numbers no table of a gear depends on."""
+"""Keys of a case whose numbers have no influence on any table of a gear."""
 
 
 class CasePath(NamedTuple):
-    """A number of the case that is varied by its path: of its gears and loads, or of a part."""
+    """Number of a case varied by path: of gears and loads, or of a part."""
 
     path: str
     of: tuple[CaseNumber, ...] = ()
-    """What `vstatics.solve` varies."""
+    """Numbers that `vstatics.solve` varies."""
     part: PartNumber | None = None
-    """What makes another case."""
+    """Number of a part, which changes the case."""
     unit: str = ""
-    """In which its values are; nothing for bare ones, which are in SI."""
+    """Unit of the values; empty for bare numbers in SI."""
 
     @property
     def name(self) -> str:
-        """As it is written: `load.speed [rpm]`."""
+        """Name as written: `load.speed [rpm]`."""
         return f"{self.path} [{self.unit}]" if self.unit else self.path
 
     @property
     def quantity(self) -> str:
-        """As of `CaseNumber`; nothing of a part."""
+        """Quantity as of `CaseNumber`; empty for a number of a part."""
         return self.of[0].quantity if self.of else ""
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All that it varies; those of mechanisms as `Target` has them."""
+        """All varied numbers; numbers of mechanisms as `Target` has them."""
         if self.quantity in OF_MECHANISM:
-            return frozenset((one.owner, one.quantity) for one in self.of)
+            return frozenset((number.owner, number.quantity) for number in self.of)
         return frozenset(self.of or [self.part])
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
-        """What its values are; None for a number without a unit."""
+        """Kind of quantity of the values, or `None` without unit."""
         return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
-        """The same with values in a unit.
+        """Return the path with values in a unit.
 
         Raises
         ------
         ValueError
-            If that is none of what it is, or there is none where one belongs.
+            If the unit does not fit the quantity, or is missing.
         """
         if self.measure is None:
             if unit:
@@ -91,26 +91,25 @@ class CasePath(NamedTuple):
         return f"1 {UNIT_OF[self.measure]}"
 
     def in_si(self, values: Floats) -> Floats:
-        """Values in SI."""
+        """Return values in SI."""
         if not self.unit or self.measure is None:
             return values
         return values * _size(self.unit, self.measure)
 
     def impossible(self, values: Floats) -> Booleans:
-        """Which values can't be."""
+        """Return which values are impossible."""
         numbers = self.in_si(values)
         return self.part.impossible(numbers) if self.part else wrong_numbers(self.quantity, numbers)
 
 
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
-    """A unit in SI; a ValueError says what was expected."""
     if measure == "power":
         return quantity(f"1 {unit}", measure) * 1000
     return measured(f"1 {unit}", measure)
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:
-    """The number that a path speaks of, perhaps with `[rpm]` behind it; None if it is no path.
+    """Return the number with a path, optionally with `[rpm]`, or `None` for other texts.
 
     Examples
     --------
@@ -129,17 +128,16 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
 
 
 def known_paths(case: Transmission) -> list[str]:
-    """All paths of a case."""
+    """Return all paths of a case."""
     return [*numbers_of(case), *part_numbers(case)]
 
 
 def _names_in(case: Transmission) -> set[str]:
-    """The names of links and devices."""
     return {*case.link_names, *case.devices}
 
 
 def no_path(text: str, case: Transmission) -> str:
-    """What to say of a path that names nothing; nothing where it may be a name and a quantity.
+    """Return the message about a path without a number, or "" if the text can be a name.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
@@ -155,30 +153,30 @@ def no_path(text: str, case: Transmission) -> str:
         message = f"numbers of {quoted(parts[0])} don't vary in a sweep of a case, which is of"
         return f"{message} tables of gears: expected one of those, such as `load.speed`"
     known = [*map(plain_keys, paths)]
-    depth = max(n for n in range(len(parts) + 1) if any(one[:n] == parts[:n] for one in known))
+    depth = max(n for n in range(len(parts) + 1) if any(keys[:n] == parts[:n] for keys in known))
     if len(parts) == 1 or (len(parts) == 2 and parts[0] not in OWNERS and depth < 2):
         return ""
     message = f"there is no number {quoted(text)}"
     if not depth:
         return message + nearest(text, paths)
     before = dotted(parts[:depth])
-    longer = [one for one in known if one[:depth] == parts[:depth] and len(one) > depth]
+    longer = [keys for keys in known if keys[:depth] == parts[:depth] and len(keys) > depth]
     if not longer:
         return f"{message}, expected `{before}`"
-    behind = [*dict.fromkeys(one[depth] for one in longer)]
+    behind = [*dict.fromkeys(keys[depth] for keys in longer)]
     message += f", expected `{before}.` and one of {listed(behind)}"
     if depth == len(parts):
         return message
-    return message + nearest(f"{before}.{parts[depth]}", [f"{before}.{one}" for one in behind])
+    return message + nearest(f"{before}.{parts[depth]}", [f"{before}.{key}" for key in behind])
 
 
 def own_number_at(path: CasePath, case: Transmission) -> float:
-    """The number of a path as the case has it: in rpm, N*m and kW, of parts in SI.
+    """Return the number at a path in the case: in rpm, N*m and kW, of parts in SI.
 
     Raises
     ------
     ValueError
-        If it has none, or several; with what is to be said of it.
+        If the case has no number or several numbers at the path.
 
     Examples
     --------
@@ -187,8 +185,8 @@ def own_number_at(path: CasePath, case: Transmission) -> float:
     >>> own_number_at(CasePath("load.speed", numbers_of(case)["load.speed"]), case)
     1000
     """
-    own = (_own(case, one) for one in path.of)
-    numbers = {own_part_number(case, path.part)} if path.part else {*own}
+    values = (_number_in_case(case, number) for number in path.of)
+    numbers = {own_part_number(case, path.part)} if path.part else {*values}
     if len(numbers) > 1:
         raise ValueError(f"{quoted(path.path)} differs from gear to gear or mesh to mesh")
     [number] = numbers
@@ -201,8 +199,7 @@ def own_number_at(path: CasePath, case: Transmission) -> float:
     return number
 
 
-def _own(case: Transmission, number: CaseNumber) -> Any:
-    """A number as the model has it."""
+def _number_in_case(case: Transmission, number: CaseNumber) -> Any:
     index, quantity, owner = number
     gear = case.gears[index or 0]
     match quantity:

@@ -1,4 +1,4 @@
-"""Samples of ranges of numbers: Sobol's sequence, Latin hypercubes, plain random numbers."""
+"""Samples of ranges of numbers: Sobol's sequence, Latin hypercubes, pseudo-random numbers."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ _latin_lock = Lock()
 
 
 class Sample:
-    """Numbered variants drawn from ranges or distributions; of a list one value is picked.
+    """Numbered variants drawn from ranges, distributions or lists of values.
 
-    The same seed gives the same variants in whatever blocks they are asked for. A larger
-    sample by `sobol` or `random` begins with the smaller one; one by `lhs` does not.
+    Equal seeds give equal variants, whatever the blocks. A larger sample by `sobol` or `random`
+    begins with the smaller sample; a sample by `lhs` does not.
 
     Parameters
     ----------
     variations : iterable of Variation
         At least one.
     count : int
-        How many variants.
+        Number of variants.
     method : {"sobol", "lhs", "random"}
         `sobol`: Sobol's sequence as scipy scrambles it, up to 2**30 variants; most even
-        with a power of 2. `lhs`: scipy's Latin hypercube, which every process makes as a
-        whole, in about 25 bytes for each number, and keeps in 8. `random`: PCG64.
+        with a power of 2. `lhs`: scipy's Latin hypercube, which every process calculates as a
+        whole, in about 25 bytes for each number, and stores in 8. `random`: PCG64.
     seed : int
         From 0.
 
@@ -52,8 +52,8 @@ class Sample:
     ReadError
         If a number is varied twice.
     CaseError
-        If nothing is varied, if the method cannot give so many variants or needs scipy,
-        or if the seed is below 0.
+        If nothing is varied, the method cannot give this many variants or needs scipy, or the
+        seed is below 0.
 
     Examples
     --------
@@ -81,7 +81,7 @@ class Sample:
             raise CaseError(problems)
 
     def block(self, start: int, stop: int) -> Floats:
-        """The numbers of a block of variants, as `Variants` says."""
+        """Return the numbers of a block of variants; see `Variants`."""
         block = empty_block(self, start, stop)
         if len(block):
             _FILLERS[self.method](block, self, start)
@@ -91,7 +91,6 @@ class Sample:
 
 
 def _complaints(sample: Sample) -> Iterator[str]:
-    """What is wrong with a sample."""
     count, method, dimensions = sample.count, sample.method, len(sample.targets)
     if method not in METHODS:
         hint = nearest(str(method), METHODS)
@@ -113,7 +112,7 @@ def _complaints(sample: Sample) -> Iterator[str]:
 
 
 def _picked(values: Values, unit: Floats) -> Floats:
-    """Numbers from 0 up to 1 -> numbers of a range or a distribution, or values of a list."""
+    """Map numbers from 0 up to 1 to a range, a distribution or the values of a list."""
     if isinstance(values, DrawnNumbers):
         return values.quantiles(unit)
     if isinstance(values, Span):
@@ -125,7 +124,7 @@ def _picked(values: Values, unit: Floats) -> Floats:
 
 
 def _random(block: Floats, sample: Sample, start: int) -> None:
-    """Each variant takes one draw for each number."""
+    """Draw a pseudo-random number for each number of a variant."""
     bits = np.random.PCG64(sample.seed)
     bits.advance(start * len(sample.targets))
     block[:] = np.random.Generator(bits).random(block.shape)
@@ -149,7 +148,7 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
 
 
 def _sobol(block: Floats, sample: Sample, start: int) -> None:
-    """Points of Sobol's sequence by their numbers, without those before them.
+    """Calculate points of Sobol's sequence by number, without the points before.
 
     Point n is point 0 combined (exclusive or) with the words of the bits that are set in
     n: the Gray code of n, in which the sequence runs, is linear in these bits.
@@ -171,7 +170,7 @@ def _sobol(block: Floats, sample: Sample, start: int) -> None:
 
 
 def _combined(words: Words) -> Words:
-    """For each number the combination of the words of its bits."""
+    """Return for each number the exclusive or of the words of all set bits."""
     table = np.zeros(1 << len(words), dtype=np.uint32)
     for bit, word in enumerate(words):
         table[1 << bit : 2 << bit] = table[: 1 << bit] ^ word
@@ -180,9 +179,9 @@ def _combined(words: Words) -> Words:
 
 @lru_cache(maxsize=32)
 def _sobol_words(dimensions: int, seed: int, bits: int) -> tuple[Words, Words]:
-    """Point 0, (dimensions,), and what each bit of a number changes, (bits, dimensions).
+    """Return point 0, (dimensions,), and the words of the bits, (bits, dimensions).
 
-    From the points 1, 2, 4, ... of scipy's sequence, as whole numbers.
+    The words follow from the points 1, 2, 4, ... of scipy's sequence as whole numbers.
     """
     from scipy.stats import qmc
 

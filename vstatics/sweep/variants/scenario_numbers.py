@@ -1,4 +1,4 @@
-"""The numbers of a scenario and of its case, by their paths in the two documents."""
+"""Numbers of a scenario and of its case, by their paths in the two documents."""
 
 from __future__ import annotations
 
@@ -38,66 +38,66 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "shift_elements": {Listing: "links"},
     "gears": {Listing: "engaged"},
 }
-"""What stands short for a mapping with one key: `controls.C.scale` where C is a formula."""
+"""Key -> kind of node -> key of the mapping that the node abbreviates."""
 _ALL_GIVEN = ("numbers", "set")
-"""Where a name that is not there is one of which no formula knows."""
+"""Keys whose missing names cannot occur in any formula."""
 
 
 class NumberPath(NamedTuple):
-    """A number of a scenario or of its case."""
+    """Number of a scenario or of the case."""
 
     keys: Keys
     of_case: bool
-    """Whether it stands in the case."""
+    """True if the number is in the case."""
     unit: str = ""
-    """In which its values are, as it is written behind them; nothing for bare numbers."""
+    """Unit of the values, as written in brackets; empty for bare numbers."""
 
     @property
     def name(self) -> str:
-        """As it is written: `shifts.1.overlap`, `start.speed [rpm]`."""
+        """Name as written: `shifts.1.overlap`, `start.speed [rpm]`."""
         return f"{written(self.keys)} [{self.unit}]" if self.unit else written(self.keys)
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """What it varies: its place in one of the documents."""
+        """All varied numbers: the place in the document."""
         return frozenset([(self.of_case, self.keys)])
 
 
 class Trees(NamedTuple):
-    """The documents as trees of nodes; a deck has none."""
+    """Documents as trees of nodes; a deck has no tree."""
 
     scenario: Node
     case: Node | None
 
     def root(self, path: NumberPath) -> Node:
-        """The tree in which a number stands."""
+        """Return the tree that contains a number."""
         return (self.case or self.scenario) if path.of_case else self.scenario
 
 
 def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPath:
-    """The number that a text such as `shifts.1.overlap` speaks of.
+    """Return the number named by a text such as `shifts.1.overlap`.
 
     Parameters
     ----------
     text : str
-        Keys, and numbers of items from 1, with points between; at its end perhaps `[rpm]`, the
-        unit of the values. It is looked for in the scenario, then in the case. `D1.ratio`,
+        Keys, and numbers of items from 1, separated by points; optionally `[rpm]`, the unit of
+        the values. The number is searched in the scenario, then in the case. `D1.ratio`,
         `P1.teeth.sun` and `engine.inertia` are understood as in a sweep of a case.
     trees : Trees
     place : Place, optional
-        Where the text begins, for messages.
+        Place of the text, for messages.
 
     Raises
     ------
     ReadError
-        If there is no such number; it names the nearest.
+        If the number does not exist; the message names the nearest.
     """
     typed, unit = with_unit(text)
     try:
         parts = split(typed)
         path = _path(parts, trees)
         root = _spelled_out(trees.root(path), path.keys)
-        before = [parts[0]] * (len(path.keys) - len(parts))  # of keys that were put before
+        before = [parts[0]] * (len(path.keys) - len(parts))  # for keys added in front
         typed_at = zip(path.keys, [*before, *parts], strict=True)
         node = find_node(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:
@@ -112,7 +112,6 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
 
 
 def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
-    """That a number which is not there has a meaning."""
     owner = child(root, path.keys[0])
     if owner and path.keys[0] in _ALL_GIVEN and not path.of_case:
         hint = nearest(path.keys[-1], keys_of(owner))
@@ -120,26 +119,26 @@ def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
 
 
 def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
-    """In which document it stands, and all of its keys."""
+    """Return the document and the keys of a number."""
     keys = tuple(part.name for part in parts)
-    own, case = keys_of(trees.scenario), keys_of(trees.case) if trees.case else []
-    if keys[0] in own:
+    of_scenario, of_case = keys_of(trees.scenario), keys_of(trees.case) if trees.case else []
+    if keys[0] in of_scenario:
         return NumberPath(keys, of_case=False)
-    if keys[0] in case:
+    if keys[0] in of_case:
         return NumberPath(keys, of_case=True)
     for other in in_document(keys):
         if trees.case and _leads(trees.case, other):
             return NumberPath(other, of_case=True)
-    known = [*own, *(key for key in case if key not in own)]
+    known = [*of_scenario, *(key for key in of_case if key not in of_scenario)]
     message = f"neither the scenario nor its case has a key {quoted(keys[0])}"
     if trees.case is None:
-        known, message = own, f"the scenario has no key {quoted(keys[0])}"
+        known, message = of_scenario, f"the scenario has no key {quoted(keys[0])}"
         message += "; numbers of a deck vary once `vstatics convert` has made a YAML of it"
     raise NoValueError(message + nearest(keys[0], known), parts[0].at)
 
 
 def _leads(root: Node, keys: Keys) -> bool:
-    """Whether all but the last key are there, and of inertias that one too."""
+    """Return whether all keys but the last exist, and for inertias also the last."""
     node: Node | None = root
     for key in keys if keys[0] in BODIES else keys[:-1]:
         node = node and child(node, key)
@@ -147,7 +146,7 @@ def _leads(root: Node, keys: Keys) -> bool:
 
 
 def _spelled_out(root: Node, keys: Keys) -> Node:
-    """The tree with a mapping where a path goes into what stands short for one."""
+    """Return the tree with a mapping instead of an abbreviation on the path."""
     if len(keys) < 3 or keys[0] not in _SPELLED or not isinstance(root, Mapping):
         return root
     node = child(root, keys[0])
@@ -167,20 +166,19 @@ def _at(node: Node) -> Mapping:
 
 
 def _with(node: Mapping, name: str, value: Node) -> Mapping:
-    """A mapping with another value under a key."""
     entries = [(key, value if key.text == name else old) for key, old in node.entries]
     return node._replace(entries=entries)
 
 
 def written_number(path: NumberPath, trees: Trees) -> WrittenNumber | None:
-    """A number as its document has it; none if it has not the key."""
+    """Return a number as written in the document, or `None` if the key is missing."""
     root = _spelled_out(trees.root(path), path.keys)
     node = find_node(root, [PathPart(key, 0) for key in path.keys])
     return None if node is None else number_of(node)
 
 
 def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[float]) -> Trees:
-    """The documents with other numbers at some paths."""
+    """Return the documents with other numbers at some paths."""
     scenario, case = trees
     for path, value in zip(paths, values, strict=True):
         text = number_text(value, path.unit)
@@ -192,7 +190,7 @@ def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[flo
 
 
 def sample_unit(scenario: Node, text: str) -> str:
-    """The first unit in the distribution that `samples` has for a path; nothing if it has none."""
+    """Return the first unit in the distribution of `samples` for a path, or ""."""
     of_path = child(scenario, "samples")
     nodes = [of_path and child(of_path, text)]
     while nodes:
@@ -209,7 +207,7 @@ def sample_unit(scenario: Node, text: str) -> str:
 
 
 def in_si(unit: str) -> str:
-    """The unit of SI for what another measures; that itself if it is not known.
+    """Return the SI unit of the quantity measured in a unit, or the unit if unknown.
 
     >>> in_si("kN*m"), in_si("rpm")
     ('N*m', 'rad/s')

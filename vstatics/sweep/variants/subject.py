@@ -1,6 +1,6 @@
-"""What a sweep is of: a case, or a document whose numbers vary, such as a scenario.
+"""Subject of a sweep: a case, or a document with varied numbers, such as a scenario.
 
-Which kinds of documents can vary is declared in the records of annexes.
+The records of annexes declare the kinds of documents that can vary.
 """
 
 from __future__ import annotations
@@ -18,33 +18,33 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusa
 
 
 class Document(NamedTuple):
-    """What was read, and the name of its file."""
+    """Content of a file, and the name of the file."""
 
     data: bytes
     file: str
 
 
 class VariedDocument(ABC):
-    """A document that names a case; its numbers, and those of the case, vary."""
+    """Document that names a case; numbers of both vary."""
 
     @property
     @abstractmethod
     def base_case(self) -> Transmission:
-        """The case as it is written."""
+        """Case as written in the file."""
 
     @abstractmethod
     def target(self, text: str, place: Place | None = None) -> Varied:
-        """Return the number that a text names.
+        """Return the number with a given name.
 
         Raises
         ------
         ReadError
-            If there is no such number.
+            If the number does not exist.
         """
 
     @abstractmethod
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> Varied:
-        """Return a number whose values are in a unit.
+        """Return a number with values in a unit.
 
         Raises
         ------
@@ -54,7 +54,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
-        """Make sure that numbers can vary together.
+        """Check that numbers can vary together.
 
         Raises
         ------
@@ -63,7 +63,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Make sure that variants can be calculated.
+        """Check that variants can be calculated.
 
         Raises
         ------
@@ -78,19 +78,19 @@ VariedSubject: TypeAlias = Transmission | VariedDocument
 
 
 def target_of(text: str, subject: VariedSubject, place: Place | None = None) -> Varied:
-    """The number that a text speaks of; parameters and errors as of `targets.target`."""
+    """Return the number of a subject with a given name; see `targets.target`."""
     if isinstance(subject, Transmission):
         return number_of_case(text, subject, place)
     return subject.target(text, place)
 
 
 def number_of_case(text: str, case: Transmission, place: Place | None = None) -> Target | CasePath:
-    """A number of a case: as `D1.ratio`, else by its path.
+    """Return a number of a case, given as `D1.ratio` or by path.
 
     Raises
     ------
     ReadError
-        If there is no such number; it names the nearest.
+        If the number does not exist; the message names the nearest.
     """
     path = case_path(text, case)
     if path is None:
@@ -107,12 +107,14 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
             raise refusal(message, place, len(text) - len(text.lstrip())) from None
         hint = nearest(text.strip(), known_paths(case))
         raise ReadError(
-            one if "did you mean" in one.message else one._replace(message=one.message + hint)
-            for one in error.problems
+            problem
+            if "did you mean" in problem.message
+            else problem._replace(message=problem.message + hint)
+            for problem in error.problems
         ) from None
 
 
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
-    """Return the error that a ratio varies together with the teeth that it follows from."""
+    """Return the error of a ratio that varies together with its teeth."""
     message = f"{name} is varied beside teeth that it follows from, expected one of the two"
     return ReadError([Problem("E706", message, place=place)])

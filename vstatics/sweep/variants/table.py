@@ -1,4 +1,4 @@
-"""The user's CSV of variants -> VariantTable."""
+"""Table of variants in CSV, read as `VariantTable`."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
 
 _OF_PANDAS = "__index_level_0__"
-"""With this it numbers rows in Parquet, in CSV with a first column without a name."""
+"""Name of the column in Parquet in which pandas numbers rows."""
 _NO_OTHERS = (
     "; leave out what is no number of the case: only `variant`, a first column without "
     "a name, and what a sweep wrote from `status` on are passed over"
 )
 
 LONGEST_HEADING = 500
-"""Bound of the characters of a heading; a number of a case has fewer."""
+"""Longest heading accepted, in characters; names of numbers are shorter."""
 _PIECE = 4 * 2**20
 _LONGEST = 16 * 2**20
 _IN_MEMORY = 2**17
@@ -50,44 +50,44 @@ _BOM = b"\xef\xbb\xbf"
 
 
 class _Columns(NamedTuple):
-    """What the header says of the lines below it."""
+    """Columns of a table, as declared in the header."""
 
     file: str
     line: int
-    """Of the header itself."""
+    """Line of the header."""
     separator: str
     decimals: Decimals
     names: list[str]
     targets: list[Varied]
     chosen: list[int]
-    """Which column holds each target."""
+    """Column of each target."""
 
 
 def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantTable:
-    """Read a table of variants: CSV with names such as `D1.ratio` in its first line.
+    """Read a table of variants in CSV, with names such as `D1.ratio` in the first line.
 
-    Columns stand in any order. One of the name `variant`, or a first one without a name, is
-    passed over, and of a table that a sweep wrote all from `status` on. Commas or semicolons
-    separate; between semicolons a comma is a decimal one (see `Decimals`). An apostrophe that
-    keeps a spreadsheet from calculating a cell is passed over. UTF-8.
+    Columns can have any order. A column `variant`, or a first column without a name, is ignored,
+    and in a table written by a sweep all columns from `status` on. The separator is a comma or a
+    semicolon; between semicolons, a comma is a decimal comma (see `Decimals`). An apostrophe that
+    prevents a spreadsheet from calculating a cell is ignored. The encoding is UTF-8.
 
     Parameters
     ----------
     opened : binary file
-        Read once, in pieces.
+        Stream, read once, in pieces.
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
     subject : Transmission or VariedScenario
 
     Returns
     -------
     VariantTable
-        A large one is kept in a temporary file, which `VariantTable.close` removes.
+        A large table is kept in a temporary file, which `VariantTable.close` removes.
 
     Raises
     ------
     ReadError
-        With every problem of the header, or of the first piece that has any.
+        With all problems of the header, or of the first piece with problems.
 
     Examples
     --------
@@ -102,49 +102,48 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
     head, number, first = _first_line(next(pieces, b"").removeprefix(_BOM), file)
     columns = _header(head, file, number, subject)
     digest = hashlib.sha256()
-    kept: list[Floats] = []
+    parts: list[Floats] = []
     spool: Spool | None = None
     try:
         for rows in _rows(first, pieces, columns):
             digest.update(rows.data)
-            kept.append(rows)
-            if spool is None and sum(part.size for part in kept) > _IN_MEMORY:
+            parts.append(rows)
+            if spool is None and sum(part.size for part in parts) > _IN_MEMORY:
                 spool = Spool(len(columns.targets))
             if spool is not None:
-                for part in kept:
+                for part in parts:
                     spool.write(part)
-                kept.clear()
+                parts.clear()
     except BaseException:
         if spool is not None:
             spool.close()
         raise
-    if spool is None and not kept:
+    if spool is None and not parts:
         message = "there is no variant, expected a line of numbers below the names"
         raise ReadError([of_file("E713", file, message)])
-    return VariantTable(columns.targets, spool or np.concatenate(kept), digest.hexdigest())
+    return VariantTable(columns.targets, spool or np.concatenate(parts), digest.hexdigest())
 
 
 def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
-    """The file in pieces of whole lines."""
-    rest = b""
+    unfinished = b""
     line = 1
     while data := opened.read(_PIECE):
         end = data.rfind(b"\n") + 1
         if end:
-            yield rest + data[:end]
+            yield unfinished + data[:end]
             line += data.count(b"\n")
-            rest = data[end:]
+            unfinished = data[end:]
         else:
-            rest += data
-        if len(rest) > _LONGEST:
+            unfinished += data
+        if len(unfinished) > _LONGEST:
             message = f"the line is longer than {_LONGEST} bytes; is the file a table of numbers?"
             raise refusal(message, Place(file, line, 1))
-    if rest:
-        yield rest
+    if unfinished:
+        yield unfinished
 
 
 def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
-    """The first line with cells, or the last line, its number, and the lines behind it."""
+    """Return the first line with cells, the line number, and the remaining lines."""
     start, number = 0, 1
     while True:
         end = piece.find(b"\n", start)
@@ -155,7 +154,7 @@ def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
 
 
 def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Columns:
-    """The columns that the line of headings names."""
+    """Return the columns that the line of headings declares."""
     line = _text(head, file, number)
     start = Place(file, number, 1, line)
     separator = _separator(line, start)
@@ -163,8 +162,8 @@ def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Col
     cells = cells[: len(headings_of([text for text, _ in cells]))]
     placed = [(unguarded(name), start._replace(column=column)) for name, column in cells]
     names = [name for name, _ in placed]
-    found = targets_of(placed, subject)
-    return _Columns(file, number, separator, Decimals(separator), names, *found)
+    chosen_targets = targets_of(placed, subject)
+    return _Columns(file, number, separator, Decimals(separator), names, *chosen_targets)
 
 
 def _separator(line: str, place: Place) -> str:
@@ -176,15 +175,15 @@ def _separator(line: str, place: Place) -> str:
 def targets_of(
     cells: Sequence[tuple[str, Place]], subject: VariedSubject
 ) -> tuple[list[Varied], list[int]]:
-    """What the headings of a table name, and which columns these are.
+    """Return the numbers that headings name, and the indices of the columns.
 
-    What a spreadsheet or pandas numbers rows with is passed over, and of a table that a sweep
-    wrote all from `status` on.
+    Row numbers of a spreadsheet or pandas are ignored, and in a table written by a sweep all
+    columns from `status` on.
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        With all problems and their places.
     """
     names = [name for name, _ in cells]
     is_own = {NUMBER, STATUS} <= {*names}
@@ -204,7 +203,7 @@ def targets_of(
         except ReadError as error:
             problems += _hinted(error.problems, name)
             continue
-        if any(varied.numbers & one.numbers for one in targets):
+        if any(varied.numbers & earlier.numbers for earlier in targets):
             message = f"{varied.name} has a column already, expected each number once"
             problems.append(Problem("E714", message, place=place))
         targets.append(varied)
@@ -224,12 +223,6 @@ def _hinted(problems: Sequence[Problem], name: str) -> list[Problem]:
 
 
 def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
-    """The number that a heading names.
-
-    Raises
-    ------
-    ReadError
-    """
     if len(name) > LONGEST_HEADING:
         message = f"a heading has {len(name)} characters, expected the name of a number"
         raise ReadError([Problem("E715", message, place=place)])
@@ -238,7 +231,7 @@ def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
 
 
 def _with_unit(varied: CasePath, place: Place) -> CasePath:
-    """A path whose heading tells the unit of its column, where it has one."""
+    """Return a path with the unit in the heading, or refuse a missing unit."""
     try:
         return varied.in_unit("")
     except ValueError as error:
@@ -246,7 +239,6 @@ def _with_unit(varied: CasePath, place: Place) -> CasePath:
 
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:
-    """The numbers of each piece, (lines, targets)."""
     line = columns.line + 1
     for piece in chain([first], pieces):
         if piece.strip():
@@ -262,13 +254,13 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
-    """The numbers of a piece; none if anything in it is unusual."""
+    """Return the numbers of a regular piece, or `None` for an unusual piece."""
     if columns.separator != ",":
         if b"." in piece or (columns.separator == "\t" and b"," in piece):
-            return None  # each is looked at
+            return None  # every cell must be examined
         columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
-    is_own = STATUS in columns.names  # with words behind the numbers
+    is_own = STATUS in columns.names  # has words after the numbers
     try:
         rows = np.loadtxt(
             io.BytesIO(piece),
@@ -287,7 +279,7 @@ def _fast(piece: bytes, columns: _Columns) -> Floats | None:
 
 
 def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
-    """The numbers of a piece line by line, or what is wrong with it."""
+    """Parse a piece line by line, and report all problems."""
     rows: list[list[float]] = []
     problems: list[Problem] = []
     for number, data in enumerate(piece.split(b"\n"), line):
@@ -328,7 +320,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
 
 
 def finite(text: str) -> float:
-    """The number of a cell; a ValueError says what was expected."""
+    """Return the finite number of a cell, or raise a ValueError."""
     number = read_value(text)
     if not math.isfinite(number):
         raise ValueError("expected a finite number")
@@ -336,7 +328,6 @@ def finite(text: str) -> float:
 
 
 def _text(data: bytes, file: str, line: int) -> str:
-    """A line without its end."""
     data = data.removesuffix(b"\r")
     try:
         return with_plain_blanks(data.decode())
@@ -350,7 +341,7 @@ def _text(data: bytes, file: str, line: int) -> str:
 
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:
-    """The cells of a line without blanks and quotes, each with its column from 1."""
+    """Return the cells of a line without blanks and quotes, each with a column from 1."""
     cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
     cells = []
     position = 0

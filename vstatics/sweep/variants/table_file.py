@@ -1,4 +1,4 @@
-"""A file of variants, in any format that a sweep writes -> VariantTable."""
+"""File of variants, in any format that a sweep writes, read as `VariantTable`."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from vstatics.sweep.variants.table import finite, read_table, targets_of
 from vstatics.sweep.variants.targets import shown
 
 _OTHERS = (b"PK", b"PAR1", b'{"')
-"""How files begin that are no CSV: workbooks and NPZ, Parquet, JSON lines."""
+"""Beginnings of files other than CSV: workbooks and NPZ, Parquet, JSON lines."""
 _LONGEST = 2**16
 
 
 def load_table(path: str, subject: VariedSubject) -> VariantTable:
     """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ or JSON lines.
 
-    What its columns may be: see `table.read_table`.
+    See `table.read_table` for the columns.
 
     Raises
     ------
@@ -56,13 +56,13 @@ def load_table(path: str, subject: VariedSubject) -> VariantTable:
 
 
 def headings(path: str) -> str:
-    """What the columns of a file of variants are called, in one text.
+    """Return the headings of a file of variants as a single text.
 
     Raises
     ------
     OSError
     ReadError
-        If it can't be read.
+        If the file cannot be read.
     """
     with _opened(path) as stream:
         if not stream.peek(4).startswith(_OTHERS):
@@ -71,7 +71,7 @@ def headings(path: str) -> str:
 
 
 def _opened(path: str) -> io.BufferedReader:
-    """Open the file that an option names; one that a sweep file names must be a regular file."""
+    """Open the file of an option; a file named by a sweep file must be a regular file."""
     return io.BufferedReader(opened(path, regular=isinstance(path, PlacedFile)))  # type: ignore[arg-type]
 
 
@@ -80,7 +80,7 @@ def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
 
 
 def _numbers(name: str, column: Sequence[Any] | Floats, place: Place) -> Floats:
-    """A column; a text is calculated as in CSV."""
+    """Return a column as numbers; texts are calculated as in CSV."""
     is_numeric = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
     if is_numeric or {*map(type, column)} <= {int, float}:
         with suppress(OverflowError):  # a whole number that is too large is refused below

@@ -1,4 +1,4 @@
-"""Which number of the case is varied, "D1.ratio", "shaft.stiffness", and what it is there."""
+"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and their present values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OfMechanism = Literal["ratio", "efficiency"]
 OfDevice = Literal["stiffness", "compliance", "damping"]
 Quantity = OfMechanism | OfDevice | Literal["inertia"]
 Owner = Literal["mechanisms", "devices", "links"]
-"""What has a number: devices are shift elements, mechanisms and springs."""
+"""Kind of part that has a number: devices are shift elements, mechanisms and springs."""
 
 OF_MECHANISM: tuple[OfMechanism, ...] = get_args(OfMechanism)
 OF_DEVICE: tuple[OfDevice, ...] = get_args(OfDevice)
@@ -32,57 +32,59 @@ OWNERS: Mapping[Quantity, Owner] = {
     **dict.fromkeys(OF_DEVICE, "devices"),
     "inertia": "links",
 }
-ALIASES: Mapping[str, Quantity] = {LISTS["mechanisms", one]: one for one in OF_MECHANISM}
-"""What the deck calls them, IAB and ETAI."""
-NAMES: Mapping[str, Quantity] = {**{one: one for one in OWNERS}, **ALIASES}
+ALIASES: Mapping[str, Quantity] = {
+    LISTS["mechanisms", quantity]: quantity for quantity in OF_MECHANISM
+}
+"""Names of the numbers of mechanisms in a deck, IAB and ETAI."""
+NAMES: Mapping[str, Quantity] = {**{quantity: quantity for quantity in OWNERS}, **ALIASES}
 
 
 class Varied(Protocol):
-    """A number that is varied, of a case or of a scenario."""
+    """Varied number of a case or of a scenario."""
 
     @property
     def name(self) -> str:
-        """As it is written."""
+        """Name as written by the user."""
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """All that it varies; two that have one in common vary the same."""
+        """All varied numbers; overlapping sets cannot vary together."""
 
 
 class Target(NamedTuple):
-    """A number of the case that is varied."""
+    """Varied number of a case."""
 
     name: str
-    """With the case's own name of what has it: `D1.ratio`."""
+    """Name with the case's name of the part: `D1.ratio`."""
     owner: int
-    """Index, from 0: of a mechanism; for what is elastic in `Transmission.devices`; of a link."""
+    """Index, from 0, of the mechanism, the link, or the device in `Transmission.devices`."""
     quantity: Quantity
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """What it varies: a compliance is a stiffness, too."""
+        """All varied numbers; a compliance counts as the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 
 
 def target(text: str, case: Transmission, place: Place | None = None) -> Target:
-    """The number that a text such as `D1.ratio` or `#1.ratio` speaks of.
+    """Return the number of a case named by a text such as `D1.ratio` or `#1.ratio`.
 
     Parameters
     ----------
     text : str
         The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`, in a
         deck `.IAB` or `.ETAI`; an elastic device, then `.stiffness`, `.compliance` or
-        `.damping`; a link, then `.inertia`. The name may stand in quotes; a bare number is taken
-        as a name first. A drawn element alone is its only mechanism.
+        `.damping`; a link, then `.inertia`. The name can be in quotes; a bare number is tried as
+        a name first. A gear set stands for its only mechanism.
     case : Transmission
     place : Place, optional
-        Where the text begins, for messages.
+        Place of the text, for messages.
 
     Raises
     ------
     ReadError
-        If there is no such number; it names the nearest.
+        If the number does not exist; the message names the nearest.
 
     Examples
     --------
@@ -103,23 +105,25 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     at = begin + len(name) + 1
     name = name.rstrip()
     if read not in NAMES:
-        expected = [one for one, owner in known.items() if len(_found(name, owner, case)) == 1]
+        expected = [
+            quantity for quantity, owner in known.items() if len(_indices(name, owner, case)) == 1
+        ]
         if not expected:
             raise refusal(_not_one(name, next(iter(known)), case), place, begin)
         message = f"read {shown(read)}, expected {spoken(map(quoted, expected), 'or')}"
         raise refusal(message + nearest(read, [*expected, *ALIASES]), place, at)
     quantity = NAMES[read]
-    found = _found(name, OWNERS[quantity], case)
-    if quantity not in known or len(found) != 1:
+    rows = _indices(name, OWNERS[quantity], case)
+    if quantity not in known or len(rows) != 1:
         raise refusal(_not_one(name, quantity, case), place, begin)
-    if quantity == "damping" and damping(devices_of(case)[found[0]].damping).loss_factor:
+    if quantity == "damping" and damping(devices_of(case)[rows[0]].damping).loss_factor:
         message = f"{quoted(name)} is damped by a ratio or loss factor: give N*m*s/rad to vary it"
         raise refusal(message, place, begin)
-    return Target(f"{_names(OWNERS[quantity], case)[found[0]]}.{quantity}", found[0], quantity)
+    return Target(f"{_names(OWNERS[quantity], case)[rows[0]]}.{quantity}", rows[0], quantity)
 
 
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
-    """The names of what a case has that can be varied: of devices those that are elastic."""
+    """Return the names of the parts with variable numbers; only elastic devices."""
     names = _names(owner, case)
     pairs = zip(case.devices, devices_of(case), strict=True)
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]
@@ -129,27 +133,25 @@ def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
 
 
 def _names(owner: Owner, case: Transmission) -> Sequence[str]:
-    """The names of all mechanisms, devices, or links."""
     if owner == "mechanisms":
         return [mechanism.name for mechanism in case.mechanisms]
     return case.devices if owner == "devices" else case.link_names[: case.own_links]
 
 
-def _found(name: str, owner: Owner, case: Transmission) -> list[int]:
-    """Indices of what a name means, or else a number; only elastic ones of the devices."""
-    found = _called(name, owner, case)
-    if not found and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
-        found = _called(name[1:-1], owner, case)
+def _indices(name: str, owner: Owner, case: Transmission) -> list[int]:
+    """Return the indices of the parts with a name, or else with a number."""
+    rows = _called(name, owner, case)
+    if not rows and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
+        rows = _called(name[1:-1], owner, case)
     number = typed_number(name.removeprefix("#"), len(_names(owner, case)))
-    found = found or ([] if number is None else [number - 1])
+    rows = rows or ([] if number is None else [number - 1])
     if owner == "devices":
         devices = devices_of(case)
-        found = [index for index in found if stiffness_of(devices[index]) is not None]
-    return found
+        rows = [index for index in rows if stiffness_of(devices[index]) is not None]
+    return rows
 
 
 def _called(name: str, owner: Owner, case: Transmission) -> list[int]:
-    """Indices of what has a name; a drawn element is its mechanisms."""
     if owner != "devices":
         return rows_called(name, owner, case)
     first = case.among_devices.start
@@ -159,15 +161,16 @@ def _called(name: str, owner: Owner, case: Transmission) -> list[int]:
 
 
 def _no_number(text: str, known: Mapping[Quantity, Owner], case: Transmission) -> str:
-    """What to say of a text without a point."""
     expected = "; or ".join(
-        f"{words}, then {spoken([f'`.{one}`' for one, of in known.items() if of == owner], 'or')}"
+        f"{words}, then {spoken([f'`.{key}`' for key, of in known.items() if of == owner], 'or')}"
         for owner, words in _WORDS_OF_OWNERS.items()
         if owner in known.values()
     )
-    names = [f"{name}.{one}" for one, owner in known.items() for name in _usable(owner, case)]
-    own = [name for name in names if name.startswith(f"{text.strip()}.")]
-    hint = nearest(own[0] if own else text.strip(), names) or f"; such as `{names[0]}`"
+    names = [
+        f"{name}.{quantity}" for quantity, owner in known.items() for name in _usable(owner, case)
+    ]
+    of_part = [name for name in names if name.startswith(f"{text.strip()}.")]
+    hint = nearest(of_part[0] if of_part else text.strip(), names) or f"; such as `{names[0]}`"
     return f"read {shown(text)}, expected {expected}{hint}"
 
 
@@ -179,7 +182,6 @@ _WORDS_OF_OWNERS: Mapping[Owner, str] = {
 
 
 def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
-    """What to say of a name that nothing has that can be varied, or several parts of a device."""
     owner = OWNERS[quantity]
     names, usable, called = _names(owner, case), _usable(owner, case), _called(name, owner, case)
     if not usable:
@@ -201,17 +203,17 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
-    """An error so many letters behind a place."""
+    """Return an error at an offset of letters behind a place."""
     return ReadError([Problem("E717", message, place=behind(place, offset))])
 
 
 def behind(place: Place | None, offset: int) -> Place | None:
-    """The place so many letters further."""
+    """Return the place at an offset of letters behind a place."""
     return place and place._replace(column=place.column + offset)
 
 
 def shown(text: str) -> str:
-    """What was read, in quotes and not too long; "nothing" if it is nothing.
+    """Return a text in quotes, shortened, or "nothing" for an empty text.
 
     >>> shown(" .9x "), shown("")
     ('`.9x`', 'nothing')
@@ -224,24 +226,24 @@ Device = ShiftElement | Mechanism | Spring
 
 
 def devices_of(case: Transmission) -> list[Device]:
-    """All devices, in the order of `Transmission.devices`."""
+    """Return all devices, in the order of `Transmission.devices`."""
     return [*case.shift_elements, *case.mechanisms, *case.springs]
 
 
 def stiffness_of(device: Device) -> float | None:
-    """The stiffness of a device, None if it is rigid, or has points or a strut [N*m/rad]."""
+    """Return the stiffness of a device [N*m/rad], or `None` if rigid or not constant."""
     if isinstance(device, Spring):
         return None if device.points or device.strut else device.rate
     return device.stiffness
 
 
 def own_number(case: Transmission, index: int, quantity: str) -> float:
-    """What a varied number is in the case itself.
+    """Return the value of a varied number in the unvaried case.
 
     Parameters
     ----------
     index : int
-        From 0: of a mechanism, a device or a link, as the quantity says.
+        Index, from 0, of the mechanism, device or link, according to the quantity.
     quantity : str
 
     Examples
@@ -269,14 +271,14 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
 def impossible(
     quantity: str, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Which numbers can't be those of any case, as its checks say.
+    """Return which numbers are impossible in any case, by the checks of a case.
 
     Parameters
     ----------
     quantity : str
     numbers : ndarray, shape (variants,)
     between : (float, float)
-        Of ratios, as `Transmission.ratio_range` has them.
+        Range of ratios; see `Transmission.ratio_range`.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The text of --vary -> what is varied, and over which values."""
+"""Parser of --vary: a varied number, and the values."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.sweep.variants.targets import NAMES, Target, Varied, behind, refus
 
 OPTION = "--vary"
 MOST = 2**63 - 1
-"""The largest number of values, or of variants."""
+"""Largest number of values, or of variants."""
 FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as .95,.97"
 
 _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
@@ -29,12 +29,12 @@ _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _DOTS = ".."
-"""Which elsewhere stand for a range, and in no number."""
+"""Sign of a range in other programs, which does not occur in a number."""
 _NO_NUMBER = ("nan", "inf", "infinity")
 
 
 class Span(NamedTuple):
-    """All numbers between two; only a sample can be taken of it."""
+    """All numbers between two bounds, which only a sample can use."""
 
     low: float
     high: float
@@ -42,27 +42,27 @@ class Span(NamedTuple):
 
 @runtime_checkable
 class DrawnNumbers(Protocol):
-    """A distribution, from which numbers can only be drawn."""
+    """Distribution, from which only samples can be drawn."""
 
     def quantiles(self, parts: Floats) -> Floats:
-        """Return the numbers below which parts of all numbers are."""
+        """Return the quantiles at given parts of all numbers."""
 
 
 Values: TypeAlias = Floats | Steps | Span | DrawnNumbers
-"""A list, or what gives `len(values)` and `values[indices]` like one; what can only be drawn."""
+"""List of values, steps with `len` and indexing, or a range to sample."""
 
 
 class Variation(NamedTuple):
-    """A number of the case, and the values that it takes."""
+    """Varied number, and the values."""
 
     target: Varied
     values: Values
     place: Place | None = None
-    """Where it was read, for messages."""
+    """Place of the text, for messages."""
 
 
 def read_variation(text: str, subject: VariedSubject, place: Place | None = None) -> Variation:
-    """Read what is varied, and over which values.
+    """Parse a varied number and the values.
 
     Parameters
     ----------
@@ -74,13 +74,13 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
         `-0.9:-0.7` (any number between, for samples).
     subject : Transmission or VariedScenario
     place : Place, optional
-        Where the text begins; the first column of `--vary` when not given.
+        Place of the text; the first column of `--vary` by default.
 
     Raises
     ------
     ReadError
-        With the place within the text. Whether a value can be a ratio or an efficiency is
-        not asked here: a variant that is none is marked so in the result.
+        If the text is invalid, with the place of the error. Impossible values of ratios or
+        efficiencies are accepted here, and marked in the result.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
 
 
 def _assigned(text: str, subject: VariedSubject) -> int:
-    """Where the `=` behind a name stands; -1 if there is none."""
+    """Return the position of `=` after a name, or -1."""
     if isinstance(subject, Transmission):
         assigned = _ASSIGNED.match(text)
         return assigned.end(1) if assigned else text.find("=")
@@ -128,12 +128,12 @@ def _assigned(text: str, subject: VariedSubject) -> int:
 
 
 def read_value(text: str) -> float:
-    """A number, a fraction, or nan and inf, which make a variant that is none.
+    """Parse a number, a fraction, or nan and inf, which make a variant invalid.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If the text is not a number; the message says what was expected.
 
     Examples
     --------
@@ -207,7 +207,7 @@ def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
 
 
 def _cells(text: str, separator: str) -> Iterator[tuple[int, str]]:
-    """The parts of a text without blanks around them, each with its offset."""
+    """Yield the parts of a text without surrounding blanks, with offsets."""
     offset = 0
     for part in text.split(separator):
         blanks = len(part) - len(part.lstrip()) if part.strip() else 0
