@@ -1,17 +1,18 @@
-"""The gearbox to be found: which schemes there are, which gears they give, with which ratios.
+"""Synthesis of gearboxes: schemes, gears, ratios and teeth of planetary gear sets.
 
-A number of planetary sets goes in, schemes come out (`structures`); a scheme becomes a case, whose
-shift elements are tried (`gears`), whose `ratios` are fitted to those that are wanted, and whose
-wheels get `teeth`. `boxes` finds whole gearboxes at once. `pictures` draws those that were found,
-`report` has their page, and `cli` the commands `vstatics synth ...`.
+`structures` lists the schemes of a number of planetary sets. A scheme becomes a case, for which
+`gears` tries the combinations of shift elements, `ratios` fits the ratios of mechanisms to wanted
+ratios of gears, and `teeth` finds integer tooth numbers. `boxes` finds whole gearboxes at once.
+`pictures` draws found gearboxes, `report` writes a page about them, and `cli` has the commands
+`vstatics synth ...`.
 
 >>> from vstatics.synthesis import SetScheme, StructureSearch, combinations, find_teeth
 >>> from vstatics.synthesis import fit, scheme_case, schemes
->>> [one.code for one in schemes(StructureSearch(sets=2, classes="order"))]
+>>> [scheme.code for scheme in schemes(StructureSearch(sets=2, classes="order"))]
 ['0-1-2-0-1-3', '0-1-2-0-3-4']
 >>> case = scheme_case(SetScheme.of_code("0-1-2-0-1-3"), 0, 3, ratios=[-2, -2.5])
->>> for one in combinations(case):
-...     print(one.engaged, one.kind, round(one.ratio, 9))
+>>> for combination in combinations(case):
+...     print(combination.engaged, combination.kind, round(combination.ratio, 9))
 ['T-L1'] gear -2.5
 ['T-L2'] gear 15.0
 ['F-L0-L3'] direct 1.0

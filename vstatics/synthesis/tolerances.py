@@ -1,107 +1,105 @@
-"""Tolerances of synthesis: what is equal but for rounding, and what is near enough."""
+"""Tolerances of synthesis, for rounding errors and for sufficient accuracy."""
 
 from __future__ import annotations
 
 # gears
 NEAR_DIRECT = 1e-6
-"""Only gears with ratios so near to 1 may be direct drives."""
+"""Largest deviation from 1 of the ratio of a possible direct drive. [-]"""
 KEPT_PART = 2.0**-12
-"""A number that is less than this part of its size has lost too many digits."""
+"""Least relative size of a difference that retains enough digits. [-]"""
 DETERMINED = 1e-9
-"""Singular values and shares of a torque that differ less from 0, or 1, do so by rounding."""
+"""Largest rounding error of singular values and of shares of a torque. [-]"""
 NO_TORQUE = 1e-12
-"""A torque over the input's that is 0 but for rounding. [-]"""
+"""Largest torque per input torque that counts as 0. [-]"""
 MET_RATIO = 1e-9
-"""Torques by which that of the output misses the ratio by more have lost their digits."""
+"""Largest error of the output torque against the ratio, beyond which digits are lost. [-]"""
 
 # ratios
 PART_FOR_ZERO_BOUND = 1e-3
-"""A bound of 0, which no ratio has, stands for this part of the other bound."""
+"""Replacement of a bound of 0, as a share of the opposite bound. [-]"""
 NARROWEST_RATIO = 1e-3
-"""Where bounds have 0 between them, a ratio is no smaller than this part of the larger one."""
+"""Least ratio between bounds of opposite sign, as a share of the larger bound. [-]"""
 TINY_RATIO = 1e-4
-"""A smaller ratio is told with a power of ten."""
+"""Largest ratio that is printed with a power of ten. [-]"""
 NO_SQUARES = 1e-30
-"""Squares whose sum is below this are rounding."""
+"""Sum of squares below which only rounding is left. [-]"""
 LEAST_FIT_STEP = 1e-13
-"""A step is nothing below this, and no step helps where the damping is the inverse of it."""
+"""Least step of a fit; the inverse is the damping at which no step helps. [-]"""
 EQUAL_SUM_OF_SQUARES = 1e-14
-"""By this part a sum of squares may grow: so near to its minimum it says nothing more, but
-steps still lead there."""
+"""Allowed relative growth of a sum of squares near the minimum, where steps still converge. [-]"""
 LEAST_DAMPING = 1e-13
-"""So much damping there is at least, by which the equations of a step are never singular."""
+"""Least damping, which prevents singular equations of a step. [-]"""
 LEAST_SCALE = 1e-300
-"""Equations of a step that have no number are not divided by one."""
+"""Least scale of the equations of a step, to avoid a division by zero. [-]"""
 MET_RATIOS = 1e-20
-"""Sums of squares below this are all the same: nothing is left but rounding."""
+"""Sum of squares below which all ratios are met except for rounding. [-]"""
 SAME_SOLUTION = 1e-5
-"""Solutions whose ratios differ by less than this part are one."""
+"""Largest relative difference of the ratios of equal solutions. [-]"""
 AT_BOUND = 1e-14
-"""A ratio that differs from a bound by less than this part stands at it."""
+"""Largest relative distance of a ratio at a bound. [-]"""
 DEPENDENT_RATIOS = 1e-9
-"""Directions in which the ratios change by less than this part, of the most, are free."""
+"""Relative change of the ratios in a direction, below which the direction is free. [-]"""
 
 # teeth
 MET_ERROR = 1e-9
-"""Limits of teeth that miss a ratio by no more are not told of."""
+"""Largest error of limits of teeth that is not reported. [-]"""
 TOLD_ERROR = 1e-3
-"""Ranges of teeth that let no ratios come nearer to all wishes together are told of."""
+"""Least error of the ratios caused by ranges of teeth that is reported. [-]"""
 NARROW_WINDOW = 1e-4
-"""Parts of which no ratio lies farther apart, in logarithms, are narrow enough."""
+"""Width of logarithms of ratios at which a part is not divided further. [-]"""
 FIRST_ERROR_LIMIT = 1e-5
-"""Limits of errors begin so much above the least possible error."""
+"""Distance of the first limit of errors above the least possible error. [-]"""
 ROUNDED_TEETH = 1e-6
-"""What rounding may take from a number of teeth."""
+"""Largest rounding error of a number of teeth. [-]"""
 ROUNDED_ERROR = 1e-12
-"""An error of no more is rounding: there is nothing better."""
+"""Largest error that is only rounding, so that the search can end. [-]"""
 LARGEST_ERROR_WEIGHT = 1e-3
-"""By this part of its largest error a region comes later."""
+"""Share of the largest error of a region in the order of the search. [-]"""
 
 # whole boxes
 NO_LOAD = 1e-9
-"""An element whose torque is less than this part of the input's carries none."""
+"""Largest torque per input torque of an element that carries none. [-]"""
 SAME_FITTED_RATIO = 1e-6
-"""Ratios of a gear that differ by less than this part are one: they are fitted."""
+"""Largest relative difference of equal ratios of gears after a fit. [-]"""
 EQUAL_FIGURES = 1e-7
-"""Figures that differ by less than this part, or as much, are equal: they follow from fits."""
+"""Largest relative difference of equal figures after a fit. [-]"""
 SECOND_MOTION = 1e-9
-"""Elements that leave more than one motion have a singular value below this."""
+"""Largest singular value of elements that leave more than a single motion. [-]"""
 STILL_SPEED = 1e-9
-"""A speed below this part of the largest is none."""
+"""Largest relative speed of a link at rest. [-]"""
 SAME_BOX_RATIO = 1e-9
-"""Ratios that differ by less, at a point within, are one: no chance makes them so. [-]"""
+"""Largest relative difference of ratios that are equal at an inner point. [-]"""
 NO_BOX_SPEED = 1e-11
-"""What is smaller, in terms of the largest speed in a gear, is nothing. [-]"""
+"""Largest speed that counts as 0, relative to the largest in a gear. [-]"""
 SAME_BOX_SPEED = 1e-9
-"""The same speeds differ by less; of the gears of one scheme no two agree so well by chance. [-]"""
+"""Largest difference of equal speeds; gears of a scheme rarely agree by chance. [-]"""
 TARGET_MARGIN = 1e-9
-"""Targets are looked for that much further than the tolerance. [-]"""
+"""Additional tolerance for the search of targets. [-]"""
 INDEPENDENT_RATIO = 1e-10
-"""A quotient does not depend on a ratio if it is as equal at both its ends. [-]"""
+"""Largest change of a quotient between the ends of a ratio without influence. [-]"""
 BEYOND_WIDTH = 1e-10
-"""Part of the width of a range by which a gear may be beyond it: that is found step by step. [-]"""
+"""Share of the width of a range by which a gear can exceed the range. [-]"""
 LEAST_BOX_STEP = 1e-12
-"""Of a logarithm: a shorter step changes nothing. [-]"""
+"""Least step of a logarithm. [-]"""
 LEAST_GAIN = 1e-14
-"""Part of the sum of squares: a step that gains less was the last one. [-]"""
+"""Least relative reduction of the sum of squares in a further step. [-]"""
 LEAST_SUM_OF_SQUARES = 1e-20
-"""A sum of squares that can't be less. [-]"""
+"""Sum of squares at which a fit ends. [-]"""
 LEAST_DIAGONAL = 1e-12
-"""Added to the diagonal, for ratios that no gear depends on. [-]"""
+"""Addition to the diagonal, for ratios without influence on any gear. [-]"""
 FIRST_DAMPING = 1e-3
-"""The first step of a fit is nearly that of linear equations."""
+"""Damping of the first step, which is nearly the step of linear equations. [-]"""
 LEAST_BOX_DAMPING = 1e-12
-"""So much damping there is at least."""
+"""Least damping of a fit. [-]"""
 LEAST_STIFFNESS = 1e-9
-"""Of the normal equations of planes in a cell, as a share of their largest diagonal: they may be
-singular. [-]"""
+"""Addition to the normal equations of planes in a cell, relative to the largest diagonal. [-]"""
 PLANE_ROUNDING = 1e-9
-"""By so much more the points that planes leave may lie apart, as a share of half the cell. [-]"""
+"""Rounding of the points between planes, relative to half the cell. [-]"""
 
 # bounds and figures
 NO_FIGURE = 1e-9
-"""Speed or torque, as a part of that of the input, below which it is rounding. [-]"""
+"""Largest speed or torque, relative to the input, that is only rounding. [-]"""
 CELL_ROUNDING = 1e-12
-"""Rounding of the share of a cell at which it is cut. [-]"""
+"""Rounding of the share at which a cell is cut. [-]"""
 NARROWEST_RANGE = 1e-5
-"""Half the width of a range that has one value. [-]"""
+"""Half the width of a range with a single value. [-]"""

@@ -88,10 +88,6 @@ class SheetHead(NamedTuple):
         return pen
 
 
-def _in_key(said: str, style: Style) -> str:
-    return said if isinstance(said, NameInKey) else style.text(said)
-
-
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
@@ -104,8 +100,11 @@ def sheet_head(
     """
     rows: list[list[KeySign]] = []
     text_room = room - SIGN_WIDTH - AFTER_SIGN
-    for said, look in ((_in_key(said, style), look) for occurs, said, look in meanings if occurs):
-        sign = KeySign(wrapped(said, text_room), look)
+    for occurs, said, look in meanings:
+        if not occurs:
+            continue
+        text = said if isinstance(said, NameInKey) else style.text(said)
+        sign = KeySign(wrapped(text, text_room), look)
         last = sum(placed.wide + BETWEEN_SIGNS for placed in rows[-1]) if rows else room
         if last + sign.wide > room:
             rows.append([])

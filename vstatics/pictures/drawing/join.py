@@ -6,12 +6,12 @@ Figures are not drawn again; their artists move to a common figure.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from matplotlib.artist import Artist
 from matplotlib.figure import Figure
-from matplotlib.transforms import Affine2D, Transform, TransformedBbox
+from matplotlib.transforms import Affine2D, TransformedBbox
 
 from vstatics.pictures.drawing.labels import (
     LINE_HEIGHT,
@@ -99,23 +99,17 @@ def _move(figure: Figure, pen: Pen, corner: Point) -> None:
     x, y = corner
     inches = Affine2D().translate(x / POINTS_PER_INCH, y / POINTS_PER_INCH)
     place = figure.dpi_scale_trans.inverted() + inches + pen.figure.dpi_scale_trans
-    for artist in _artists(figure):
+    artists: list[Artist] = figure.get_children()
+    for artist in artists:
+        if artist is figure.patch:
+            continue
         artist.remove()
         artist.set_transform(artist.get_transform() + place)
-        _clip(artist, place)
+        box: Any = artist.get_clip_box()
+        if box is not None:
+            artist.set_clip_box(TransformedBbox(box, place))
         artist.set_gid(_grouped(artist.get_gid(), pen.groups))
         pen.figure.add_artist(artist)
-
-
-def _artists(figure: Figure) -> list[Artist]:
-    every: Iterable[Artist] = figure.get_children()
-    return [artist for artist in every if artist is not figure.patch]
-
-
-def _clip(artist: Artist, place: Transform) -> None:
-    box: Any = artist.get_clip_box()
-    if box is not None:
-        artist.set_clip_box(TransformedBbox(box, place))
 
 
 def _grouped(said: str | None, groups: Sequence[MarkGroup]) -> str:

@@ -123,7 +123,10 @@ def written_as_svg(figure: Figure, title: str, style: Style, number: int = 1) ->
         figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
     root = ET.fromstring(file.getvalue())  # noqa: S314 - written above
     _strip(root)
-    _say_of_whole(root)
+    for child in root:  # the data of the figure belong to the root
+        if child.get("id", "").startswith("{"):
+            data = json.loads(child.attrib.pop("id"))["data"]
+            root.attrib |= {f"data-{key}": value for key, value in data.items()}
     _gather(root)
     for element in list(root.iter()):
         _say(element, style)
@@ -168,14 +171,6 @@ def _strip(root: ET.Element) -> None:
             child.tail = None
         if not parent.tag.endswith("}text"):
             parent.text = None
-
-
-def _say_of_whole(root: ET.Element) -> None:
-    """Move the data of the figure to the root: ``data-left-out="[]"``."""
-    for child in root:
-        if child.get("id", "").startswith("{"):
-            data = json.loads(child.attrib.pop("id"))["data"]
-            root.attrib |= {f"data-{key}": value for key, value in data.items()}
 
 
 def _gather(root: ET.Element) -> None:

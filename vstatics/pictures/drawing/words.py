@@ -50,15 +50,6 @@ def wheel(name: str, teeth: float, style: Style) -> str:
     return f"{word(name, style)}: {teeth:g}"
 
 
-def teeth_alone(named: str) -> str:
-    """Return the tooth number from a text of `wheel`.
-
-    >>> teeth_alone(wheel("sun", 48, Style("ru")))
-    '48'
-    """
-    return named.rpartition(" ")[2]
-
-
 def quantity(name: str, value: float, style: Style) -> str:
     """Return the name of a quantity with the value.
 

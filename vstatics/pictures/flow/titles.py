@@ -74,7 +74,9 @@ class FlowTitles(NamedTuple):
         if lost:
             said.append(f"{self.texts.style.text('lost')} {self._one_line(lost)}")
         if self.is_open(node):
-            said.append(self._within_friction if self.is_mild(node) else self._convention)
+            said.append(
+                self.texts.style.text("within friction") if self.is_mild(node) else self._convention
+            )
         return "\n".join([f"{node}: {', '.join(said)}", *self._members(node)])
 
     def _members(self, node: Node) -> Iterator[str]:
@@ -99,10 +101,6 @@ class FlowTitles(NamedTuple):
     def _torque(self, torque: float, speed: float) -> list[str]:
         style = self.texts.style
         return [quantity("torque", torque, style), quantity("speed", speed, style)]
-
-    @property
-    def _within_friction(self) -> str:
-        return self.texts.style.text("within friction")
 
     @property
     def _convention(self) -> str:

@@ -93,7 +93,10 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
         for some, weight in ((joins(drawn), 1.0), (every(case, drawn), 0.4))
         for tie in some
     ]
-    in_gears = _in_gears(case, drawn)
+    spots, always = spots_of(drawn), list(joins(drawn))
+    engaged = dict.fromkeys(gear.engaged for gear in case.gears)
+    elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
+    in_gears = [[*always, *ties_of(case, some, spots)] for some in elements]
 
     def cost(turned: Order) -> float:
         heights = [pair[turn] for pair, turn in zip(both, turned, strict=True)]
@@ -118,13 +121,6 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
             ]
             chosen[place] = [sum(near) / len(near) if near else 0.5]
     return chosen
-
-
-def _in_gears(case: Transmission, drawn: Sequence[Lever]) -> list[list[LeverTie]]:
-    spots, always = spots_of(drawn), list(joins(drawn))
-    engaged = dict.fromkeys(gear.engaged for gear in case.gears)
-    elements = [[case.shift_elements[number - 1] for number in some] for some in engaged]
-    return [[*always, *ties_of(case, some, spots)] for some in elements]
 
 
 def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -> int:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from itertools import pairwise
+from functools import partial
+from itertools import zip_longest
 from typing import NamedTuple
 
 from matplotlib.figure import Figure
@@ -187,17 +188,16 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
     drawn = [plan_drawn for row in rows for plan_drawn in row.plans]
     up = sum(row.size for row in rows) + ABSCISSA_NAME_HEIGHT * bool(rows)
     pen = sheet.head(drawn).over((sheet.size, up), MARGIN, sheet.style)
-    pen.tell(left_out=json.dumps(sheet.left_out, ensure_ascii=False))
+    as_json = partial(json.dumps, ensure_ascii=False)
+    pen.tell(left_out=as_json(sheet.left_out))
     bottom = up
-    for row, below in pairwise([*rows, None]):
-        if row is None:
-            continue
+    for row, below in zip_longest(rows, rows[1:]):
         bottom -= row.above + row.high
         for column, plan_drawn in enumerate(row.plans):
             x = MARGIN + sheet.left + column * (sheet.left + sheet.wide + sheet.right + PLAN_GAP)
             names = [sheet.case.gears[number - 1].name for number in plan_drawn.plan.gears]
             common = [*plan_drawn.plan.engaged, *plan_drawn.plan.given]
-            group = pen.within("panel", gears=_json(names), engaged=_json(common))
+            group = pen.within("panel", gears=as_json(names), engaged=as_json(common))
             panel = group.panel((x, bottom), (sheet.wide, row.high), plan_drawn.x, plan_drawn.y)
             draw_plan(panel, sheet.case, plan_drawn, row.above, sheet.left)
             panel.scale("right", plan_drawn.ticks(), _numbers(drawn, plan_drawn), grid=True)
@@ -208,10 +208,6 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Figure:
                 _draw_run(panel, plan_drawn, row, sheet)
         bottom -= row.below
     return pen.figure
-
-
-def _json(names: Sequence[str]) -> str:
-    return json.dumps(names, ensure_ascii=False)
 
 
 def _name_scales(

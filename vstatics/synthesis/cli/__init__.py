@@ -1,8 +1,7 @@
-"""`vstatics synth`: gearboxes to be found.
+"""The commands `vstatics synth ...`, which find gearboxes.
 
-`group` lists the commands. Each is a module with a function of its name, in the order of a design:
-`structures` lists schemes of planetary sets, `case` makes a case of one, `combinations` finds its
-gears, `fit` the ratios of its mechanisms, `teeth` their integer teeth; the room `box` finds whole
-gearboxes. `case_file` writes what was found as a case, `combinations_output` says what is shown of
-combinations.
+`group` lists the commands, each in a module of its name. In the order of a design, `structures`
+lists schemes of planetary sets, `case` writes a scheme as a case, `combinations` finds the gears
+of a case, `fit` the ratios of mechanisms, and `teeth` the tooth numbers; the room `box` finds whole
+gearboxes. `case_file` writes results as a case, `combinations_output` the list of combinations.
 """

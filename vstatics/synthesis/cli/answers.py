@@ -1,4 +1,4 @@
-"""Types of what the commands of `vstatics synth` write as JSON, of which schemas are derived."""
+"""Types of the JSON output of `vstatics synth`, from which the schemas are derived."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`vstatics synth case`: a scheme as a case."""
+"""`vstatics synth case`: write a scheme as a case."""
 
 from __future__ import annotations
 
@@ -20,8 +20,7 @@ from vstatics.synthesis.gears.names import set_name
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FIRST, STEP = -2.0, -0.1
-"""The ratios that sets have where none are given: all different, so that no two gears agree
-by chance."""
+"""Default ratio of the first set, and step to the next; different ratios avoid equal gears."""
 
 
 @click.command()
@@ -87,28 +86,28 @@ def case(
             raise ValueError(f"read {link_name(first)}, which is the input; expected another link")
     try:
         with wrong_value("CODE"):
-            made = scheme_case(scheme, first, last, given)
+            case_of_code = scheme_case(scheme, first, last, given)
     except CaseError as error:
         raise click.BadParameter(_of_sets(error.problems), param_hint="--ratios") from None
     if locked := scheme.locked_sets:
         links = {link for number in locked for link in scheme.sets[number - 1]}
         sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
         files.say(f"warning: {sets}, so they turn as one body whatever their ratios are")
-    if not any(gear.engaged for gear in made.gears):
+    if not any(gear.engaged for gear in case_of_code.gears):
         files.say(f"warning: no combination of its elements gives a gear but {NEUTRAL}, neutral")
-    elif len(made.gears) >= MOST_OF_SCHEME:
+    elif len(case_of_code.gears) >= MOST_OF_SCHEME:
         files.say(f"there may be more gears than the {MOST_OF_SCHEME} of the case")
     if not ratios:
-        some = spoken(f"{one:g}" for one in given)
+        some = spoken(f"{ratio:g}" for ratio in given)
         files.show([Problem("N002", f"no ratios are given: the sets have {some}")])
-    if form == "deck":  # it has none, and these are only in place of others
-        made = made.replace(inertias={}, description="")
+    if form == "deck":  # a deck has no inertias, and these are placeholders
+        case_of_code = case_of_code.replace(inertias={}, description="")
         files.say("a deck holds no inertias: those of input and output are left out")
-    return DONE if write_case(made, target, form) else FAILED
+    return DONE if write_case(case_of_code, target, form) else FAILED
 
 
 def _link(scheme: SetScheme, given: str) -> int:
-    """The link of a name, or of its number in the code."""
+    """Return the link of a name, or of a number in the code."""
     names = [link_name(link) for link in range(scheme.links)]
     word = given.strip()
     for link, name in enumerate(names):
@@ -119,14 +118,14 @@ def _link(scheme: SetScheme, given: str) -> int:
 
 
 def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
-    """The ratio of each set."""
+    """Return the ratio of each set."""
     names = [set_name(number) for number in range(1, len(scheme.sets) + 1)]
     if not given:
         return [round(FIRST + STEP * number, 1) for number in range(len(names))]
-    found: dict[str, float] = {}
+    by_name: dict[str, float] = {}
     words = separated(given)
     for number, word in enumerate(words):
-        name, equals, text = (one.strip() for one in word.rpartition("="))
+        name, equals, text = (part.strip() for part in word.rpartition("="))
         if not equals:
             if number >= len(names):
                 raise ValueError(f"read {len(words)} ratios, expected {_expected(names)}")
@@ -134,12 +133,12 @@ def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
         if name not in names:
             hint = nearest(name, names) or f"; expected {spoken(names, 'or')}"
             raise ValueError(f"read a ratio of {quoted(name)}, but there is no such set{hint}")
-        if name in found:
+        if name in by_name:
             raise ValueError(f"{name} has two ratios, expected one")
-        found[name] = _number(text)
-    if missing := [name for name in names if name not in found]:
+        by_name[name] = _number(text)
+    if missing := [name for name in names if name not in by_name]:
         raise ValueError(f"{spoken(missing)} without a ratio, expected {_expected(names)}")
-    return [found[name] for name in names]
+    return [by_name[name] for name in names]
 
 
 def _number(text: str) -> float:
@@ -157,7 +156,7 @@ def _expected(names: Sequence[str]) -> str:
 
 
 def _of_sets(problems: Sequence[Problem]) -> str:
-    """Problems of ratios, each with the set that has it."""
+    """Return the messages about ratios, each with the name of the set."""
     parts = []
     for problem in problems:
         numbers = [part for part in problem.path if isinstance(part, int)]

@@ -1,4 +1,4 @@
-"""The case that a command of `vstatics synth` has found, as a file that other commands take."""
+"""Writing the result of a command of `vstatics synth` as a case file."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ written_case = click.option(
     help="Also write what is found as a case: YAML, JSON or deck by the suffix. A file that is "
     "there is replaced.",
 )
-"""The option for it; the command gets `target`."""
+"""Option to write a case; the command gets the argument `target`."""
 
 
 def case_format(target: str, inputs: Iterable[str], output: str | None = None) -> str:
-    """The format of the case to write, by its suffix; refused before anything is calculated.
+    """Return the format of the case to write, and check the file before calculation.
 
     Raises
     ------
     UsageError
-        If the suffix is none, or what is read or written besides would be written over.
+        If the suffix is not known, or the file is also an input or the main output.
     ReadError
-        If its directory is not there.
+        If the directory does not exist.
     """
     files.spare(inputs, target)
     if output is not None and target == output:
@@ -48,23 +48,23 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
 
 
 def write_case(case: Transmission, target: str, form: str) -> bool:
-    """Write a case, whole or not at all; tell what the format can't keep.
+    """Write a case completely or not at all, and print the data that the format cannot hold.
 
     Returns
     -------
     bool
-        Whether it keeps all.
+        Whether the format holds all data.
 
     Raises
     ------
     ReadError
-        If what is left of it would be another case, or it can't be written.
+        If the remaining data would be a different case, or the file cannot be written.
     """
     try:
         data, lost = case_data(case, form)
     except CaseError as error:
-        raise ReadError(one.in_file(target) for one in error.problems) from error
+        raise ReadError(problem.in_file(target) for problem in error.problems) from error
     files.write_data(data, target)
-    for what in lost:
-        files.say(f"{target}: not kept: {what}")
+    for data_lost in lost:
+        files.say(f"{target}: not kept: {data_lost}")
     return not lost

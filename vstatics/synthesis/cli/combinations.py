@@ -1,4 +1,4 @@
-"""`vstatics synth combinations`: which gears the shift elements of a case give."""
+"""`vstatics synth combinations`: list the gears that the shift elements of a case give."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _sizes(texts: Sequence[str]) -> list[int]:
 
 
 class Trials(NamedTuple):
-    """Combinations that are tried: of how many elements, of which, between which ports."""
+    """Choice of combinations: numbers and names of elements, ports, order and limit."""
 
     engaged: list[int]
     elements: tuple[str, ...]
@@ -136,7 +136,7 @@ def combinations(
     reading = one.read()
     with problems_of(reading):
         refuse_converters(reading.case)
-    chosen = _chosen([each.name for each in reading.case.shift_elements], trials.elements)
+    chosen = _chosen([element.name for element in reading.case.shift_elements], trials.elements)
     with wrong_value("--elements"):
         if chosen != [AUTO]:
             chosen_elements(reading.case, chosen)
@@ -146,9 +146,9 @@ def combinations(
     with problems_of(reading), wrong_value("--engaged"), _hint("see --elements and --engaged"):
         searches = [CombinationSearch(case, trials.engaged, chosen) for case in cases]
     with problems_of(reading), _hint("see --dry-run, --engaged, --elements and --at-most"):
-        for each in searches:
-            each.check(None if trials.dry_run else trials.at_most // len(searches))
-    search, kept, by_torque = searches[0], True, trials.sort is not None
+        for each_search in searches:
+            each_search.check(None if trials.dry_run else trials.at_most // len(searches))
+    search, is_complete, by_torque = searches[0], True, trials.sort is not None
     if pairs:
         show_ports(searches, one.case, to, telling, by_torque=by_torque)
     elif trials.dry_run:
@@ -157,26 +157,26 @@ def combinations(
         check_room(search, to, by_torque=by_torque)
         _told_freewheels(search, telling)
         if target is not None and form is not None:
-            kept = _write(search, target, form, one)
+            is_complete = _write(search, target, form, one)
         show(search, one.case, to, telling, by_torque=by_torque)
-    return FAILED if not kept or telling.fails(reading.warnings) else DONE
+    return FAILED if not is_complete or telling.fails(reading.warnings) else DONE
 
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
-    """Names of elements; a comma separates them unless it is in quotes, or all is one name."""
-    return [one for text in asked for one in ([text] if text in names else separated([text]))]
+    """Return names of elements, which commas separate unless quoted or part of a name."""
+    return [name for text in asked for name in ([text] if text in names else separated([text]))]
 
 
 @contextmanager
 def _hint(hint: str) -> Iterator[None]:
-    """Say which options help with what is wrong with the case."""
+    """Add the names of helpful options to problems of the case."""
     try:
         yield
     except CaseError as error:
         raise CaseError(
             [
-                one._replace(message=f"{one.message}; {hint}") if one.path else one
-                for one in error.problems
+                problem._replace(message=f"{problem.message}; {hint}") if problem.path else problem
+                for problem in error.problems
             ]
         ) from None
 
@@ -189,17 +189,17 @@ def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
 
 
 def _write(search: CombinationSearch, target: str, form: str, one: OneCase) -> bool:
-    """Write a case with the gears; whether all is kept."""
+    """Write a case with the gears; return whether the format holds all data."""
     from vstatics.synthesis.gears.found_gears import found_gears
 
     try:
-        found = found_gears(search)
+        result = found_gears(search)
     except CaseError as error:
         message = f"{error.problems[0].message}; {target} is not written"
         raise ReadError([of_file("E020", file_name(one.case), message)]) from None
-    if found.slipping and not one.telling.quiet:
-        files.say(f"{target}: left out, as freewheels do not hold: {listed(found.slipping)}")
-    if found.free and not one.telling.quiet:
-        what = f"{found.free} {plural('gear', found.free)} with other links undetermined"
+    if result.slipping and not one.telling.quiet:
+        files.say(f"{target}: left out, as freewheels do not hold: {listed(result.slipping)}")
+    if result.free and not one.telling.quiet:
+        what = f"{result.free} {plural('gear', result.free)} with other links undetermined"
         files.say(f"{target}: left out: {what}")
-    return write_case(found.case, target, form)
+    return write_case(result.case, target, form)

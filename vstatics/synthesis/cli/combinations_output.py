@@ -1,4 +1,4 @@
-"""What `vstatics synth combinations` writes: before it begins, and what it finds."""
+"""Output of `vstatics synth combinations`: estimates, JSON and tables."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ from vstatics.synthesis.gears.kinds import EngagedSet, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 
 Batch = Sequence[EngagedSet]
-"""Combinations that are found together."""
+"""Combinations that are calculated together."""
 STREAMED = ("json", "jsonl")
-"""Formats that are written as they are found."""
+"""Formats that are written during the search."""
 MOST_PRINTED_ROWS = 200_000
-"""Of any other format."""
+"""Largest number of rows of a table."""
 FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
 FRAME_OF_PORTS = '{"ports": [\n ', ",\n ", "\n]}\n"
-"""Around the entries of JSON, and between them; the same of pairs of ports."""
+"""Text before, between and after the entries of JSON, for combinations and for pairs of ports."""
 
 
 def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -> None:
-    """Refuse tables that nobody reads or that are sorted in memory, and a file without room.
+    """Refuse long tables, sorting of many rows in memory, and a file without disk space.
 
     Raises
     ------
@@ -54,30 +54,30 @@ def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -
 
 
 def _length(search: CombinationSearch) -> float:
-    """About how many bytes a combination has in JSON."""
+    """Estimate the size of a combination in JSON, in bytes."""
     lines = [line for batch in search.samples() for line in _lines([*batch.each()])]
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
 @json_keys("elements", "engaged", count="total", bytes="bytes", seconds="seconds")
 class CombinationEstimate(NamedTuple):
-    """What is known before any combination is tried."""
+    """Estimate before any combination is tried."""
 
     elements: Sequence[str]
-    """Names of those to choose from."""
+    """Names of the elements to choose from."""
     engaged: Sequence[Count]
     total: float
-    """Of combinations; `count` in JSON."""
+    """Number of combinations; key `count` in JSON."""
     bytes: float
-    """About so many of JSON."""
+    """Approximate size in JSON."""
     seconds: float
 
 
 def estimate(search: CombinationSearch) -> CommandEstimate:
-    """How many combinations, how large, about how long."""
-    names, engaged = [one.name for one in search.elements], search.sizes
+    """Estimate the number, size and duration of the search."""
+    names, engaged = [element.name for element in search.elements], search.sizes
     size = _length(search) * search.count
-    said = {
+    rows = {
         "elements": f"{search.choice}: {listed(names)}",
         "engaged": ", ".join(map(str, engaged)),
         "combinations": count_text(search.count),
@@ -85,11 +85,11 @@ def estimate(search: CombinationSearch) -> CommandEstimate:
     }
     length = round(size) if math.isfinite(size) else math.inf
     answer = CombinationEstimate(names, engaged, search.count, length, search.seconds())
-    return CommandEstimate(said, answer, answer.seconds)
+    return CommandEstimate(rows, answer, answer.seconds)
 
 
 def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None:
-    """Write it: lines as text, an object as JSON, else a table."""
+    """Write the estimate as lines of text, as a JSON object or as a table."""
     known = estimate(search)
     if to.form in (*STREAMED, "text"):
         files.write_output(known.text(to.form), to.output)
@@ -101,7 +101,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
 def show(
     search: CombinationSearch, case: str, to: Destination, telling: Telling, *, by_torque: bool
 ) -> None:
-    """Write all combinations; JSON as they are found, unless they are sorted."""
+    """Write all combinations; JSON during the search, unless sorted."""
     with progress(
         int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
     ) as advance:
@@ -150,7 +150,6 @@ def show_ports(
 
 
 def _ports(search: CombinationSearch) -> tuple[str, str]:
-    """Their names."""
     case = search.case
     return case.link_name(case.input), case.link_name(case.output)
 
@@ -169,7 +168,7 @@ def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator
 
 
 def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
-    """Yield the combinations batch by batch; all in one batch if they are sorted."""
+    """Yield the combinations in batches, sorted combinations in a single batch."""
     if by_torque:
         unsorted = _batches(search, advance, by_torque=False)
         yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))
@@ -180,7 +179,7 @@ def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) ->
 
 
 def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
-    """JSON piece by piece: a document, or a line for each combination."""
+    """Yield JSON in pieces: a document, or a line for each combination."""
     first, between, last = ("", "\n", "\n") if as_lines else FRAME
     before = first
     for batch in batches:
@@ -190,17 +189,21 @@ def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
 
 
 def _lines(batch: Batch) -> Iterator[str]:
-    engaged = {name for each in batch for name in each.engaged}
+    engaged = {name for combination in batch for name in combination.engaged}
     names = {name: line(name).rstrip() for name in engaged}
-    for each in batch:
-        listed_names = ", ".join(map(names.__getitem__, each.engaged))
-        is_free = "true" if each.free else "false"
-        text = f'{{"engaged": [{listed_names}], "kind": "{each.kind}", '
-        text += f'"ratio": {_number(each.ratio)}, "free": {is_free}'
-        if each.torques is not None:
-            torques = (f"{names[name]}: {_number(part)}" for name, part in each.torques.items())
+    for combination in batch:
+        listed_names = ", ".join(map(names.__getitem__, combination.engaged))
+        is_free = "true" if combination.free else "false"
+        text = f'{{"engaged": [{listed_names}], "kind": "{combination.kind}", '
+        text += f'"ratio": {_number(combination.ratio)}, "free": {is_free}'
+        if combination.torques is not None:
+            torques = (
+                f"{names[name]}: {_number(part)}" for name, part in combination.torques.items()
+            )
             text += f', "torques": {{{", ".join(torques)}}}'
-        yield text + (f', "slip": {_number(each.slip)}}}' if each.slip is not None else "}")
+        yield text + (
+            f', "slip": {_number(combination.slip)}}}' if combination.slip is not None else "}"
+        )
 
 
 def _number(value: float) -> str:

@@ -1,4 +1,4 @@
-"""`vstatics synth fit`: ratios of mechanisms for wanted ratios of gears."""
+"""`vstatics synth fit`: find ratios of mechanisms for wanted ratios of gears."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from vstatics.synthesis.ratios.tables import dry_document, dry_grids, fit_grids
 
 
 class FitOptions(NamedTuple):
-    """What is looked for."""
+    """Wanted ratios of gears, with bounds, weights and tolerance."""
 
     ratios: Mapping[str, float]
     bounds: Mapping[str, tuple[float, float]]
@@ -104,45 +104,47 @@ def fit(one: OneCase, asked: FitOptions, dry_run: bool, target: str | None) -> i
     form = "" if target is None else case_format(target, [one.case], to.output)
 
     def calculate(reading: Reading) -> CaseAnswer:
-        own, file = reading.case, file_name(one.case)
+        case, file = reading.case, file_name(one.case)
         with wrong_use(FitOptions._fields):
             if dry_run:
-                problem = fit_problem(own, *asked)
+                problem = fit_problem(case, *asked)
                 notes = warnings_of("W804", doubts(problem), file)
                 known = dry_document(problem)
                 return CaseAnswer(lambda: dry_grids(known), known, notes)
             with progress(None, "steps", quiet=one.telling.quiet) as advance:
-                found = fitted(own, **asked._asdict(), advance=advance)
+                result = fitted(case, **asked._asdict(), advance=advance)
         return CaseAnswer(
-            lambda: fit_grids(found),
-            found,
-            _notes(found, file),
-            failed=bool(found.unmet),
-            write=lambda: target is None or _write(own, found, target, form, one.telling),
+            lambda: fit_grids(result),
+            result,
+            _notes(result, file),
+            failed=bool(result.unmet),
+            write=lambda: target is None or _write(case, result, target, form, one.telling),
         )
 
     return one.answer(calculate, to)
 
 
-def _write(case: Transmission, found: Fit, target: str, form: str, telling: Telling) -> bool:
-    """Write the case with the ratios found; whether it keeps all of the other."""
+def _write(case: Transmission, result: Fit, target: str, form: str, telling: Telling) -> bool:
+    """Write the case with the new ratios; return whether the format holds all data."""
     lost = lost_by_fit(case)
-    kept = write_case(fitted_case(case, found.ratios), target, form)
-    for what in lost:
-        files.say(f"{target}: not kept: {what}")
-    for what in () if telling.quiet else left_out_by_fit(case, found.ratios):
-        files.say(f"{target}: left out: {what}")
-    return kept and not lost
+    is_complete = write_case(fitted_case(case, result.ratios), target, form)
+    for data in lost:
+        files.say(f"{target}: not kept: {data}")
+    for data in () if telling.quiet else left_out_by_fit(case, result.ratios):
+        files.say(f"{target}: left out: {data}")
+    return is_complete and not lost
 
 
-def _notes(found: Fit, file: str) -> list[Problem]:
-    """What is not met, and what to know of the solution."""
+def _notes(result: Fit, file: str) -> list[Problem]:
+    """List the ratios that are not met, and notes about the solution."""
     notes = []
-    if found.unmet:
-        off = "infinitely" if math.isinf(found.residual) else f"up to {100 * found.residual:.3g} %"
-        notes.append(of_file("E021", file, f"not met: {spoken(found.unmet)}, off by {off}"))
-    told = [*found.warnings]
-    if found.free:
-        choice = f"the wanted ratios leave a choice of {listed(found.free)}"
-        told.append(f"{choice}: they are as near as may be to the case's own")
-    return notes + warnings_of("W805", told, file)
+    if result.unmet:
+        off = (
+            "infinitely" if math.isinf(result.residual) else f"up to {100 * result.residual:.3g} %"
+        )
+        notes.append(of_file("E021", file, f"not met: {spoken(result.unmet)}, off by {off}"))
+    warnings = [*result.warnings]
+    if result.free:
+        choice = f"the wanted ratios leave a choice of {listed(result.free)}"
+        warnings.append(f"{choice}: they are as near as may be to the case's own")
+    return notes + warnings_of("W805", warnings, file)

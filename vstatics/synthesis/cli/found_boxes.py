@@ -1,4 +1,4 @@
-"""Documents of found boxes in place of cases: their picture, their page, their summaries."""
+"""Lists of found gearboxes instead of cases: picture, page and summaries."""
 
 from __future__ import annotations
 
@@ -25,20 +25,21 @@ if TYPE_CHECKING:
 
 
 def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
-    """The found boxes that a file lists, and its document; None if it is another file.
+    """Return the found boxes that a file lists, and the document; None for other files.
 
-    What can be read but once is left to those that read cases: standard input, pipes.
+    Files that can be read only once, such as standard input and pipes, are left to readers of
+    cases.
 
     Raises
     ------
     ReadError
-        If it is such a document with something wrong.
+        If the file is a list of boxes with an error.
     """
     if file == files.STDIN or not os.path.isfile(file):  # noqa: PTH113
         return None
     try:
         data, name = files.read_input(file, TABLE_BYTES)
-    except ReadError:  # told where cases are read
+    except ReadError:  # the reader of cases reports the error
         return None
     if not is_a("boxes", data, name):
         return None
@@ -48,14 +49,14 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
 
 
 def plot_boxes(cases: Sequence[str], to: Destination, style: Style, _: object = None) -> int:
-    """Write the picture of found boxes; the exit status.
+    """Draw found boxes, write the picture and return the exit status.
 
     Raises
     ------
     UsageError
-        If there are several documents.
+        If several files are given.
     ReadError
-        If the file has none, or can't be written.
+        If the file lists no boxes, or the picture cannot be written.
     """
     from vstatics.synthesis.boxes.listing import drawn_boxes
     from vstatics.synthesis.boxes.reading import read_document
@@ -80,12 +81,12 @@ def report_boxes(
     digits: int | None,
     stamp: Mapping[str, str],
 ) -> int:
-    """Write the page of found boxes; the exit status.
+    """Write the page of found boxes and return the exit status.
 
     Raises
     ------
     ReadError
-        If there is no box, the case of one can't be read, or the page can't be written.
+        If the list is empty, a case cannot be read, or the page cannot be written.
     """
     from vstatics.synthesis.boxes.listing import drawn_boxes
     from vstatics.synthesis.report.boxes import MOST_SHOWN_BOXES, boxes_page
@@ -98,18 +99,18 @@ def report_boxes(
 
 
 MOST_COMPARED_BOXES = 6
-"""So many boxes stand side by side where nobody says which."""
+"""Number of boxes compared by default."""
 
 
 def calculated_boxes(
     file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase] | None:
-    """The cases of the found boxes that a file lists, with results; None if it is another file.
+    """Yield the calculated cases of the boxes that a file lists; None for other files.
 
     Raises
     ------
     ReadError
-        If it is such a document with something wrong.
+        If the file is a list of boxes with an error.
     """
     listed = listing_in(file)
     return _calculated(listed[0], file, asked, settings) if listed else None
@@ -118,14 +119,14 @@ def calculated_boxes(
 def _calculated(
     listing: BoxListing, file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase]:
-    """The cases of boxes with their results: those that are asked for, else those that tell most.
+    """Calculate the cases of chosen boxes, by default those with the most distinct figures.
 
     Raises
     ------
     BadParameter
-        If there is no box of a number.
+        If no box has a chosen number.
     ReadError
-        If there is no box, or the case of one can't be read.
+        If the list is empty, or a case cannot be read.
     """
     if not listing.boxes:
         raise ReadError(
@@ -139,14 +140,17 @@ def _calculated(
             doubts = not_allowed(_contradictions([box], file), allow)
         results = solve(case, coast=settings.coast, idle=settings.idle)
         name = f"{file} box {box.number}"
-        said = [of_file(one.id, name, f"gear {one.gear}: {one.text}") for one in results.messages]
-        problems = settings.telling.told([*doubts, *said])
+        messages = [
+            of_file(message.id, name, f"gear {message.gear}: {message.text}")
+            for message in results.messages
+        ]
+        problems = settings.telling.told([*doubts, *messages])
         files.show(settings.telling.printed(problems))
         yield CalculatedCase(name, results, problems, telling=settings.telling)
 
 
 def _contradictions(boxes: Sequence[ListedBox], file: str) -> Iterator[Problem]:
-    """Warn of what boxes say otherwise than their cases."""
+    """Yield a warning for each figure of a box that contradicts the case of the box."""
     for box in boxes:
         for message in box.contradictions():
             yield of_file("W806", file, f"box {box.number}: {message}")
@@ -166,18 +170,18 @@ def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
 
 
 def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
-    """Numbers of boxes, with commas or one by one.
+    """Return numbers of boxes, separated by commas or given one by one.
 
     Raises
     ------
     ValueError
     """
-    found: list[int] = []
+    numbers: list[int] = []
     for text in ",".join(texts).split(",") if texts else ():
         if not text.strip().isdecimal() or len(text) > 9:
             raise ValueError(f"read {text!r}, expected numbers of boxes, such as 1,4")
-        found.append(int(text))
-    return tuple(found)
+        numbers.append(int(text))
+    return tuple(numbers)
 
 
 box_option = click.option(
@@ -188,4 +192,4 @@ box_option = click.option(
     metavar="N,...",
     help="Which boxes of a document of found ones; else those that tell most.",
 )
-"""The option of commands that take several found boxes."""
+"""Option of commands that take several found boxes."""

@@ -1,4 +1,4 @@
-"""`vstatics synth`: the gearbox to be found; each of its commands is a module."""
+"""`vstatics synth`: the group of commands that find gearboxes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.synthesis.annex import ANNEX
 
 
 class SynthesisCommands(LazyGroup):
-    """The commands of `vstatics synth`."""
+    """Commands of `vstatics synth`."""
 
     modules = ANNEX.groups["synth"]
 

@@ -1,4 +1,4 @@
-"""`vstatics synth structures`: all schemes of so many planetary sets."""
+"""`vstatics synth structures`: list all schemes of a number of planetary sets."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ from vstatics.synthesis.structures.json_lines import lines
 
 FORMATS = ("json", "jsonl")
 LONG = 60
-"""What takes longer is told before. [s]"""
+"""Duration above which an estimate is printed. [s]"""
 WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
-"""So many sets are done before an estimate is."""
+"""Number of sets that are listed faster than estimated."""
 
 
 def _links(text: str) -> int:
@@ -110,7 +110,7 @@ def structures(
         known = _known(asked, listed=not counted)
         files.write_output(known.text(form, WIDEST_NAME), output)
         return
-    expected = _told(asked, output, listed=not counted)
+    expected = _expected_count(asked, output, listed=not counted)
     if counted:
         with progress(expected, "schemes") as advance:
             by_links = count(asked, advance)
@@ -128,7 +128,7 @@ def structures(
 
 @json_keys("sets", count="total", by_links="by_links")
 class StructureCount(NamedTuple):
-    """How many schemes there are."""
+    """Number of schemes, in total and by number of links."""
 
     sets: Count
     total: Count
@@ -136,7 +136,7 @@ class StructureCount(NamedTuple):
 
 
 class StructureEstimate(NamedTuple):
-    """About how many there are, how large they are and how long they take."""
+    """Estimated number, size and duration of schemes."""
 
     schemes: Flat[StructureCount]
     exact: bool
@@ -149,8 +149,8 @@ def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCo
     return StructureCount(asked.sets, sum(by_links.values()), numbers)
 
 
-def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
-    """About how many there will be; told if it takes long, refused without room on the disk.
+def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
+    """Estimate the number of schemes; print a long duration, and check the disk space.
 
     Raises
     ------
@@ -158,25 +158,27 @@ def _told(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
     """
     if asked.sets <= QUICK_SETS:
         return 0
-    found = estimate(asked, listed=listed)
-    check_room(found.bytes, output, "--count, --classes, --links, or another disk")
-    if found.seconds > LONG:
-        size = f", {size_text(found.bytes)}" if listed else ""
-        text = f"{about(found.total)} schemes{size}, in about {duration_text(found.seconds)}"
+    estimated = estimate(asked, listed=listed)
+    check_room(estimated.bytes, output, "--count, --classes, --links, or another disk")
+    if estimated.seconds > LONG:
+        size = f", {size_text(estimated.bytes)}" if listed else ""
+        text = (
+            f"{about(estimated.total)} schemes{size}, in about {duration_text(estimated.seconds)}"
+        )
         files.show([Problem("N003", text)])
-    return round(found.total)
+    return round(estimated.total)
 
 
 def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
-    """How many, how large and how long."""
-    found = estimate(asked, listed=listed)
-    say = str if found.exact else about
-    said = {"schemes": say(found.total)}
-    for links, number in found.by_links.items():
-        said[f"{links} links"] = say(number)
+    """Estimate the number, size and duration of schemes."""
+    estimated = estimate(asked, listed=listed)
+    say = str if estimated.exact else about
+    rows = {"schemes": say(estimated.total)}
+    for links, number in estimated.by_links.items():
+        rows[f"{links} links"] = say(number)
     if listed:
-        said["size"] = f"about {size_text(found.bytes)}"
-    rounded = {links: round(number) for links, number in found.by_links.items()}
-    size = round(found.bytes) if listed else None
-    answer = StructureEstimate(_counted(asked, rounded), found.exact, size, found.seconds)
-    return CommandEstimate(said, answer, found.seconds)
+        rows["size"] = f"about {size_text(estimated.bytes)}"
+    rounded = {links: round(number) for links, number in estimated.by_links.items()}
+    size = round(estimated.bytes) if listed else None
+    answer = StructureEstimate(_counted(asked, rounded), estimated.exact, size, estimated.seconds)
+    return CommandEstimate(rows, answer, estimated.seconds)

@@ -1,4 +1,4 @@
-"""`vstatics synth teeth`: integer teeth for wanted ratios of gears or sets."""
+"""`vstatics synth teeth`: find integer tooth numbers for wanted ratios of gears or sets."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ def _whole(text: str) -> int:
 
 
 def _several(texts: Sequence[str]) -> list[str]:
-    """The values of an option without names, none of which is empty."""
-    found = separated(texts)
-    if not all(found):
+    """Return the nonempty values of an option without names."""
+    words = separated(texts)
+    if not all(words):
         raise ValueError(f"read {quoted(','.join(texts))}")
-    return found
+    return words
 
 
 def _modules(texts: Sequence[str]) -> tuple[float, ...]:
@@ -43,16 +43,16 @@ def _modules(texts: Sequence[str]) -> tuple[float, ...]:
 
 
 def _counts(texts: Sequence[str]) -> tuple[int, ...]:
-    """Numbers of planets, each alone, or all from one to another."""
-    found: list[int] = []
+    """Return numbers of planets from single numbers and ranges."""
+    counts: list[int] = []
     for text in _several(texts):
         low, colon, high = text.partition(":")
         first = _whole(low)
         last = _whole(high) if colon else first
         if not first <= last < first + 100:
             raise ValueError(f"read {quoted(text)}, expected a number, or LOW:HIGH")
-        found += range(first, last + 1)
-    return tuple(found)
+        counts += range(first, last + 1)
+    return tuple(counts)
 
 
 def _whole_pair(text: str) -> tuple[int, int]:
@@ -174,30 +174,30 @@ def teeth(
     form = "" if target is None else case_format(target, [one.case], to.output)
 
     def calculate(reading: Reading) -> CaseAnswer:
-        own, file = reading.case, file_name(one.case)
+        case, file = reading.case, file_name(one.case)
         with wrong_use(_OPTIONS):
-            asked = ratios or own_ratios(own)
+            asked = ratios or own_ratios(case)
             if dry_run:
-                problem = teeth_problem(own, asked, limits, error)
+                problem = teeth_problem(case, asked, limits, error)
                 notes = warnings_of("W801", doubts_before(problem), file)
                 return CaseAnswer(lambda: asked_grids(problem), asked_document(problem), notes)
             try:
                 with progress(None, "regions", quiet=one.telling.quiet) as advance:
-                    found = find_teeth(own, asked, limits, error=error, advance=advance)
+                    result = find_teeth(case, asked, limits, error=error, advance=advance)
             except NoTeethError as failed:
                 why = [problem.in_file(file) for problem in failed.problems]
                 return CaseAnswer(list, TeethAnswer([]), why, failed=True)
 
         def write() -> bool:
-            best = found.solutions[0]
+            best = result.solutions[0]
             return target is None or write_case(
-                case_with_teeth(own, found.problem, best), target, form
+                case_with_teeth(case, result.problem, best), target, form
             )
 
         return CaseAnswer(
-            lambda: teeth_grids(found),
-            TeethAnswer(found.solutions),
-            [*_notes(found, file)],
+            lambda: teeth_grids(result),
+            TeethAnswer(result.solutions),
+            [*_notes(result, file)],
             write=write,
         )
 
@@ -210,15 +210,15 @@ _OPTIONS = (
 )
 
 
-def _notes(found: FoundTeeth, file: str) -> Iterator[Problem]:
-    """What to know of the solutions."""
-    yield from warnings_of("W802", found.doubts, file)
-    if found.problem.unused:
-        message = f"in no wanted ratio, so as they are: {listed(found.problem.unused)}"
+def _notes(result: FoundTeeth, file: str) -> Iterator[Problem]:
+    """Yield notes about the solutions."""
+    yield from warnings_of("W802", result.doubts, file)
+    if result.problem.unused:
+        message = f"in no wanted ratio, so as they are: {listed(result.problem.unused)}"
         yield of_file("N801", file, message)
-    if not found.is_proven:
+    if not result.is_proven:
         message = (
             f"the search was ended: that others are better is possible, "
-            f"but none has an error below {found.bound:.3g}"
+            f"but none has an error below {result.bound:.3g}"
         )
         yield from warnings_of("W803", [message], file)

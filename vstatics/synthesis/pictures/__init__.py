@@ -1,5 +1,5 @@
-"""Found boxes at a glance.
+"""Pictures of found gearboxes.
 
-`points` has mean loss over the largest torque, `numbers` beside the points; `stick` is the diagram
-of one box; `picture` puts them on a page.
+`points` draws mean loss over the largest torque, `numbers` places the numbers next to the points,
+`stick` draws the diagram of a box, and `picture` arranges points and diagrams on pages.
 """

@@ -1,4 +1,4 @@
-"""Numbers beside points, so that they cover no other number and few points."""
+"""Numbers next to points, placed so that numbers do not overlap and cover few points."""
 
 from __future__ import annotations
 
@@ -13,45 +13,45 @@ from vstatics.pictures.drawing.style import SIZE
 from vstatics.synthesis.boxes.listing import ListedBox
 
 SAME_POINT = 2.0
-"""Points that are closer are one. [pt]"""
+"""Distance within which points coincide. [pt]"""
 SPOT, LARGE_SPOT = 4.5, 6.5
-"""Of the point of a box, and of one that nothing is better than in all figures. [pt]"""
+"""Size of the point of a box, and of a box of the Pareto list. [pt]"""
 DISTANCES = (9.0, 13.0, 18.0, 27.0, 40.0, 60.0, 85.0)
-"""Of the middle of a number from its point. [pt]"""
+"""Distances of the middle of a number from the point. [pt]"""
 STRANGE_NUMBER_COST = 18.0
-"""What it costs that a number is nearer to the point of another one. [pt]"""
+"""Cost of a number that is nearer to the point of a different number. [pt]"""
 HIDDEN_NUMBER_COST = 1000.0
-"""What it costs that a number covers another one, or a point. [pt]"""
+"""Cost of a number that covers a number or a point. [pt]"""
 NUMBER_DIRECTIONS = 16
-"""Directions that are tried for a number."""
+"""Number of directions that are tried for a number."""
 
 
 class BoxPoint(NamedTuple):
-    """Boxes of one family at one place."""
+    """Boxes of a family at a common place."""
 
     at: Point
-    """[pt]"""
+    """Place in points."""
     boxes: list[ListedBox]
 
 
 class _BoxNumber(NamedTuple):
-    """A number that looks for its place."""
+    """A number to be placed."""
 
     at: Point
-    """Its own point."""
+    """Point of the number."""
     size: Point
     points: list[Point]
-    """All points that it could cover."""
+    """Points that the number could cover."""
     rivals: list[Point]
     """Points of other numbers."""
 
     def is_strange(self, place: Point) -> bool:
-        """Whether a number there would seem to belong to the point of another one."""
+        """Check whether a number at a place would seem to belong to a different point."""
         distance = math.dist(place, self.at)
         return any(math.dist(place, other) < 1.2 * distance for other in self.rivals)
 
     def cost(self, place: Point, taken: Sequence[tuple[Point, Point]]) -> float:
-        """How much a number covers, and how far it stands from its point."""
+        """Return the cost of a place: covered numbers and points, and the distance."""
         (x, y), (wide, high) = place, self.size
         others = sum(
             abs(x - left) < (wide + other) / 2 + LABEL_GAP and abs(y - low) < (high + up) / 2 + 1
@@ -66,12 +66,12 @@ class _BoxNumber(NamedTuple):
 
 
 def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool:
-    """The numbers of boxes with a diagram, so that they cover no other and no point.
+    """Draw the numbers of boxes with a diagram, without overlaps where possible.
 
     Returns
     -------
     bool
-        Whether there are more boxes at any of their places.
+        Whether a place has further boxes.
     """
     taken: list[tuple[Point, Point]] = []
     points = [spot.at for spot in spots]
@@ -80,39 +80,39 @@ def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool
         wide = width(text)
         near = [point for point in points if math.dist(point, at) < DISTANCES[-1] + 2 * wide]
         rivals = [other for other, _ in texts if other != at]
-        own = _BoxNumber(at, (wide, SIZE), near, rivals)
-        place = min(_places(at, wide, pen), key=partial(own.cost, taken=taken))
-        taken.append((place, own.size))
-        if math.dist(place, at) > DISTANCES[1] + wide / 2 or own.is_strange(place):
-            x, y = (  # the place of its edge that is nearest to its point
-                min(max(to, middle - long / 2 - 1), middle + long / 2 + 1)
-                for to, middle, long in zip(at, place, own.size, strict=True)
+        box_number = _BoxNumber(at, (wide, SIZE), near, rivals)
+        place = min(_places(at, wide, pen), key=partial(box_number.cost, taken=taken))
+        taken.append((place, box_number.size))
+        if math.dist(place, at) > DISTANCES[1] + wide / 2 or box_number.is_strange(place):
+            x, y = (  # the place of the edge nearest to the point
+                min(max(target, middle - long / 2 - 1), middle + long / 2 + 1)
+                for target, middle, long in zip(at, place, box_number.size, strict=True)
             )
             pen.line(at, (x, y), color=pen.style.soft, width=0.5, zorder=7)
-        said = f"{pen.style.text('boxes')} {text}"
-        pen.text(*place, text, title=said, over=True, ha="center", va="center", zorder=8)
+        title = f"{pen.style.text('boxes')} {text}"
+        pen.text(*place, text, title=title, over=True, ha="center", va="center", zorder=8)
     return any("+" in text for _, text in texts)
 
 
 def rounded(at: Point) -> tuple[int, int]:
-    """A place, the same for points that are one."""
+    """Return a place as whole numbers, equal for points that coincide."""
     return round(at[0] / SAME_POINT), round(at[1] / SAME_POINT)
 
 
 def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
-    """What is written beside each place: the numbers of its diagrams, of all families there."""
+    """Yield the numbers of the diagrams of all families at each place."""
     together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
     for spot in spots:
-        own = together.setdefault(rounded(spot.at), (spot.at, []))[1]
-        own.extend(box.number for box in spot.boxes)
-    for at, found in together.values():
-        shown = sorted(numbers.intersection(found))
+        numbers_there = together.setdefault(rounded(spot.at), (spot.at, []))[1]
+        numbers_there.extend(box.number for box in spot.boxes)
+    for at, all_numbers in together.values():
+        shown = sorted(numbers.intersection(all_numbers))
         if shown:
-            yield at, _few(shown, len(found))
+            yield at, _few(shown, len(all_numbers))
 
 
 def _few(numbers: Sequence[int], count: int) -> str:
-    """Numbers at one place, as many as have room there, and how many boxes more are there.
+    """Return the numbers at a place, up to three, and the number of further boxes.
 
     >>> _few([1, 4], 2), _few([1], 3), _few([1, 4, 5, 9, 12], 7)
     ('1, 4', '1 +2', '1, 4, 5 +4')
@@ -123,7 +123,7 @@ def _few(numbers: Sequence[int], count: int) -> str:
 
 
 def _places(at: Point, wide: float, pen: Pen) -> Iterator[Point]:
-    """Where a number may stand, the nearest first."""
+    """Yield the possible places of a number, the nearest first."""
     (x, y), (right, high) = at, pen.size
     for distance in DISTANCES:
         for step in range(NUMBER_DIRECTIONS):

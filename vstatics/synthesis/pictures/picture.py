@@ -1,4 +1,4 @@
-"""Found boxes at a glance: mean loss over the largest torque, and stick diagrams."""
+"""Pages of found gearboxes: mean loss over the largest torque, and stick diagrams."""
 
 from __future__ import annotations
 
@@ -28,37 +28,37 @@ from vstatics.synthesis.pictures.points import (
 )
 
 POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
-"""Of the axes, over diagrams or alone. [pt]"""
+"""Height of the axes, above diagrams and alone. [pt]"""
 BOXES_SCALE_HEIGHT = 34.0
-"""For the scale. [pt]"""
+"""Height of the scale. [pt]"""
 CAPTION_LINE_HEIGHT = 11.0
-"""From line to line. [pt]"""
+"""Distance between lines of a caption. [pt]"""
 MOST_DRAWN_DIAGRAMS = 8
-"""So many diagrams are drawn."""
+"""Largest number of diagrams."""
 DIAGRAMS_SIDE_BY_SIDE = 2
 DIAGRAM_GAP = 16.0
-"""Between diagrams. [pt]"""
+"""Distance between diagrams. [pt]"""
 LARGEST_DIAGRAM_SCALE = 0.62
-"""Scale of a diagram, at most."""
+"""Largest scale of a diagram."""
 
 
 class BoxCell(NamedTuple):
-    """A diagram with what stands over it; lengths in points."""
+    """A diagram with heading and caption; lengths in points."""
 
     heading: str
     caption: Sequence[str]
     stick: BareStick
     part: float
-    """Its scale."""
+    """Scale of the diagram."""
 
     @property
     def size(self) -> Point:
-        """Of all of it."""
+        """Width and height of diagram, heading and caption."""
         wide, high = (self.part * length for length in self.stick.size)
         return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
 
     def draw(self, page: Pen, x: float, top: float, room: float) -> None:
-        """At its left upper corner, the diagram in the middle of its room."""
+        """Draw the cell at the upper left corner, with the diagram centred in the room."""
         page.text(x, top, self.heading, bold=True, va="top")
         y = top
         for line in self.caption:
@@ -71,14 +71,14 @@ class BoxCell(NamedTuple):
 
 
 def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:
-    """The pages of a picture of found boxes as files.
+    """Draw found boxes as the pages of a picture, in a file format.
 
     Raises
     ------
     CaseError
-        If there is no box, or matplotlib is not installed.
+        If the list is empty, or matplotlib is not installed.
     ReadError
-        If the case of one that is drawn is none.
+        If the case of a drawn box is not valid.
     """
     require("plot", "a picture")
     with settings_of(style):
@@ -89,7 +89,7 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]
 def render_points(
     listing: BoxListing, drawn: Sequence[ListedBox], language: Language = "en"
 ) -> bytes:
-    """The points alone as SVG, for a page that has the diagrams of these boxes elsewhere."""
+    """Draw the points alone as SVG, for a page that has the diagrams."""
     style = Style(language, titled=False)
     with settings_of(style):
         figure = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).figure
@@ -97,12 +97,12 @@ def render_points(
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Figure]:
-    """Points of all boxes over the diagrams of some, which go on on further pages.
+    """Draw the points of all boxes above the diagrams of some, with further pages if necessary.
 
     Raises
     ------
     CaseError
-        If there is no box.
+        If the list is empty.
     """
     if not drawn:
         raise CaseError("E009", "no box was found, so there is nothing to draw")
@@ -133,7 +133,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
 
 
 def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
-    """A box in a width [pt]."""
+    """Lay out the diagram of a box in a width [pt]."""
     case = box.transmission()
     stick = bare_stick(case, style, is_small=True)
     part = min(LARGEST_DIAGRAM_SCALE, room / stick.size[0])
@@ -144,7 +144,7 @@ def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
 def _page(
     listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
 ) -> Pen:
-    """The points in axes so high, on a page with so much room below them [pt]."""
+    """Draw the points in axes of a height, on a page with room below [pt]."""
     families = families_width(listing, drawn, style)
     wide = style.width - 2 * MARGIN - POINTS_SCALE_WIDTH - families
     low = MARGIN + below + BOXES_SCALE_HEIGHT + height(torque_name(wide, style)) - height("")
@@ -156,11 +156,11 @@ def _page(
 
 
 def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> list[str]:
-    """What stands over a diagram, below its heading: ratios, figures, names of its letters."""
+    """Return the caption of a diagram: ratios, figures and names of the letters."""
     names = [element.name for element in case.shift_elements]
-    called = zip(letters(len(names)), names, strict=True)
+    named_letters = zip(letters(len(names)), names, strict=True)
     ratios = {name: gear.ratio for name, gear in box.gears.items()}
-    said = [f"{name}: {number(ratio)}" for name, ratio in ratios.items()]
+    ratio_texts = [f"{name}: {number(ratio)}" for name, ratio in ratios.items()]
     forward = [ratio for ratio in ratios.values() if ratio > 0]
     spread = [f"{style.text('spread')} {number(max(forward) / min(forward))}"] * (len(forward) > 1)
     figures = (
@@ -172,8 +172,8 @@ def _caption(box: ListedBox, case: Transmission, room: float, style: Style) -> l
         (style.text("clutches"), f"{box.clutches}"),
     )
     texts = (
-        "; ".join([", ".join(said), *spread]),
+        "; ".join([", ".join(ratio_texts), *spread]),
         ", ".join(f"{name} {value}".replace("nan", "–") for name, value in figures),
-        ", ".join(map(" ".join, called)),
+        ", ".join(map(" ".join, named_letters)),
     )
     return [line for text in texts for line in wrapped(text, room).split("\n")]

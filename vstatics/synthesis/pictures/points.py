@@ -1,4 +1,4 @@
-"""Found boxes as points: mean loss over the largest torque, families told apart."""
+"""Found gearboxes as points: mean loss over the largest torque, by families."""
 
 from __future__ import annotations
 
@@ -24,43 +24,43 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.synthesis.pictures.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 
 MARKERS = "os^Dv"
-"""Of families, by turns, as their colours."""
+"""Markers of families, used in turn like the colours."""
 AXIS_ROOM = 0.06
-"""Beside the outermost points, as a part of the axis."""
+"""Room outside the outermost points, relative to the length of the axis."""
 LEAST_AXIS_ROOM = 0.05
-"""At least, as a part of the largest number."""
+"""Least room outside the points, relative to the largest number."""
 CROWD = 1000
-"""From so many points of one look on they are small."""
+"""Number of points of equal look from which points are drawn smaller."""
 FEW_POINTS = 300
-"""Up to so many points each says what it is."""
+"""Largest number of points that each get a title."""
 POINTS_SCALE_WIDTH = 40.0
-"""From the words over the axes to these. [pt]"""
+"""Distance from the left end of the title to the axes. [pt]"""
 LOGARITHMIC_RATIO = 8.0
-"""A scale is logarithmic if the largest value is so many times the smallest."""
+"""Ratio of the largest to the smallest value above which a scale is logarithmic."""
 BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
-"""From the axes to the signs of families, from these to their names. [pt]"""
+"""Distances from the axes to the markers of families, and to the names. [pt]"""
 TICK_ROOM = 30.0
-"""From number to number across, at least. [pt]"""
+"""Least distance between ticks of the abscissa. [pt]"""
 OVER_AXES = 12.0
-"""From the axes to the words over them. [pt]"""
+"""Distance from the axes to the text above. [pt]"""
 PointLook = tuple[str, str]
 """Colour and marker."""
 
 
 def has_place(box: ListedBox) -> bool:
-    """Whether a box has both figures."""
+    """Check whether a box has both figures."""
     return math.isfinite(box.loss) and math.isfinite(box.torque)
 
 
 def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> None:
-    """All boxes that have both figures as points, those with a diagram by their numbers.
+    """Draw all boxes with both figures as points, and the numbers of boxes with a diagram.
 
     Parameters
     ----------
     pen : Pen
-        In the rectangle of the axes: losses in % over torques.
+        Pen for the rectangle of the axes: losses in % over torques.
     drawn : sequence of ListedBox
-        Those with a diagram; their families have colours, others are grey.
+        Boxes with a diagram; their families are coloured, others are grey.
     """
     boxes, style = [box for box in listing.boxes if has_place(box)], pen.style
     x, y = box_scale([box.torque for box in boxes]), box_scale([100 * box.loss for box in boxes])
@@ -69,12 +69,14 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
     looks = _looks(drawn, style)
     spots = list(_spots(pen, boxes))
     alike = grouped(
-        ((looks.get(one.boxes[0].family), any(box.pareto for box in one.boxes)), one)
-        for one in spots
+        ((looks.get(spot.boxes[0].family), any(box.pareto for box in spot.boxes)), spot)
+        for spot in spots
     )
-    for (look, is_pareto), own in alike.items():
-        for some in [[spot] for spot in own] if len(spots) <= FEW_POINTS else [own]:
-            _draw_spots(pen, some, look, is_pareto=is_pareto)
+    for (look, is_pareto), alike_spots in alike.items():
+        for series in (
+            [[spot] for spot in alike_spots] if len(spots) <= FEW_POINTS else [alike_spots]
+        ):
+            _draw_spots(pen, series, look, is_pareto=is_pareto)
     has_more = number_spots(pen, spots, {box.number for box in drawn})
     room = POINTS_SCALE_WIDTH + pen.size[0] + families_width(listing, drawn, style)
     points_words(listing, room, style, has_more=has_more).draw(pen)
@@ -82,7 +84,7 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
 
 
 def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
-    """Of the families of boxes with a diagram."""
+    """Return the looks of the families of boxes with a diagram."""
     return {
         family: (style.colour(place), MARKERS[place % len(MARKERS)])
         for place, family in enumerate(dict.fromkeys(box.family for box in drawn))
@@ -101,30 +103,30 @@ def _scales(pen: Pen) -> None:
 
 
 def torque_name(wide: float, style: Style) -> str:
-    """What is across axes so wide [pt], in lines: it may go on below the words at their left."""
-    said = style.text("largest torque of an engaged element / input torque")
-    return wrapped(said, wide + 2 * POINTS_SCALE_WIDTH)
+    """Return the name of the abscissa, wrapped to the width of the axes [pt]."""
+    name = style.text("largest torque of an engaged element / input torque")
+    return wrapped(name, wide + 2 * POINTS_SCALE_WIDTH)
 
 
 def _ticks(scale: AxisScale, most: int) -> list[float]:
-    """Round numbers of a scale: 1, 2, 5, 10 and so on where it is logarithmic."""
+    """Return round numbers of a scale; 1, 2, 5, 10 and so on for a logarithmic scale."""
     if not scale.is_log:
         return ticks(scale.low, scale.high, most)
     powers = range(math.floor(math.log10(scale.low)), math.ceil(math.log10(scale.high)) + 1)
-    found = [digit * 10.0**power for power in powers for digit in (1, 2, 5)]
-    return [one for one in found if scale.low <= one <= scale.high]
+    candidates = [digit * 10.0**power for power in powers for digit in (1, 2, 5)]
+    return [tick for tick in candidates if scale.low <= tick <= scale.high]
 
 
 def box_scale(values: Sequence[float]) -> AxisScale:
-    """A scale for numbers, logarithmic where they differ much."""
+    """Return a scale for numbers, logarithmic for a large ratio of values."""
     if values and 0 < LOGARITHMIC_RATIO * min(values) < max(values):
-        low, high = (math.exp(end) for end in _ends([math.log(one) for one in values]))
+        low, high = (math.exp(end) for end in _ends([math.log(number) for number in values]))
         return AxisScale(low, high, is_log=True)
     return AxisScale(*_ends(values))
 
 
 def _ends(values: Sequence[float]) -> Span:
-    """The ends of an axis: beside all values, and apart where these differ by rounding.
+    """Return the ends of an axis, outside all values and apart if values are equal.
 
     >>> _ends([2.0, 2.0]), _ends([])
     ((1.9, 2.1), (0.0, 1.0))
@@ -139,12 +141,12 @@ def _ends(values: Sequence[float]) -> Span:
 
 
 def _spots(pen: Pen, boxes: Sequence[ListedBox]) -> Iterable[BoxPoint]:
-    """Boxes by their places; those of a family that coincide are together."""
-    found: dict[tuple[int, int, int], BoxPoint] = {}
+    """Group boxes by place and family."""
+    by_place: dict[tuple[int, int, int], BoxPoint] = {}
     for box in boxes:
         at = pen.across(box.torque), pen.up(100 * box.loss)
-        found.setdefault((box.family, *rounded(at)), BoxPoint(at, [])).boxes.append(box)
-    return found.values()
+        by_place.setdefault((box.family, *rounded(at)), BoxPoint(at, [])).boxes.append(box)
+    return by_place.values()
 
 
 def _draw_spots(
@@ -166,7 +168,7 @@ def _draw_spots(
 
 
 def _said(spot: BoxPoint, style: Style) -> str:
-    """What a point is."""
+    """Return the title of a point."""
     numbers, first = ", ".join(str(box.number) for box in spot.boxes), spot.boxes[0]
     family = f"{style.text('family')} {first.family}"
     loss = f"{style.text('loss')} {100 * first.loss:.2f} %"
@@ -174,19 +176,19 @@ def _said(spot: BoxPoint, style: Style) -> str:
 
 
 class PointsWords(NamedTuple):
-    """What stands over the axes, each in lines."""
+    """Text above the axes, in wrapped lines."""
 
     title: str
     notes: str
 
     @property
     def high(self) -> float:
-        """With the gap to the axes [pt]."""
+        """Height including the gap to the axes [pt]."""
         title_high = height(self.title, TITLE) if self.title else 0.0
         return OVER_AXES + height(self.notes) + title_high
 
     def draw(self, pen: Pen) -> None:
-        """Over the axes, from the left of their scale."""
+        """Draw the text above the axes, from the left end of the scale."""
         x, y = -POINTS_SCALE_WIDTH, pen.size[1] + OVER_AXES
         look: Look = {"va": "bottom", "linespacing": LINE_HEIGHT}
         pen.text(x, y, self.notes, color=pen.style.soft, **look)
@@ -194,15 +196,15 @@ class PointsWords(NamedTuple):
 
 
 def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
-    """What stands over the axes in a width [pt]; whether a place has more boxes than one."""
+    """Return the text above the axes, wrapped to a width [pt]."""
     found, families, searched = len(listing.boxes), len(listing.families), listing.searched
-    said = style.text(
+    counts = style.text(
         "{searched} looked at, {count} family with equal ratios|"
         "{searched} looked at, {count} families with equal ratios",
         searched=searched,
         count=families,
     )
-    notes = [said] * style.titled
+    notes = [counts] * style.titled
     placeless = sum(not has_place(box) for box in listing.boxes)
     if placeless:
         more = style.text("without loss or torque")
@@ -217,7 +219,7 @@ def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bo
 
 
 def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> float:
-    """That the names of families need beside the axes [pt]."""
+    """Return the width of the names of families right of the axes [pt]."""
     entries = _families(listing, _looks(drawn, style), style)
     return BESIDE_POINTS + TO_FAMILY + widest(text for _, _, text in entries)
 
@@ -225,15 +227,15 @@ def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style
 def _families(
     listing: BoxListing, looks: Mapping[int, PointLook], style: Style
 ) -> list[tuple[PointLook, str, str]]:
-    """The families that have a colour, how many are grey, what has a dark edge."""
+    """List the legend: coloured families, number of grey families, mark of the Pareto list."""
     families = listing.families
     entries = [
         (look, style.paper, f"{style.text('family')} {family} ({len(families[family])})")
         for family, look in looks.items()
     ]
-    rest = len(families) - len(looks)
-    if rest:
-        others = style.text("{rest} others", rest=rest)
+    grey = len(families) - len(looks)
+    if grey:
+        others = style.text("{rest} others", rest=grey)
         entries.append(((style.faint, "o"), style.paper, others))
     if any(box.pareto for box in listing.boxes):
         pareto = style.text("Pareto list")

@@ -1,4 +1,4 @@
-"""The stick diagram of a found box, as a file of its own."""
+"""The stick diagram of a found gearbox as a file."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from vstatics.pictures.schemes.bare import bare_stick
 
 
 def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
-    """The stick diagram of the case of a box, as SVG; its mechanisms are sun, ring and carrier.
+    """Draw the stick diagram of a box as SVG; mechanisms are sun, ring and carrier.
 
     Parameters
     ----------
     title : str, optional
-        Over it; the name of the case if it is not given.
+        Title; by default the name of the case.
 
     Examples
     --------

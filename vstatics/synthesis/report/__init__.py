@@ -1,5 +1,5 @@
 """The page of found gearboxes.
 
-`boxes` shows a list of found gearboxes with their families, `box_parts` the rows and pictures of
-one of them.
+`boxes` writes the page of a list of gearboxes and families, `box_parts` the tables and the part of
+a single gearbox.
 """

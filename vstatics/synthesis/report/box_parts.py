@@ -1,4 +1,4 @@
-"""What the page on found boxes shows: tables, and of each box its diagram and its gears."""
+"""Parts of the page of found gearboxes: tables, and the figures and gears of each box."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, ListedGear, 
 
 
 def box_link(box: ListedBox) -> Markup:
-    """A link to the diagram of a box."""
+    """Return a link to the diagram of a box."""
     return tag("a", tr("box {number}", number=box.number), href=f"#box-{box.number}")
 
 
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
-    """Boxes with their figures, in the order of the document, up to so many.
+    """Return the table of boxes with figures, up to a number of boxes.
 
-    Those of one core have one row, that of the first of them, which unfolds.
+    The boxes of a core share the row of the first, which unfolds.
 
     Parameters
     ----------
     drawn : collection of int
-        The numbers of those with a diagram, to which the table links.
+        Numbers of boxes with a diagram, to which the table links.
     """
     cores: dict[int, list[ListedBox]] = {}
     for box in listing.boxes[:most]:
         cores.setdefault(box.core, []).append(box)
     numbers = ("family", "loss [%]", "torque", "drag", "planet speed", "slip", "error [%]")
     front = (*numbers, "brakes", "clutches")
-    signs = (Column(one, is_sign=True) for one in ("Pareto", "single", "planar"))
+    signs = (Column(name, is_sign=True) for name in ("Pareto", "single", "planar"))
     names = ("locked otherwise", "known as")
     rows: list[Values] = [
         (
@@ -56,7 +56,7 @@ def _named(box: ListedBox, drawn: Collection[int]) -> str:
 
 
 def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
-    """Boxes of one core, folded: what makes them differ, and the most important figures."""
+    """Return boxes of a core, folded, with differences and the most important figures."""
     if not boxes:
         return Cell("")
     lines = [
@@ -78,21 +78,21 @@ def _important(box: ListedBox) -> Iterator[tuple[str, str]]:
 
 
 def family_grid(listing: BoxListing) -> Grid:
-    """Families with the ratios of their gears."""
+    """Return the table of families with the ratios of the gears."""
     names = list(dict.fromkeys(name for box in listing.boxes for name in box.gears))
     rows: list[Values] = []
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
-        own = {name: gear.ratio for name, gear in boxes[0].gears.items()}
-        rows.append((family, len(boxes), _numbers(boxes), *map(own.get, names)))
-    columns = (Column(one, is_name=True) for one in names)
+        ratios = {name: gear.ratio for name, gear in boxes[0].gears.items()}
+        rows.append((family, len(boxes), _numbers(boxes), *map(ratios.get, names)))
+    columns = (Column(name, is_name=True) for name in names)
     headings: list[str | Column] = ["family", "boxes", "its boxes", *columns]
     return grid_of("Families: boxes with equal ratios in all gears", headings, rows)
 
 
 MOST_FAMILIES = 1000
-"""So many families are listed."""
+"""Largest number of families in the table."""
 MOST_NAMED = 12
-"""So many boxes of a family are named."""
+"""Largest number of boxes of a family that are named."""
 
 
 def _numbers(boxes: Sequence[ListedBox]) -> str:
@@ -101,18 +101,18 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
 
 
 def middle(ends: Range) -> float:
-    """The number in the middle of a wanted range [-]."""
+    """Return the geometric mean of a wanted range [-]."""
     low, high = ends
     return math.copysign(math.sqrt(low * high), low)
 
 
 def asked_ratio(ends: Range, tolerance: float) -> str:
-    """A wanted ratio: a range, or a number where it is one within the tolerance."""
+    """Return a wanted ratio as text: a range, or a number with the given tolerance."""
     return f"{middle(ends):g}" if _is_number(ends, tolerance) else asked_range(ends)
 
 
 def asked_range(ends: Range) -> str:
-    """A range in words."""
+    """Return a range as text."""
     low, high = ends
     return tr("{low} to {high}", low=f"{low:g}", high=f"{high:g}")
 
@@ -123,7 +123,7 @@ def _is_number(ends: Range, tolerance: float) -> bool:
 
 
 def gear_grid(box: ListedBox, wanted: WantedOfBoxes | None) -> Grid:
-    """Which elements are engaged in each gear, what its ratio is and should be."""
+    """Return the table of gears with engaged elements, ratio and target."""
     signs = (Column(name, is_sign=True, is_name=True) for name in box.elements)
     rows: list[Values] = [
         (
@@ -138,31 +138,31 @@ def gear_grid(box: ListedBox, wanted: WantedOfBoxes | None) -> Grid:
 
 
 def _target(gear: ListedGear, wanted: WantedOfBoxes | None) -> tuple[Value, Value]:
-    """What the ratio of a gear should be, and how far it is from that; nothing is within a range.
+    """Return the target of a gear and the deviation of the ratio, without deviation for a range.
 
-    Of one of the gears whose ratios nobody told there is nothing.
+    The cells are blank for a gear without a wanted ratio.
     """
     if wanted is not None:
-        own = (ends for ends in wanted.ratios if math.isclose(middle(ends), gear.target))
-        ends = next(own, None)
+        ranges = (ends for ends in wanted.ratios if math.isclose(middle(ends), gear.target))
+        ends = next(ranges, None)
         if ends is None or not _is_number(ends, wanted.tolerance):
             return Cell("" if ends is None else asked_range(ends), math.nan, kind=float), BLANK
     return gear.target, 100 * (gear.ratio / gear.target - 1) if gear.target else None
 
 
 BLANK = Cell("", math.nan, kind=float)
-"""In place of a number where there is none."""
+"""Cell for a missing number."""
 
 
 def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
-    """A dot for what is so, else blank."""
+    """Return a dot if a property holds, else a blank."""
     return sign(holds) if holds else sign(holds)._replace(text="")
 
 
 def shown_box(
     box: ListedBox, svg: bytes | None, digits: int | None, wanted: WantedOfBoxes | None
 ) -> Iterator[Markup]:
-    """A box: its figures, its diagram, its gears and its sets side by side; the rest unfolds."""
+    """Yield the figures, diagram, gears and sets of a box, with further tables folded."""
     title = tr(
         "Box {number}, family {family}, core {core}",
         number=box.number,
@@ -175,49 +175,62 @@ def shown_box(
         name = tr("Stick diagram of box {number}", number=box.number)
         yield figure(name, inline(svg, f"b{box.number}", name), captioned=False)
     ratios = grid_of("Sets", ["set", "ratio"], box.ratios.items())
-    yield from tables(one.with_digits(digits) for one in (gear_grid(box, wanted), ratios))
-    more = (one.with_digits(digits) for one in (element_grid(box), set_grid(box)))
-    said = tr("Torques, slips, speeds, losses and drag by gear")
-    yield tag("details", tag("summary", said), line_of(_facts(box)), *map(table, more))
+    yield from tables(grid.with_digits(digits) for grid in (gear_grid(box, wanted), ratios))
+    more = (grid.with_digits(digits) for grid in (element_grid(box), set_grid(box)))
+    summary = tr("Torques, slips, speeds, losses and drag by gear")
+    yield tag("details", tag("summary", summary), line_of(_facts(box)), *map(table, more))
 
 
 def element_grid(box: ListedBox) -> Grid:
-    """Of each gear the torques of engaged elements and the slips of open ones."""
+    """Return the table of torques of engaged elements and slips of open elements, by gear."""
     kinds = {"torque": "torques", "slip": "slips"}
     columns = [Column(name, over=over) for over in kinds for name in box.elements]
     rows: list[Values] = [
-        (name, *(_of(getattr(gear, of), one) for of in kinds.values() for one in box.elements))
+        (
+            name,
+            *(
+                _of(getattr(gear, field), element)
+                for field in kinds.values()
+                for element in box.elements
+            ),
+        )
         for name, gear in box.gears.items()
     ]
     return grid_of("Torques of engaged elements, slips of open ones", ["gear", *columns], rows)
 
 
 def set_grid(box: ListedBox) -> Grid:
-    """Of each gear the speeds of carriers and planets, losses, power that goes round, drag."""
+    """Return the table of speeds of carriers and planets, losses and drag, by gear."""
     columns = [
-        Column(one, over=over) for over in ("carrier", "planets", "loss [%]") for one in box.ratios
+        Column(set_name, over=over)
+        for over in ("carrier", "planets", "loss [%]")
+        for set_name in box.ratios
     ]
     rows: list[Values] = []
     for name, gear in box.gears.items():
-        speeds = [_of(own, one) for own in (gear.carriers, gear.planets) for one in box.ratios]
-        losses = [exact(100 * gear.losses.get(one, math.nan)) for one in box.ratios]
+        speeds = [
+            _of(set_speeds, set_name)
+            for set_speeds in (gear.carriers, gear.planets)
+            for set_name in box.ratios
+        ]
+        losses = [exact(100 * gear.losses.get(set_name, math.nan)) for set_name in box.ratios]
         rows.append((name, *speeds, *losses, gear.circulating, gear.drag))
     title = "Speeds and losses of sets, power that circulates, drag"
     return grid_of(title, ["gear", *columns, "circulating", "drag"], rows)
 
 
 def _of(values: Mapping[str, float], name: str) -> Cell:
-    """A number; blank where there is none of the name."""
+    """Return a number by name; blank if missing."""
     return exact(values[name]) if name in values else BLANK
 
 
 def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
-    """What is told of the box as a whole besides."""
+    """Yield further facts about a box as a whole."""
     none = tr("none")
     yield tr("skip shifts"), str(box.skip_shifts)
     yield tr("torque of both signs"), ", ".join(box.reversing) or none
     yield tr("may be one-way"), ", ".join(box.one_way) or none
-    yield tr("ratios beyond"), ", ".join(exact(one).text for one in box.beyond) or none
+    yield tr("ratios beyond"), ", ".join(exact(ratio).text for ratio in box.beyond) or none
 
 
 def _figures(box: ListedBox, digits: int | None) -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""Found boxes as one page of HTML, and what stands beside their cases in a directory."""
+"""The HTML page of found gearboxes, and the files next to written cases."""
 
 from __future__ import annotations
 
@@ -29,25 +29,25 @@ from vstatics.synthesis.report.box_parts import (
 )
 
 MOST_SHOWN_BOXES = 40
-"""So many boxes have a diagram on the page."""
+"""Largest number of boxes with a diagram on the page."""
 MOST_LISTED = 1000
-"""So many boxes stand in its table."""
+"""Largest number of boxes in the table."""
 
 
 def box_pages(listing: BoxListing) -> dict[str, bytes]:
-    """Return the page of found boxes and their picture, by file name.
+    """Return the page of found boxes and the picture, by file name.
 
-    The page needs `vstatics.page`, the picture the extra for it.
+    The page requires `vstatics.page`, the picture the extra `plot`.
 
     Parameters
     ----------
     listing : BoxListing
-        With boxes.
+        Found boxes, not empty.
 
     Raises
     ------
     CaseError
-        If there is no box.
+        If the list is empty.
     """
     pages = {}
     if module_of_method("stamped_page"):
@@ -65,23 +65,23 @@ def boxes_page(
     digits: int | None = None,
     stamp: Mapping[str, str] | None = None,
 ) -> str:
-    """The page, as HTML; without matplotlib it has no pictures.
+    """Return the HTML page of found boxes, without pictures if matplotlib is missing.
 
     Parameters
     ----------
     document : mapping, optional
-        From which the listing was read; the page carries it, with the boxes that it lists.
+        Document of the listing; the page contains the document with the listed boxes.
     digits : int, optional
-        After the point, where they are not those that suit a number.
+        Digits after the point; by default a number that suits each quantity.
     stamp : mapping of str to str, optional
-        A head: who made it, for what, when.
+        Entries of the stamp, such as author, project and date.
 
     Raises
     ------
     CaseError
-        If there is no box.
+        If the list is empty.
     ReadError
-        If the case of one that is drawn is none.
+        If the case of a drawn box is not valid.
     """
     if not listing.boxes:
         raise CaseError("E009", "no box was found, so there is nothing to show")
@@ -91,8 +91,8 @@ def boxes_page(
         Part("Boxes", list(_tables(listing, digits))),
         Part("Diagrams", list(_diagrams(listing, without, digits))),
     ]
-    found = len(listing.boxes)
-    title = tr("{count} found box|{count} found boxes", count=found)
+    count = len(listing.boxes)
+    title = tr("{count} found box|{count} found boxes", count=count)
     data = document or plain_data(listing._replace(boxes=()))
     boxes = document["boxes"] if document else map(plain_data, listing.boxes[:MOST_LISTED])
     listed = {**data, "boxes": [*boxes][:MOST_LISTED]}
@@ -101,7 +101,6 @@ def boxes_page(
 
 
 def _tables(listing: BoxListing, digits: int | None) -> Iterator[Markup]:
-    """All boxes, as far as they are listed, and their families."""
     drawn = {box.number for box in drawn_boxes(listing, MOST_SHOWN_BOXES)}
     yield table(all_grid(listing, MOST_LISTED, drawn).with_digits(digits))
     if len(listing.boxes) > MOST_LISTED:
@@ -119,7 +118,7 @@ def _about(listing: BoxListing) -> Iterator[Markup]:
 
 
 def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
-    """What was asked of the gears, in words."""
+    """Yield the wanted ratios and conditions of gears as text."""
     ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
     if not wanted.gears:
         middles = [middle(ends) for ends in wanted.ratios]
@@ -139,7 +138,7 @@ def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
 
 
 def _line(listing: BoxListing) -> Markup:
-    """How many there are, and the best of them."""
+    """Return the line of counts, with the boxes of least loss and of least torque."""
     facts: list[tuple[str, str]] = [
         (tr("looked at"), str(listing.searched)),
         (tr("choices of shift elements given up"), str(listing.given_up)),
@@ -148,15 +147,15 @@ def _line(listing: BoxListing) -> Markup:
     ]
     known = [box for box in listing.boxes if math.isfinite(box.loss)]
     if known:
-        least = min(known, key=lambda box: round(box.loss, 9))  # the first of those that are alike
+        least = min(known, key=lambda box: round(box.loss, 9))  # the first of equal boxes
         facts.append(
             (tr("least mean loss"), joined(f"{100 * least.loss:.3f} %, ", box_link(least)))
         )
     known = [box for box in listing.boxes if math.isfinite(box.torque)]
     if known:
         least = min(known, key=lambda box: round(box.torque, 9))
-        said = f"{least.torque:.3f} {tr('× input')}, "
-        facts.append((tr("least torque"), joined(said, box_link(least))))
+        value = f"{least.torque:.3f} {tr('× input')}, "
+        facts.append((tr("least torque"), joined(value, box_link(least))))
     return line_of(facts)
 
 
@@ -174,15 +173,15 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
 
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
-    """The boxes that tell most: the Pareto list, the first of each family."""
+    """Yield the diagrams of the Pareto list and of the first box of each family."""
     shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
-    rest = len(listing.boxes) - len(shown)
-    if rest:
-        said = tr("Here are boxes of the Pareto list and the first of each family")
+    omitted = len(listing.boxes) - len(shown)
+    if omitted:
+        note = tr("Here are boxes of the Pareto list and the first of each family")
         more = tr(
-            "{count} more is in the table only.|{count} more are in the table only.", count=rest
+            "{count} more is in the table only.|{count} more are in the table only.", count=omitted
         )
-        yield tag("p", f"{said}; {more}")
+        yield tag("p", f"{note}; {more}")
     for box in shown:
         case = box.transmission()
         svg = None

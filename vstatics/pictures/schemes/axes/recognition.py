@@ -77,7 +77,8 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
         joints += [joint] if joint else []
         for first, *others in groups:
             for link in others:
-                _join(bodies, first, link)
+                joined = bodies[link]
+                bodies |= {end: bodies[first] for end, body in bodies.items() if body == joined}
     joints = [joint for joint in joints if bodies[joint.first] != bodies[joint.second]]
     entry = next(port.link for port in scheme.ports if port.role == "input")
     order = list(_from(bodies[entry], joints, bodies))
@@ -88,13 +89,6 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
         frozenset(link for link, link_body in bodies.items() if link_body == body) for body in order
     ]
     return ParallelAxes(axes, joints)
-
-
-def _join(bodies: dict[int, int], first: int, second: int) -> None:
-    old_body, new_body = bodies[second], bodies[first]
-    for link, body in bodies.items():
-        if body == old_body:
-            bodies[link] = new_body
 
 
 def _from(start: int, joints: Sequence[AxisJoint], bodies: dict[int, int]) -> Iterator[int]:

@@ -128,7 +128,8 @@ def cost_of(placing: AxesPlaces, limit: float = float("inf")) -> float:
         elif span.level < 0:
             value += DRUM * long + 30
             value += 1e3 * (link in wheeled and not board.set_halves[placing.axis_of(link)])
-    value += sum(20.0 for port in board.ports if _is_turned(placing, port.link, port.role))
+    rightward = placing.chosen.rightward
+    value += sum(20.0 for p in board.ports if p.role == "output" and p.link not in rightward)
     value -= NEIGHBOURS * _shared_hubs(placing)
     value += _misplaced(placing)
     order = placing.chosen.order
@@ -172,10 +173,6 @@ def passing(placing: AxesPlaces, section: Station, x: float) -> Iterator[int]:
     for link, span in placing.spans.items():
         if placing.axis_of(link) == section.axes[0] and span.left < right and span.right > left:
             yield link
-
-
-def _is_turned(placing: AxesPlaces, link: int, role: str) -> bool:
-    return role == "output" and link not in placing.chosen.rightward
 
 
 def _shared_hubs(placing: AxesPlaces) -> int:

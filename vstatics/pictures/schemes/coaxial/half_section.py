@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from vstatics.pictures.drawing.labels import Point, height, width
-from vstatics.pictures.drawing.words import teeth_alone
 from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.places import SIGN_PITCH, SectionPlaces
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
@@ -65,7 +64,7 @@ class CoaxialLayout(NamedTuple):
         turned = columns[::-1] if up.is_turned else columns
         names = section.names
         if self.has_teeth_alone:
-            names = {member: teeth_alone(name) for member, name in names.items()}
+            names = {member: name.rpartition(" ")[2] for member, name in names.items()}
         return replace(section, columns=turned, letters=self.letters, names=names)
 
     def device(self, up: Upright) -> int:

@@ -1,7 +1,8 @@
-"""A found box as a case, and what is told of it: its figures, by gear and by box.
+"""A found gearbox as a case, and the figures of the gearbox and of each gear.
 
-`by_box` says by what boxes are judged, `by_gear` what is told of a gear; `measured` has both from
-the solver, with `shifting` (which shifts there are, which elements reverse, which may be one-way
-clutches) and `planar`. `case` makes the case, `known` names a box that is built,
-by a table that `shipped` writes.
+`by_box` defines the figures of a box, `by_gear` the figures of a gear; `measured` calculates both
+with the solver. `shifting` counts skip shifts and finds elements with torque of both signs and
+brakes that one-way clutches could replace, `planar` tests for crossings. `case` writes a box as a
+case, `built` reads a case as a box, and `known` names boxes that exist, by a table that `shipped`
+writes.
 """

@@ -1,4 +1,4 @@
-"""A case as a search for boxes would have found it: the other way round than `case`."""
+"""A case as a search for gearboxes would find it; the inverse of `case`."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
 
 
 class _CaseSet(NamedTuple):
-    """A set by the links of a case, the sun being the smaller wheel."""
+    """A set by the links of a case; the sun is the smaller gear."""
 
     links: tuple[int, int, int]
-    """Sun, carrier, ring."""
+    """Sun, carrier and ring."""
     ratio: float
 
 
 def built_box(case: Transmission) -> FoundBox | None:
-    """The box that a case is; None if it is not of sets, brakes and clutches alone.
+    """Return a case as a box; None for a case of other parts than sets, brakes and clutches.
 
-    One-way clutches are left out; where one stands beside a brake or clutch, this is engaged in
-    its place. Gears are those that engage as many elements as any.
+    One-way clutches are left out; a brake or clutch between the same links is engaged instead.
+    Only gears with the largest number of engaged elements are gears of the box.
 
     Parameters
     ----------
@@ -45,19 +45,19 @@ def built_box(case: Transmission) -> FoundBox | None:
     >>> built_box(example("two-stage")) is None
     True
     """
-    own = on_own_links(case)
-    drawn = [part for part in own.parts for _ in part.lowered]
-    pairs = [*zip(drawn, case_mechanisms(own), strict=True)]
-    held = {HOUSING, *(one.first for part, one in pairs if _is_held(part))}
-    sets = [_case_set(one, held) for part, one in pairs if _is_of_set(part, one)]
+    lowered = on_own_links(case)
+    drawn = [part for part in lowered.parts for _ in part.lowered]
+    pairs = [*zip(drawn, case_mechanisms(lowered), strict=True)]
+    held = {HOUSING, *(mechanism.first for part, mechanism in pairs if _is_held(part))}
+    sets = [_case_set(mechanism, held) for part, mechanism in pairs if _is_of_set(part, mechanism)]
     is_more = len(sets) + len(held) - 1 < len(pairs)
     if is_more or not sets or case.springs or case.outputs:
         return None
     number: dict[int, int] = {}
-    for link in (link for one in sets for link in one.links):
+    for link in (link for found_set in sets for link in found_set.links):
         number.setdefault(link, len(number))
     scheme = SetScheme(tuple((number[a], number[h], number[b]) for (a, h, b), _ in sets))
-    joined_links = (link for one in case.shift_elements for link in one.links)
+    joined_links = (link for element in case.shift_elements for link in element.links)
     for link in (case.input, case.output, *joined_links):  # shafts without a member of a set
         if link not in held and link != HOUSING:
             number.setdefault(link, len(number))
@@ -67,55 +67,54 @@ def built_box(case: Transmission) -> FoundBox | None:
         return None
     names = [*elements]
     gears = [tuple(map(names.index, gear)) for gear in _gears(case, names)]
-    joined = tuple(one for one in elements.values() if one)
-    ratios = tuple(one.ratio for one in sets)
+    joined = tuple(ends for ends in elements.values() if ends)
+    ratios = tuple(ratio for _, ratio in sets)
     ports = number[case.input], number[case.output]
     return FoundBox(scheme, number.get(HOUSING), *ports, joined, ratios, tuple(gears), 0.0)
 
 
 def _is_held(part: DrawnPart) -> bool:
-    """Whether it is no more than a link that is held for good."""
     return part.element is not None and part.element.kind == "held"
 
 
 def _is_of_set(part: DrawnPart, mechanism: Mechanism) -> bool:
-    """Whether a mechanism is a planetary set with a sun and a ring."""
+    """Check whether a mechanism is a planetary set with a sun and a ring."""
     if part.element is None:
         return (mechanism.third != HOUSING or mechanism.is_set) and not mechanism.kind
     return part.element.kind in OF_SETS
 
 
-def _case_set(one: Mechanism, held: Collection[int]) -> _CaseSet:
-    """The links of a set, those that are held being one."""
-    first, second, third = (HOUSING if link in held else link for link in one.links)
-    if abs(one.ratio) < 1:
-        return _CaseSet((second, third, first), 1 / one.ratio)
-    return _CaseSet((first, third, second), one.ratio)
+def _case_set(mechanism: Mechanism, held: Collection[int]) -> _CaseSet:
+    """Return sun, carrier and ring of a set; links held for good are the housing."""
+    first, second, third = (HOUSING if link in held else link for link in mechanism.links)
+    if abs(mechanism.ratio) < 1:
+        return _CaseSet((second, third, first), 1 / mechanism.ratio)
+    return _CaseSet((first, third, second), mechanism.ratio)
 
 
 def _elements(
     case: Transmission, number: Mapping[int, int], held: Collection[int]
 ) -> dict[int, tuple[int, int] | None]:
-    """By its number in the case what each element joins; None of what is no link of a box."""
-    found: dict[int, tuple[int, int] | None] = {}
+    """Return the links of each shift element, None for links that are not links of a box."""
+    ends: dict[int, tuple[int, int] | None] = {}
     for place, element in enumerate(case.shift_elements, 1):
         if element.is_freewheel:
             continue
         links = sorted(element.links, key=lambda link: link in held)
         free = [number.get(link) for link in links if link not in held]
         first, second = [*free, HELD][:2]
-        found[place] = None if first is None or second is None else (first, second)
-    return found
+        ends[place] = None if first is None or second is None else (first, second)
+    return ends
 
 
 def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int, ...]]:
-    """Of each gear the elements engaged, where they are as many as in any other."""
-    beside = [place for place in map(partial(_beside, case), case.freewheels) if place]
+    """Yield the engaged elements of each gear with the largest number of elements."""
+    parallel = [place for place in map(partial(_beside, case), case.freewheels) if place]
     most = max((len(gear.engaged) for gear in case.gears), default=0)
     for gear in case.gears:
         engaged = {*gear.engaged}
-        spare = [place for place in beside if place not in engaged]
-        if len(engaged) == most - 1 and len(spare) == 1:  # it needs the freewheel
+        spare = [place for place in parallel if place not in engaged]
+        if len(engaged) == most - 1 and len(spare) == 1:  # the gear needs the freewheel
             engaged |= {*spare}
         is_own = case.gear_input(gear) == case.input and case.gear_output(gear) == case.output
         if len(engaged) == most and is_own and engaged.issubset(elements):
@@ -123,7 +122,9 @@ def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int,
 
 
 def _beside(case: Transmission, freewheel: int) -> int | None:
-    """The number of an element between the links of a freewheel."""
-    own = {*case.shift_elements[freewheel - 1].links}
+    """Return the number of an element between the links of a freewheel."""
+    links = {*case.shift_elements[freewheel - 1].links}
     others = enumerate(case.shift_elements, 1)
-    return next((n for n, one in others if {*one.links} == own and not one.is_freewheel), None)
+    return next(
+        (n for n, element in others if {*element.links} == links and not element.is_freewheel), None
+    )

@@ -1,4 +1,4 @@
-"""By what found boxes are judged and compared: one figure of a box each."""
+"""Figures by which found gearboxes are judged and compared."""
 
 from __future__ import annotations
 
@@ -10,43 +10,42 @@ from vstatics.core.suggestions import nearest
 
 
 class BoxFigures(NamedTuple):
-    """By what boxes are compared: the less the better, and two that are so or not."""
+    """Figures of a box, better if smaller, and two properties."""
 
     error: float
-    """The largest ``|ln(i/target)|``. [-]"""
+    """Largest ``|ln(i/target)|`` of the gears. [-]"""
     loss: float
-    """The mean of 1 - efficiency of the forward gears; of all if there are none. [-]"""
+    """Mean of 1 - efficiency of the forward gears, or else of all gears. [-]"""
     planet_speed: float
-    """The largest speed of a planet against its carrier/input speed of all gears. [-]"""
+    """Largest planet speed relative to the carrier, per input speed. [-]"""
     slip: float
-    """The largest ``|slip|`` of an open element/input speed. [-]"""
+    """Largest ``|slip|`` of an open element per input speed. [-]"""
     torque: float
-    """The largest ``|torque|`` of an engaged element/input torque, without losses. [-]"""
+    """Largest ``|torque|`` of an engaged element per input torque, without losses. [-]"""
     brakes: int
     clutches: int
     drag: float
-    """The weighted mean of the drag of the forward gears; of all if there are none. [-]"""
+    """Weighted mean of the drag of the forward gears, or else of all gears. [-]"""
     skip_shifts: int
-    """So many pairs of forward gears, not neighbours, differ by one element that goes and one that
-    comes."""
+    """Number of pairs of forward gears, not neighbours, that differ by a single exchange."""
     reversing: tuple[str, ...]
     """Elements whose torque has both signs."""
     one_way: tuple[str, ...]
-    """Brakes that a one-way clutch may replace."""
+    """Brakes that a one-way clutch could replace."""
     beyond: tuple[float, ...]
-    """Ratios of one motion that are not told: forward and falling, then backward. [-]"""
+    """Further ratios of the box: forward and descending, then backward. [-]"""
     single: bool
-    """Whether one element changes between neighbours."""
+    """Whether neighbouring gears differ by a single exchange."""
     planar: bool
-    """Whether it can be drawn without shafts that cross."""
+    """Whether the box can be drawn without crossing shafts."""
 
     def number(self, name: str) -> float:
-        """A figure as a number: of a list its length, of what is so 0, else 1.
+        """Return a figure as a number: the length of a list, 0 for a property that holds.
 
         Examples
         --------
-        >>> own = BoxFigures(0, 0, 0, 0, 0, 2, 2, 0, 1, ("A", "B"), (), (0.5,), True, False)
-        >>> [own.number(name) for name in ("brakes", "reversing", "single", "planar")]
+        >>> box = BoxFigures(0, 0, 0, 0, 0, 2, 2, 0, 1, ("A", "B"), (), (0.5,), True, False)
+        >>> [box.number(name) for name in ("brakes", "reversing", "single", "planar")]
         [2.0, 2.0, 0.0, 1.0]
         """
         value = getattr(self, name)
@@ -57,15 +56,15 @@ class BoxFigures(NamedTuple):
 
 FIGURES = BoxFigures._fields
 LIMITED = tuple(name for name in FIGURES if name not in ("single", "planar"))
-"""The figures that can have a limit."""
+"""Figures that can have a limit."""
 
 
 PARETO = ("loss", "planet_speed", "torque", "clutches")
-"""The figures of the Pareto list."""
+"""Figures of the Pareto list."""
 
 
 class BoxOrder(NamedTuple):
-    """By which figures boxes stand in order, and have to be best.
+    """Figures that determine the order of boxes and the Pareto list.
 
     Examples
     --------
@@ -74,11 +73,11 @@ class BoxOrder(NamedTuple):
     """
 
     sort: tuple[str, ...] = ()
-    """Before all others."""
+    """First criteria of the order."""
     pareto: tuple[str, ...] = PARETO
 
     def check(self) -> None:
-        """Refuse names of no figures.
+        """Check the names of figures.
 
         Raises
         ------
@@ -93,7 +92,7 @@ USUAL = BoxOrder()
 
 
 def check_figures(option: str, names: Iterable[str]) -> None:
-    """Refuse names that are no figures.
+    """Check that names are names of figures.
 
     Raises
     ------
@@ -118,7 +117,7 @@ def check_figures(option: str, names: Iterable[str]) -> None:
 
 
 def no_figure(name: str, known: Sequence[str]) -> str:
-    """What is told of a name that is none of some figures.
+    """Return the message about an unknown figure.
 
     >>> no_figure("x", ["loss", "slip"])
     'read `x`, but there is no such figure; expected loss or slip'

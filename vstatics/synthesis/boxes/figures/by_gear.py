@@ -1,4 +1,4 @@
-"""What is told of a gear of a found box: torques, speeds, losses, drag."""
+"""Figures of a gear of a found gearbox: torques, speeds, losses, drag."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from vstatics.synthesis.tolerances import NO_FIGURE
 
 
 class GearFigures(NamedTuple):
-    """Figures of a gear, by input speed, input torque and input power."""
+    """Figures of a gear, relative to input speed, torque and power."""
 
     torques: Mapping[str, float]
-    """By engaged element what its first link gives to it, without losses. [-]"""
+    """Torque from the first link on each engaged element, without losses. [-]"""
     slips: Mapping[str, float]
-    """By open element the speed of its first link less that of its second. [-]"""
+    """Slip speed of each open element, first link minus second. [-]"""
     carriers: Mapping[str, float]
-    """By set the speed of its carrier. [-]"""
+    """Carrier speed of each set. [-]"""
     planets: Mapping[str, float]
-    """By set the speed of the planets at its sun against the carrier. [-]"""
+    """Speed of the planets at the sun of each set, relative to the carrier. [-]"""
     losses: Mapping[str, float]
-    """By set; their sum is 1 - efficiency. [-]"""
+    """Loss of each set; the sum is 1 - efficiency. [-]"""
     circulating: float
-    """Power that goes round, with losses. [-]"""
+    """Recirculating power, with losses. [-]"""
     drag: float
-    """The sum over open elements of ``|slip|`` times capacity. [-]"""
+    """Sum of ``|slip|`` times torque capacity over the open elements. [-]"""
 
 
 class BoxGear(NamedTuple):
@@ -43,7 +43,7 @@ class BoxGear(NamedTuple):
 
 
 def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, float]:
-    """Values by name; what is smaller than rounding is 0.
+    """Return values by name, with rounding errors replaced by 0.
 
     >>> without_noise("ab", [1e-12, -2.0])
     {'a': 0.0, 'b': -2.0}
@@ -55,13 +55,13 @@ def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, fl
 
 
 def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
-    """The gears of a box with their drag.
+    """Add the drag to the gears of a box.
 
-    The capacity of an element is the largest torque that it has in any of them.
+    The capacity of an element is the largest torque of the element in all gears.
 
     >>> first = GearFigures({"A": 2.0}, {"B": -0.5}, {}, {}, {}, 0.0, math.nan)
     >>> second = GearFigures({"B": 3.0}, {"A": 1.0}, {}, {}, {}, 0.0, math.nan)
-    >>> [one.drag for one in with_drag([first, second])]
+    >>> [gear.drag for gear in with_drag([first, second])]
     [1.5, 2.0]
     """
     capacity: dict[str, float] = {}
@@ -77,22 +77,22 @@ def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
 
 
 def mean_drag(gears: Mapping[str, float], weights: Mapping[str, float]) -> float:
-    """The mean of the drag of gears by their weights, 1 of those that have none.
+    """Return the mean drag of gears, with the default weight 1.
 
     >>> mean_drag({"1": 2.0, "2": 0.0}, {"1": 3.0})
     1.5
     """
-    own = {name: weights.get(name, 1.0) for name in gears}
-    return math.fsum(own[name] * gears[name] for name in gears) / math.fsum(own.values())
+    weight = {name: weights.get(name, 1.0) for name in gears}
+    return math.fsum(weight[name] * gears[name] for name in gears) / math.fsum(weight.values())
 
 
 def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
-    """Refuse weights that are of no gear, below 0, or all 0.
+    """Check that weights belong to gears, are not negative, and not all 0.
 
     Raises
     ------
     CaseError
-        With ``weights`` as its path.
+        With the path ``weights``.
 
     Examples
     --------
@@ -123,12 +123,12 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
 
 
 def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> None:
-    """Refuse weights that are of no gear of any box that may be found, or all 0 in one.
+    """Check that weights belong to possible gears of a search, and are not all 0 in a box.
 
     Raises
     ------
     CaseError
-        With ``weights`` as its path.
+        With the path ``weights``.
 
     Examples
     --------
@@ -142,5 +142,7 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
     check_weights(names_of_mean([*search.targets, *[1.0] * most]), weights)
-    least = names_of_mean([*search.targets, *[1.0] * fewest])  # more gears have these, too
+    least = names_of_mean(
+        [*search.targets, *[1.0] * fewest]
+    )  # boxes with more gears have these, too
     check_weights(least, {name: weights[name] for name in least if name in weights})

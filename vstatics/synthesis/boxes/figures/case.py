@@ -1,4 +1,4 @@
-"""A found box as a case, and the names of its elements."""
+"""A found gearbox as a case, and the names of shift elements."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from vstatics.synthesis.structures.scheme import link_name
 
 
 def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Transmission:
-    """The case of a found box: its sets, shift elements and gears.
+    """Return the case of a found box: sets, shift elements and gears.
 
-    A link that is held for good is the housing; the others keep their numbers as names.
+    A link that is held for good is the housing; other links keep their numbers as names.
 
     Parameters
     ----------
     box : FoundBox
     targets : sequence of float
-        Wanted ratios of its gears, in its order. [-]
+        Wanted ratios of the gears, in the order of the box. [-]
     efficiency : float
-        Of each set with its carrier held. [-]
+        Basic efficiency of each set, carrier held. [-]
 
     Raises
     ------
     CaseError
-        If the box can't be a gearbox, as with a ratio that is none.
+        If the box is not a valid gearbox, for example because of a ratio.
 
     Examples
     --------
@@ -79,15 +79,15 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
 
 
 def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
-    """The case of a box with its Ravigneaux sets as such, of which ratios are known, no teeth.
+    """Replace pairs of sets in the case of a box by Ravigneaux sets with ratios, without teeth.
 
-    Speeds, torques and losses are the same; what goes round within a set is not told apart.
+    Speeds, torques and losses do not change; power within a Ravigneaux set is not separated.
 
     Parameters
     ----------
     box : FoundBox
     case : Transmission
-        Of `box_case`.
+        Result of `box_case`.
 
     Examples
     --------
@@ -95,13 +95,13 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
     >>> box = FoundBox(SetScheme.of_code("0-1-2-3-1-2"), None, 3, 2, ((1, HELD), (0, HELD)),
     ...                (-2.0, 2.5), ((0,), (1,)), 0.0)
     >>> case = drawn_case(box, box_case(box, [2.5, 1.5], 0.98))
-    >>> case.drawing.elements[0].kind, [one.name for one in case.mechanisms]
+    >>> case.drawing.elements[0].kind, [mechanism.name for mechanism in case.mechanisms]
     ('ravigneaux', ['P1-P2.small_sun-ring', 'P1-P2.large_sun-ring'])
     """
     pairs = ravigneaux_sets(box)
     if not pairs:
         return case
-    sets = {one.name: one for one in case.mechanisms}
+    sets = {mechanism.name: mechanism for mechanism in case.mechanisms}
     elements = tuple(
         _ravigneaux(name, sets.pop(plain), sets.pop(meshed))
         for name, (plain, meshed) in pairs.items()
@@ -111,7 +111,7 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
 
 
 def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
-    """The element that two sets are, each with one efficiency."""
+    """Return the Ravigneaux set of two sets."""
     members = {"small_sun": meshed.first, "large_sun": plain.first}
     members |= {"ring": plain.second, "carrier": plain.third}
     ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
@@ -119,9 +119,9 @@ def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
 
 
 def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
-    """By name the two sets of a box that are one Ravigneaux set, the plain one first.
+    """Return the pairs of sets that form a Ravigneaux set, by name, the plain set first.
 
-    They share carrier and ring, the planets of one mesh, and its sun is the smaller one.
+    Both sets share carrier and ring; the second has meshing planets and the smaller sun.
 
     Examples
     --------
@@ -133,8 +133,8 @@ def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
     pairs = {}
     taken: set[int] = set()
     sets = [*enumerate(zip(box.scheme.sets, box.ratios, strict=True))]
-    for one, other in combinations(sets, 2):
-        plain, meshed = sorted((one, other), key=lambda own: own[1][1])
+    for set_1, set_2 in combinations(sets, 2):
+        plain, meshed = sorted((set_1, set_2), key=lambda numbered: numbered[1][1])
         (first, (links, ratio)), (second, (others, more)) = plain, meshed
         is_one = links[1:] == others[1:] and ratio < 0 < -ratio < more
         if is_one and taken.isdisjoint((first, second)):
@@ -145,26 +145,26 @@ def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
 
 
 def planet_ratio(ratio: float) -> float:
-    """Speed of a sun by that of the planets at it, seen from the carrier; NaN where none fit.
+    """Return the ratio of sun speed to planet speed relative to the carrier; NaN if impossible.
 
-    Between sun and ring planets have half of the difference of their teeth, of two that mesh
-    in line each half of that.
+    A planet between sun and ring has half the difference of the tooth numbers, each of two meshing
+    planets in line a quarter.
 
     Examples
     --------
-    A plain set 30/90 has planets of 30, a meshed one of 15:
+    A plain set 30/90 has planets with 30 teeth, a set with meshing planets 15:
 
     >>> planet_ratio(-3.0), planet_ratio(3.0)
     (-1.0, -0.5)
     """
-    found = (1 + ratio) / 2 if ratio < 0 else (1 - ratio) / 4
-    return found or math.nan
+    ratio_to_planet = (1 + ratio) / 2 if ratio < 0 else (1 - ratio) / 4
+    return ratio_to_planet or math.nan
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """A set by its number from 1; with its carrier held for good it has planets all the same."""
+    """Return a set by number from 1; a set with the carrier held for good keeps the planets."""
     sun, carrier, ring = links
-    is_told = ratio > 0 or carrier == HOUSING
+    has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)
     return Mechanism(
         sun,
@@ -172,7 +172,7 @@ def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> M
         carrier,
         ratio,
         efficiency,
-        planet_ratio=of_planet if is_told and of_planet == of_planet else None,  # noqa: PLR0124
+        planet_ratio=of_planet if has_planets and of_planet == of_planet else None,  # noqa: PLR0124
         name=set_name(place),
         is_set=carrier == HOUSING,
     )
@@ -182,7 +182,7 @@ HOUSING_NAME = "housing"
 
 
 def element_links(element: tuple[int, int]) -> tuple[str, str]:
-    """The names of the two links of an element.
+    """Return the names of the two links of an element.
 
     >>> element_links((2, HELD)), element_links((0, 3))
     (('L2', 'housing'), ('L0', 'L3'))
@@ -192,7 +192,7 @@ def element_links(element: tuple[int, int]) -> tuple[str, str]:
 
 
 def box_element_name(element: tuple[int, int]) -> str:
-    """The name of a shift element.
+    """Return the name of a shift element.
 
     >>> box_element_name((2, HELD)), box_element_name((0, 3))
     ('T-L2', 'F-L0-L3')

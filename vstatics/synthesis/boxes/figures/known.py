@@ -1,4 +1,4 @@
-"""Names of found gearboxes that are built: the names of their shipped cases.
+"""Names of found gearboxes that exist, from the shipped cases.
 
 `known.jsonl` lists the shipped gearboxes; `shipped` writes it from the cases.
 """
@@ -18,36 +18,36 @@ from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.structures.scheme import SetScheme
 
 FAR_DECIMALS = 6
-"""Ratios of sets that agree in so many are the same: they may be fitted."""
+"""Decimals to which the distances of ratios are compared, because ratios can be fitted."""
 
 
 class KnownBox(NamedTuple):
-    """A shipped gearbox, in one of its forms of the least identity."""
+    """A shipped gearbox, in a form of the least identity."""
 
     name: str
-    """Name of its case."""
+    """Name of the case."""
     left_out: int
-    """Number of one-way clutches of the case, which the box does not have."""
+    """Number of one-way clutches of the case, which the box lacks."""
     box: FoundBox
 
     @classmethod
     def of_line(cls, line: str) -> KnownBox:
-        """Return the gearbox of a line as `line` writes it."""
-        own = json.loads(line)
+        """Return the gearbox of a line written by `line`."""
+        data = json.loads(line)
         sets, elements, gears = (
-            tuple(tuple(entry) for entry in own[key]) for key in ("sets", "elements", "gears")
+            tuple(tuple(entry) for entry in data[key]) for key in ("sets", "elements", "gears")
         )
         box = FoundBox(
             SetScheme(sets),
-            own["held"],
-            own["input"],
-            own["output"],
+            data["held"],
+            data["input"],
+            data["output"],
             elements,
-            tuple(own["ratios"]),
+            tuple(data["ratios"]),
             gears,
             0.0,
         )
-        return cls(own["name"], own["left_out"], box)
+        return cls(data["name"], data["left_out"], box)
 
     def line(self) -> str:
         """Return the gearbox as a line of JSON.
@@ -58,7 +58,7 @@ class KnownBox(NamedTuple):
         True
         """
         box = self.box
-        own = {
+        data = {
             "name": self.name,
             "left_out": self.left_out,
             "sets": box.scheme.sets,
@@ -69,25 +69,25 @@ class KnownBox(NamedTuple):
             "ratios": box.ratios,
             "gears": box.gears,
         }
-        return f"{json.dumps(own)}\n"
+        return f"{json.dumps(data)}\n"
 
     def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
-        """Return the order among gearboxes of one identity: the least has the nearest ratios."""
+        """Return the order among gearboxes of equal identity; the least has the nearest ratios."""
         pairs = zip(ratios, self.box.ratios, strict=True)
         far = math.fsum(abs(math.log(ratio / known)) for ratio, known in pairs)
         return round(far, FAR_DECIMALS), self.left_out, self.name
 
 
 def known_name(box: FoundBox) -> str | None:
-    """The name of the shipped case that a box is; of several that of the nearest ratios.
+    """Return the name of the shipped case equal to a box; of several, the nearest in ratios.
 
-    It has the same scheme, the same elements, and engages in each of its gears what the case does
-    in some gear; where several sets of elements give the ratio of a gear, one of these.
+    A case is equal if scheme and elements agree, and if each gear of the case engages elements
+    that give the ratio of a gear of the box.
 
     Parameters
     ----------
     box : FoundBox
-        In the form of `least_box`.
+        Box in the form of `least_box`.
 
     Examples
     --------
@@ -109,10 +109,9 @@ def known_name(box: FoundBox) -> str | None:
 
 @cache
 def _known() -> Mapping[tuple[Any, ...], list[KnownBox]]:
-    """Return the shipped gearboxes by their identity."""
-    found: dict[tuple[Any, ...], list[KnownBox]] = {}
+    by_identity: dict[tuple[Any, ...], list[KnownBox]] = {}
     table = files(__package__) / "known.jsonl"
     for line in table.read_text(encoding="utf-8").splitlines():
         known = KnownBox.of_line(line)
-        found.setdefault(identity(known.box), []).append(known)
-    return found
+        by_identity.setdefault(identity(known.box), []).append(known)
+    return by_identity

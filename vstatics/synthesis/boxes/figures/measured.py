@@ -1,4 +1,4 @@
-"""A found box with its figures, by gear and as a whole, as the solver has them."""
+"""Figures of a found gearbox, by gear and as a whole, calculated with the solver."""
 
 from __future__ import annotations
 
@@ -47,69 +47,69 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import NO_LOAD
 
 FIGURE_DECIMALS = 9
-"""Figures that agree in so many decimals are equal."""
+"""Decimals to which figures are compared."""
 ALIKE: Mapping[str, float] = {}
-"""Weights of gears that count alike."""
+"""Weights of gears that count equally."""
 
 
 class MeasuredBox(NamedTuple):
-    """A found box, in the form of `least_box`, with its figures."""
+    """A found box with figures, in the form of `least_box`."""
 
     box: FoundBox
     targets: tuple[float, ...]
     efficiency: float
-    """Of each set with its carrier held. [-]"""
+    """Basic efficiency of each set, carrier held. [-]"""
     gears: tuple[BoxGear, ...]
-    """By descending ratio, those backward last."""
+    """Gears by descending ratio, backward gears last."""
     figures: BoxFigures
 
     @property
     def elements(self) -> dict[str, tuple[str, str]]:
-        """By the name of each shift element the links that it joins."""
-        return {box_element_name(one): element_links(one) for one in self.box.elements}
+        """Links of each shift element, by name."""
+        return {box_element_name(element): element_links(element) for element in self.box.elements}
 
     @property
     def ratios(self) -> dict[str, float]:
-        """By the name of each set its internal ratio [-]."""
+        """Basic ratio of each set, by name [-]."""
         return {set_name(number): ratio for number, ratio in enumerate(self.box.ratios, 1)}
 
     @property
     def known(self) -> str | None:
-        """The name of the shipped case that it is, whatever its numbers of teeth are."""
+        """Name of the shipped case equal to the box, whatever the tooth numbers."""
         return known_name(self.box)
 
     @property
     def ravigneaux(self) -> dict[str, tuple[str, str]]:
-        """By name the two sets that are one Ravigneaux set."""
+        """Pairs of sets that form a Ravigneaux set, by name."""
         return ravigneaux_sets(self.box)
 
     @property
     def case(self) -> Transmission:
-        """The box as a case, made when it is asked for."""
+        """The box as a case."""
         return drawn_case(self.box, box_case(self.box, self.targets, self.efficiency))
 
 
 def measured(
     search: BoxSearch, box: FoundBox, efficiency: float, weights: Mapping[str, float] = ALIKE
 ) -> MeasuredBox:
-    """A found box with its figures, as the solver has them.
+    """Calculate the figures of a found box with the solver.
 
-    Where several sets of elements give the ratio of a gear, those are taken with which one element
-    changes between neighbours, then those with the least loss.
+    If several sets of elements give the ratio of a gear, sets with a single exchange between
+    neighbouring gears are preferred, then sets with the least loss.
 
     Parameters
     ----------
     search : BoxSearch
     box : FoundBox
     efficiency : float
-        Of each set with its carrier held, above 0 and up to 1. [-]
+        Basic efficiency of each set, carrier held, above 0 and up to 1. [-]
     weights : mapping of str to float
-        Of forward gears in the mean of the drag, 1 of those that have none. [-]
+        Weights of forward gears in the mean drag, 1 by default. [-]
 
     Raises
     ------
     CaseError
-        If a weight is of no gear of any box of the search, or none is above 0.
+        If a weight does not belong to a gear of any box of the search, or all weights are 0.
 
     Examples
     --------
@@ -117,12 +117,12 @@ def measured(
     >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD), (0, 1)), (-2.0,),
     ...                ((1,), (0,)), 0.0)
-    >>> found = measured(BoxSearch(1, 2, 1, (1.0, 3.02)), box, 0.98)
-    >>> for gear in found.gears:
+    >>> result = measured(BoxSearch(1, 2, 1, (1.0, 3.02)), box, 0.98)
+    >>> for gear in result.gears:
     ...     print(gear[:4], gear.figures.torques, gear.figures.slips, gear.figures.drag)
     ('1', ('T-L2',), 3.0, 3.02) {'T-L2': -2.0} {'F-L0-L1': 0.6666666666666667} 0.6666666666666667
     ('2', ('F-L0-L1',), 1.0, 1.0) {'F-L0-L1': 1.0} {'T-L2': 1.0} 2.0
-    >>> figures = found.figures
+    >>> figures = result.figures
     >>> round(figures.error, 6), round(figures.loss, 6), round(figures.planet_speed, 6)
     (0.006645, 0.006667, 1.333333)
     >>> figures.slip, figures.torque, figures.single, figures.planar, figures.one_way
@@ -131,54 +131,57 @@ def measured(
     check_search_weights(search, weights)
     least = least_box(box)
     targets = search.targets
-    if search.sequence is not None:  # further gears are as they are wanted
+    if search.sequence is not None:  # the ratios of further gears are their own targets
         targets += tuple(set_ratios(least, least.gears[len(targets) :]).tolist())
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
-    used_in = (lambda one: solved(one).carrying) if search.shafts else all_of
+    used_in = (lambda engaged: solved(engaged).carrying) if search.shafts else all_of
     sets = _chosen(least, targets, solved, used_in)
     drawn = drawn_case(least, case)
     by_gear = with_drag(
         [
-            _of_gear(least, case, one, solved(one))._replace(circulating=_circulating(drawn, one))
-            for one in sets
+            _of_gear(least, case, engaged, solved(engaged))._replace(
+                circulating=_circulating(drawn, engaged)
+            )
+            for engaged in sets
         ]
     )
     gears = tuple(
         BoxGear(
             names[place],
-            tuple(box_element_name(least.elements[number]) for number in one),
-            solved(one).ratio,
+            tuple(box_element_name(least.elements[number]) for number in engaged),
+            solved(engaged).ratio,
             targets[place],
-            own,
+            gear_figures,
         )
-        for place, one, own in zip(order, sets, by_gear, strict=True)
+        for place, engaged, gear_figures in zip(order, sets, by_gear, strict=True)
     )
     chosen = least._replace(
-        gears=tuple(one for _, one in sorted(zip(order, sets, strict=True))),
-        error=max(deviation(gear.ratio, gear.target) for gear in gears),  # maybe of another sign
+        gears=tuple(engaged for _, engaged in sorted(zip(order, sets, strict=True))),
+        error=max(
+            deviation(gear.ratio, gear.target) for gear in gears
+        ),  # the sign of the form can differ
     )
-    losses = [solved(one).loss for one in sets]
+    losses = [solved(engaged).loss for engaged in sets]
     figures = _figures(chosen, gears, losses, weights, planar=box_is_planar(case))
     return MeasuredBox(chosen, targets, efficiency, gears, figures)
 
 
 class _SolvedGear(NamedTuple):
-    """What the solver has of a gear."""
+    """Results of the solver for a gear."""
 
     ratio: float
     loss: float
     torque: float
-    """The largest one. [-]"""
+    """Largest torque. [-]"""
     carrying: int
-    """The engaged elements that carry torque, as bits."""
+    """Engaged elements that carry torque, as bits."""
     values: Mapping[str, Any]
 
 
 def _state_of(case: Transmission, engaged: Engaged) -> GearState:
-    """The gear of a case that engages some elements, numbers from 0."""
-    ratios = [one.ratio for one in case.mechanisms]
-    efficiencies = [one.efficiency for one in case.mechanisms]
+    ratios = [mechanism.ratio for mechanism in case.mechanisms]
+    efficiencies = [mechanism.efficiency for mechanism in case.mechanisms]
     return find_state(case, Gear([number + 1 for number in engaged]), ratios, efficiencies)
 
 
@@ -186,41 +189,42 @@ _Solved = Callable[[Engaged], _SolvedGear]
 
 
 def _solved(case: Transmission) -> _Solved:
-    """What the solver has of a gear of a case by its engaged elements, each calculated once."""
+    """Return a cached function that solves a gear of a case for its engaged elements."""
 
     @cache
     def solved(engaged: Engaged) -> _SolvedGear:
         state = _state_of(case, engaged)
-        found = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
-        efficiency, torques = found["efficiency"], found["torques"]
+        values = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
+        efficiency, torques = values["efficiency"], values["torques"]
         return _SolvedGear(
-            ratio=found["ratio"],
-            loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # nothing comes through
+            ratio=values["ratio"],
+            loss=1.0 if math.isnan(efficiency) else 1.0 - efficiency,  # no power reaches the output
             torque=_largest(torques[number] for number in engaged),
-            carrying=all_of(tuple(one for one in engaged if abs(torques[one]) > NO_LOAD)),
-            values=found,
+            carrying=all_of(tuple(number for number in engaged if abs(torques[number]) > NO_LOAD)),
+            values=values,
         )
 
     return solved
 
 
 def _largest(numbers: Iterable[float]) -> float:
-    """The largest one without its sign; NaN where there is none."""
-    return max((abs(one) for one in numbers if not math.isnan(one)), default=math.nan)
+    """Return the largest absolute value; NaN for an empty list."""
+    return max((abs(number) for number in numbers if not math.isnan(number)), default=math.nan)
 
 
 def _of_gear(
     box: FoundBox, case: Transmission, engaged: Engaged, solved: _SolvedGear
 ) -> GearFigures:
-    """The figures of a gear, but for its drag, which needs those of the others, and circulation."""
+    """Return the figures of a gear except drag and circulating power."""
     values = solved.values
     held = range(len(box.elements))
     is_open = [number for number in held if number not in engaged]
     sets = [set_name(number) for number in range(1, len(box.ratios) + 1)]
     speeds = [0.0, *values["speeds"]]  # of the housing first
-    carriers = [speeds[one.third] for one in case.mechanisms]
+    carriers = [speeds[mechanism.third] for mechanism in case.mechanisms]
     planets = [
-        (speeds[one.first] - speeds[one.third]) / planet_ratio(one.ratio) for one in case.mechanisms
+        (speeds[mechanism.first] - speeds[mechanism.third]) / planet_ratio(mechanism.ratio)
+        for mechanism in case.mechanisms
     ]
 
     def of(numbers: Iterable[int], name: str) -> dict[str, float]:
@@ -240,7 +244,6 @@ def _of_gear(
 
 
 def _circulating(case: Transmission, engaged: Engaged) -> float:
-    """Power that goes round in a gear, as far as it is not within one set."""
     flow = shown_flow(_state_of(case, engaged))
     return math.nan if flow is None else flow.circulating
 
@@ -251,7 +254,7 @@ def _chosen(
     solved: _Solved,
     used_in: Callable[[Engaged], int],
 ) -> Sequence[Engaged]:
-    """Of each gear, in their order, one of the sets of elements that give its ratio."""
+    """Choose a set of elements for each gear, in the order of the gears."""
     order, choices = in_order(targets), equal_sets(box)
     ranges = [
         [choices[index] for index in order if (targets[index] > 0) == forward]
@@ -259,8 +262,8 @@ def _chosen(
     ]
 
     def cost(engaged: Engaged) -> tuple[float, float]:
-        found = solved(engaged)
-        return round(found.loss, FIGURE_DECIMALS), round(found.torque, FIGURE_DECIMALS)
+        gear = solved(engaged)
+        return round(gear.loss, FIGURE_DECIMALS), round(gear.torque, FIGURE_DECIMALS)
 
     return chosen_sets(ranges, len(box.elements), cost, used_in)
 
@@ -273,7 +276,7 @@ def _figures(
     *,
     planar: bool,
 ) -> BoxFigures:
-    """The figures of a box with the sets of elements that are chosen for its gears in order."""
+    """Return the figures of a box with a chosen set of elements for each gear."""
     forward = sum(gear.target > 0 for gear in gears)
     of_mean = gears[:forward] or gears
     by_gear = [gear.figures for gear in gears]
@@ -282,15 +285,19 @@ def _figures(
     return BoxFigures(
         error=box.error,
         loss=math.fsum(lost) / len(lost),
-        planet_speed=_largest(speed for one in by_gear for speed in one.planets.values()),
-        slip=_largest(slip for one in by_gear for slip in one.slips.values()),
-        torque=_largest(torque for one in by_gear for torque in one.torques.values()),
+        planet_speed=_largest(
+            speed for gear_figures in by_gear for speed in gear_figures.planets.values()
+        ),
+        slip=_largest(slip for gear_figures in by_gear for slip in gear_figures.slips.values()),
+        torque=_largest(
+            torque for gear_figures in by_gear for torque in gear_figures.torques.values()
+        ),
         brakes=len(box.brakes),
         clutches=len(box.clutches),
         drag=mean_drag({gear.name: gear.figures.drag for gear in of_mean}, weights),
         skip_shifts=skip_shifts(sets[:forward]),
         reversing=reversing(by_gear),
-        one_way=one_way(by_gear, [box_element_name(one) for one in box.brakes]),
+        one_way=one_way(by_gear, [box_element_name(brake) for brake in box.brakes]),
         beyond=beyond(box, [gear.ratio for gear in gears]),
         single=is_single(sets[:forward]) and is_single(sets[forward:]),
         planar=planar,

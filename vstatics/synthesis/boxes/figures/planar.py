@@ -1,4 +1,4 @@
-"""Whether a gearbox can be drawn without shafts that cross."""
+"""Test whether a gearbox can be drawn without crossing shafts, by planarity of a graph."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from vstatics.core.model.transmission import Transmission
 
 Edge = tuple[int, int]
 AXIS = -1
-"""A vertex beside the links and the housing."""
+"""Vertex of the axis, in addition to the links and the housing."""
 MOST_ENDS = 2
-"""Links that an elastic device joins; one of a single link stands on the housing."""
+"""Links that an elastic component joins; a component of a single link joins the housing."""
 
 
 @refusing()
 def box_is_planar(case: Transmission) -> bool:
-    """Whether the graph of links, housing and axis is planar.
+    """Check whether the graph of links, housing and axis is planar.
 
-    Its edges are sun to carrier and carrier to ring of each set, each shift element, and the
-    axis to the housing, the input and each output: these leave at the ends of the axis, where
-    they, the axis and the housing lie on one face. Of a pair of gears both links go to the
-    housing, which holds their shafts; wheels that share planets are sets of one carrier.
+    The edges are sun to carrier and carrier to ring of each set, each shift element, and the axis
+    to the housing, the input and each output: input and outputs leave at the ends of the axis,
+    where the axis and the housing share a face. Both links of a gear pair have an edge to the
+    housing, which holds the shafts; gears that share planets are sets of one carrier.
 
     Parameters
     ----------
     case : Transmission
-        Any one.
+        Any case.
 
     Returns
     -------
@@ -39,7 +39,7 @@ def box_is_planar(case: Transmission) -> bool:
     Raises
     ------
     CaseError
-        If the library for it is missing.
+        If the library networkx is missing.
 
     Examples
     --------
@@ -47,31 +47,31 @@ def box_is_planar(case: Transmission) -> bool:
     >>> box_is_planar(Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear()]))
     True
     """
-    own = on_own_links(case).case
-    ports = {own.input, own.output, *own.outputs}
-    for gear in own.gears:
-        ports |= {own.gear_input(gear), own.gear_output(gear)}
+    lowered = on_own_links(case).case
+    ports = {lowered.input, lowered.output, *lowered.outputs}
+    for gear in lowered.gears:
+        ports |= {lowered.gear_input(gear), lowered.gear_output(gear)}
     edges: list[Edge] = [(AXIS, port) for port in (HOUSING, *ports)]
-    for one in own.mechanisms:
-        edges += [(one.first, one.third), (one.third, one.second)]
-    edges += [element.links for element in own.shift_elements]
-    for spring in own.springs:
+    for mechanism in lowered.mechanisms:
+        edges += [(mechanism.first, mechanism.third), (mechanism.third, mechanism.second)]
+    edges += [element.links for element in lowered.shift_elements]
+    for spring in lowered.springs:
         edges += pairwise([*spring.form, HOUSING][:MOST_ENDS])
     return is_planar(edges)
 
 
 def is_planar(edges: Iterable[Edge]) -> bool:
-    """Whether a graph is planar; an edge may come twice, or have two equal ends.
+    """Check whether a graph is planar; edges can be repeated or have two equal ends.
 
     Examples
     --------
     >>> five = range(5)
-    >>> is_planar((one, other) for one in five for other in five), is_planar([(0, 1), (1, 0)])
+    >>> is_planar((first, second) for first in five for second in five), is_planar([(0, 1), (1, 0)])
     (False, True)
     """
     require("boxes", "whether a gearbox is planar")
     import networkx as nx  # an extra
 
     graph: nx.Graph[int] = nx.Graph()
-    graph.add_edges_from((one, other) for one, other in edges if one != other)
+    graph.add_edges_from((first, second) for first, second in edges if first != second)
     return bool(nx.check_planarity(graph)[0])

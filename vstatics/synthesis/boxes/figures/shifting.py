@@ -1,4 +1,4 @@
-"""How the gears of a found box follow one another, and what its elements have to bear in them."""
+"""Shifts between the gears of a found gearbox, and the loads of shift elements."""
 
 from __future__ import annotations
 
@@ -14,33 +14,33 @@ from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 
 def skip_shifts(gears: Sequence[Collection[object]]) -> int:
-    """The number of pairs of gears, not neighbours, between which one element is exchanged.
+    """Return the number of pairs of gears, not neighbours, that differ by a single exchange.
 
     >>> skip_shifts([(0, 1), (0, 2), (0, 3), (1, 2)])
     3
     """
     pairs = combinations(enumerate(gears), 2)
     return sum(
-        second - first > 1 and len(set(one) ^ set(other)) == 2
-        for (first, one), (second, other) in pairs
+        second - first > 1 and len(set(engaged_1) ^ set(engaged_2)) == 2
+        for (first, engaged_1), (second, engaged_2) in pairs
     )
 
 
 def reversing(gears: Sequence[GearFigures]) -> tuple[str, ...]:
-    """The elements whose torque has both signs in some gears."""
+    """Return the elements whose torque has both signs."""
     torques = _of_elements([gear.torques for gear in gears])
-    return tuple(name for name, own in torques.items() if min(own) < 0 < max(own))
+    return tuple(name for name, values in torques.items() if min(values) < 0 < max(values))
 
 
 def one_way(gears: Sequence[GearFigures], brakes: Sequence[str]) -> tuple[str, ...]:
-    """The brakes that a one-way clutch may replace.
+    """Return the brakes that a one-way clutch could replace.
 
-    Where it is engaged, the brake keeps its link from turning one way, in all gears the same;
-    where it is open, the link turns the other way, or stands.
+    The engaged brake prevents rotation of the link in the same direction in all gears. With the
+    brake open, the link rotates in the opposite direction or is at rest.
 
     Examples
     --------
-    The link pushes forward while it is held, and turns backward or stands while it is not:
+    The link pushes forward while held, and rotates backward or is at rest while free:
 
     >>> nothing = {}, {}, {}, 0.0, 0.0
     >>> gears = [GearFigures({"T": 2.0}, {}, *nothing), GearFigures({}, {"T": -0.5}, *nothing)]
@@ -57,7 +57,7 @@ def one_way(gears: Sequence[GearFigures], brakes: Sequence[str]) -> tuple[str, .
 
 
 def _is_one_way(torques: Sequence[float], slips: Sequence[float]) -> bool:
-    """By what a link gives to its brake, and how it turns where that is open."""
+    """Check the torques on an engaged brake and the slips of the open brake."""
     return any(
         all(way * torque > 0 for torque in torques) and all(way * slip <= 0 for slip in slips)
         for way in (1, -1)
@@ -65,26 +65,26 @@ def _is_one_way(torques: Sequence[float], slips: Sequence[float]) -> bool:
 
 
 def _of_elements(gears: Sequence[Mapping[str, float]]) -> dict[str, list[float]]:
-    """By element its values in all gears that have one."""
-    found: dict[str, list[float]] = {}
+    """Return the values of each element in all gears."""
+    by_name: dict[str, list[float]] = {}
     for gear in gears:
         for name, value in gear.items():
-            found.setdefault(name, []).append(value)
-    return found
+            by_name.setdefault(name, []).append(value)
+    return by_name
 
 
-def beyond(box: FoundBox, told: Sequence[float]) -> tuple[float, ...]:
-    """Ratios that other combinations of as many elements give, each once, in the order of gears.
+def beyond(box: FoundBox, known_ratios: Sequence[float]) -> tuple[float, ...]:
+    """Return the further ratios of combinations of as many elements, in the order of gears.
 
     Parameters
     ----------
     box : FoundBox
-    told : sequence of float
-        The ratios of its gears. [-]
+    known_ratios : sequence of float
+        Ratios of the gears of the box. [-]
 
     Examples
     --------
-    A set whose ring has a brake, with a clutch that makes it turn as one piece:
+    A set with a brake on the ring, and a clutch that makes the set rotate as a block:
 
     >>> from vstatics.synthesis.boxes.box import HELD
     >>> from vstatics.synthesis.structures.scheme import SetScheme
@@ -94,16 +94,20 @@ def beyond(box: FoundBox, told: Sequence[float]) -> tuple[float, ...]:
     (1.0,)
     """
     sets = [*combinations(range(len(box.elements)), len(box.gears[0]))]
-    ratios = [one for one in set_ratios(box, sets).tolist() if not math.isnan(one)]
-    found = [float(f"{one:.12g}") for one in _once(sorted(ratios), told)]  # the rest is rounding
-    return tuple(found[place] for place in in_order(found))
+    ratios = [ratio for ratio in set_ratios(box, sets).tolist() if not math.isnan(ratio)]
+    further = [
+        float(f"{ratio:.12g}") for ratio in _once(sorted(ratios), known_ratios)
+    ]  # further digits are rounding
+    return tuple(further[place] for place in in_order(further))
 
 
-def _once(ratios: Sequence[float], told: Sequence[float]) -> Iterator[float]:
-    """Those of ascending ratios that differ from the one before and from all that are told."""
+def _once(ratios: Sequence[float], known_ratios: Sequence[float]) -> Iterator[float]:
+    """Yield ascending ratios that differ from the last ratio and from all known ratios."""
     last = math.nan
     for ratio in ratios:
         near = SAME_FITTED_RATIO * abs(ratio)
-        if not abs(ratio - last) <= near and all(abs(ratio - one) > near for one in told):
+        if not abs(ratio - last) <= near and all(
+            abs(ratio - known) > near for known in known_ratios
+        ):
             yield ratio
         last = ratio

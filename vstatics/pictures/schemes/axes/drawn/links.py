@@ -17,7 +17,6 @@ from vstatics.pictures.schemes.axes.letters.obstacles import obstacles
 from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.wires import (
     LinkLines,
-    WireCrossing,
     branches,
     crossings,
     link_lines,
@@ -78,7 +77,9 @@ def draw_links(sheet: AxesSheet) -> None:
     for link, wires in lines.items():
         _draw_link(sheet, link, wires)
     for crossing in crossings(lines):
-        _bridge(sheet, crossing)
+        x, y = crossing.at
+        ends, paper = ((x - BRIDGE, y), (x + BRIDGE, y)), pen.style.paper
+        pen.line(*ends, kind="crossing", width=3.0, color=paper, zorder=3.1)
 
 
 def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
@@ -141,12 +142,6 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
     for start, end, is_used in ((left, low, False), (low, high, True), (high, right, False)):
         if end > start:
             yield ((start, y), (end, y)), is_used
-
-
-def _bridge(sheet: AxesSheet, crossing: WireCrossing) -> None:
-    (x, y), paper = crossing.at, sheet.pen.style.paper
-    places = (x - BRIDGE, y), (x + BRIDGE, y)
-    sheet.pen.line(*places, kind="crossing", width=3.0, color=paper, zorder=3.1)
 
 
 def draw_ends(sheet: AxesSheet) -> None:

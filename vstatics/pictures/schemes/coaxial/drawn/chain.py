@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import pairwise
 
 from vstatics.pictures.drawing.labels import Point, height, width
@@ -93,8 +93,11 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
     end = at[-1] + max(sizes[-1][0], LEAST_PITCH) / 2 + CHAIN_NAME_GAP * bool(texts)
     starts = [0.0, *(x + by for x, by in zip(at, half, strict=True))]
     ends = [*(x - by for x, by in zip(at, half, strict=True)), end]
+    loaded = ink.state.loaded
     for link, left, right in zip(chain.links, starts, ends, strict=True):
-        is_used = all(_carries(ink, index) for index in _neighbours(chain, link))
+        place = list(chain.links).index(link)
+        neighbours = chain.devices[max(place - 1, 0) : place + 1]
+        is_used = loaded is None or all(loaded[index] for index in neighbours)
         color = ink.pen.style.ink if is_used else ink.pen.style.faint
         title, pen = ink.titles.links.get(link, ""), ink.of_link(scheme.name(link))
         pen.line((left, 0.0), (right, 0.0), color=color, kind="wire", title=title, zorder=3)
@@ -116,12 +119,3 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
         centred(pen, (x, ABOVE_SIGN), _device_name(scheme, index), **look)
     draw_end(ink, chain.links[0], (0.0, 0.0), -1.0)
     draw_end(ink, chain.links[-1], (end, 0.0), 1.0)
-
-
-def _neighbours(chain: CoaxialChain, link: int) -> Iterator[int]:
-    place = list(chain.links).index(link)
-    yield from chain.devices[max(place - 1, 0) : place + 1]
-
-
-def _carries(ink: SchemeInk, index: int) -> bool:
-    return ink.state.loaded is None or bool(ink.state.loaded[index])
