@@ -71,13 +71,17 @@ def motion_answer(
     damage : bool
         Include the fatigue damage of components.
     """
+    # A table of a single number has one row without a name.
+    asked: dict[str, Any] = {
+        table: rows[""].tolist() if "" in rows else rows for table, rows in motion.asked.items()
+    }
     return MotionAnswer(
         case,
         motion.time,
         dict(zip(motion.links, motion.speeds.T, strict=True)),
         dict(zip(motion.elements, motion.slips.T, strict=True)),
         dict(zip(motion.devices, motion.torques.T, strict=True)),
-        _asked(motion.asked),
+        AskedAnswer(**asked),
         motion.events,
         motion.energy,
         motion.peaks,
@@ -86,14 +90,6 @@ def motion_answer(
         motion.messages,
         motion.stopped.told if motion.stopped else None,
     )
-
-
-def _asked(tables: Mapping[str, Mapping[str, Floats]]) -> AskedAnswer:
-    # A table of a single number has one row without a name.
-    columns: dict[str, Any] = {
-        table: rows[""].tolist() if "" in rows else rows for table, rows in tables.items()
-    }
-    return AskedAnswer(**columns)
 
 
 def lay_out(document: Mapping[str, Any]) -> str:

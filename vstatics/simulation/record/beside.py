@@ -100,11 +100,13 @@ def _capacities(
         if state in SIGNS and not (isinstance(device, Contact) and device.one_way):
             capacities[device.element] = np.abs(torques[port])
             continue
-        capacities[device.element] = programme_along(device.programme, at, seen)
-        if isinstance(device, Contact) and device.friction is not None:
-            capacities[device.element] = capacities[device.element] * friction_at(device.friction)
-        if isinstance(device, Contact) and state == "stick":
-            capacities[device.element] = device.static * capacities[device.element]
+        capacity = programme_along(device.programme, at, seen)
+        if isinstance(device, Contact):
+            if device.friction is not None:
+                capacity = capacity * friction_at(device.friction)
+            if state == "stick":
+                capacity = device.static * capacity
+        capacities[device.element] = capacity
     return (capacities[index] for index in range(len(system.case.shift_elements)))
 
 
@@ -113,8 +115,7 @@ def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))
-    vehicle_acceleration: Floats = acceleration / slope
-    return vehicle_acceleration
+    return acceleration / slope
 
 
 def _output_torque(equations: Equations, accelerations: Floats, torques: Floats) -> Floats:

@@ -73,5 +73,4 @@ class PieceMotion(NamedTuple):
             for part in (0.0, 0.5, 1.0)
         )
         risen = 4 * (half - now) - (whole - now)
-        slopes: Floats = np.where(np.abs(risen) <= NO_CHANGE * magnitudes, 0.0, risen / steps)
-        return slopes
+        return np.where(np.abs(risen) <= NO_CHANGE * magnitudes, 0.0, risen / steps)

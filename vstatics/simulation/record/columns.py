@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -57,13 +57,11 @@ def as_csv(motion: Motion, *, raw: bool = False) -> str:
     NaN is an empty cell.
     """
     named = columns(motion)
-    table = np.column_stack([*named.values()])
-    return "".join([csv.lines([named], raw=raw), *_lines(table)])
-
-
-def _lines(table: Floats) -> Iterator[str]:
-    for row in table.tolist():
-        yield ",".join(repr(value) if value == value else "" for value in row) + "\n"  # noqa: PLR0124 (NaN)
+    lines = (
+        ",".join("" if math.isnan(value) else repr(value) for value in row) + "\n"
+        for row in np.column_stack([*named.values()]).tolist()
+    )
+    return "".join([csv.lines([named], raw=raw), *lines])
 
 
 def as_npz(motion: Motion) -> bytes:

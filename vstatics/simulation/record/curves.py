@@ -185,8 +185,7 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
 
 
 def _times(curves: Curves, parts: Integers, within: Floats) -> Floats:
-    times: Floats = curves.begins[parts] + within * curves.lengths[parts]
-    return times
+    return curves.begins[parts] + within * curves.lengths[parts]
 
 
 def _risen(values: Floats) -> Floats:

@@ -135,7 +135,9 @@ class DrawnRun:
         courses = [
             _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)
-            for steps in _alike(piece.steps)
+            # Curves have equal numbers of nodes in all parts.
+            for _, equal in groupby(piece.steps, lambda step: len(step[0].nodes))
+            for steps in [[*equal]]
         ]
         if not courses:
             return
@@ -175,11 +177,3 @@ class DrawnRun:
             times = np.concatenate([times, middle[far]])
             low, high = (np.sort(np.concatenate([ends[far], middle[far]])) for ends in (low, high))
         return course.inside(times)
-
-
-def _alike(
-    steps: Sequence[tuple[TimeStep, float]],
-) -> Iterator[Sequence[tuple[TimeStep, float]]]:
-    """Yield consecutive steps with equal numbers of nodes."""
-    for _, equal_steps in groupby(steps, lambda step: len(step[0].nodes)):
-        yield [*equal_steps]

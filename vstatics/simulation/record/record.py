@@ -358,5 +358,4 @@ def _different(times: Floats, columns: Floats) -> Booleans:
 
 
 def _damages(case: Transmission, torques: Mapping[str, Floats]) -> Mapping[str, Damage]:
-    damages: Mapping[str, Damage] = higher("damages")(case, torques) if case.fatigue else {}
-    return damages
+    return higher("damages")(case, torques) if case.fatigue else {}

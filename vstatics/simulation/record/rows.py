@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Literal
 
 from vstatics.core.model.transmission import Transmission
@@ -84,10 +84,9 @@ def _devices(scenario: Scenario) -> list[str]:
 
 def _converters(scenario: Scenario) -> list[str]:
     """List the names of converters, including converters declared as mechanisms."""
-    mechanisms = [
-        mechanism.name for mechanism in scenario.case.mechanisms if mechanism.kind == "converter"
-    ]
-    return [*dict.fromkeys([*(converter.name for converter in scenario.converters), *mechanisms])]
+    names = [converter.name for converter in scenario.converters]
+    names += [part.name for part in scenario.case.mechanisms if part.kind == "converter"]
+    return [*dict.fromkeys(names)]
 
 
 def _losses(scenario: Scenario) -> list[str]:
@@ -96,24 +95,20 @@ def _losses(scenario: Scenario) -> list[str]:
 
 
 def _steps(scenario: Scenario) -> list[str]:
-    sequences = scenario.sequences
     return [
         f"{sequence.name},{number}"
-        for sequence in sequences
+        for sequence in scenario.sequences
         for number, _ in enumerate(sequence.steps, 1)
     ]
 
 
 def _targets(scenario: Scenario) -> list[str]:
-    asked = scenario.targets.items()
-    speeds = [(link, speed) for link, speeds in asked for speed in speeds]
-    names = _named(scenario, (link for link, _ in speeds))
-    return [f"{name} {speed:.12g}" for name, (_, speed) in zip(names, speeds, strict=True)]
-
-
-def _of_formulas(word: str) -> Callable[[Scenario], Collection[str]]:
-    """Return a function that lists the names that formulas can use with a word."""
-    return lambda scenario: vocabulary(scenario.case).rows[word]
+    names = scenario.case.link_names
+    return [
+        f"{names[link - 1]} {speed:.12g}"
+        for link, speeds in scenario.targets.items()
+        for speed in speeds
+    ]
 
 
 _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
@@ -127,7 +122,7 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "friction": _friction,
     "loss": _losses,
     "link or spring": _links_and_springs,
-    "element with a heat_capacity": _of_formulas("temperature"),
+    "element with a heat_capacity": lambda scenario: vocabulary(scenario.case).rows["temperature"],
     "state": lambda scenario: [state.name for state in scenario.states],
     "link with a road": lambda scenario: _named(scenario, roads_of(scenario)),
     "step": _steps,

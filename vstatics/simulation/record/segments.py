@@ -141,8 +141,8 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     end = pumped + len(system.converters)
     torques[count:pumped] = ports[layout.pumps : layout.turbines]
     torques[pumped:end] = 0.0 - ports[layout.turbines : layout.sensors]
-    given = [index for index, contact in enumerate(system.contacts) if contact.is_given]
-    torques[end:] = -held[[row_of[index] for index in given]]
+    given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
+    torques[end:] = -held[given]
     return torques
 
 

@@ -111,6 +111,5 @@ def _targets(motion: Motion) -> Grid:
         )
         for reached in motion.reached
     )
-    road = "distance [m]"
-    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", road
-    return grid_of("Speeds reached", headings, rows, key="targets", optional=[road])
+    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", "distance [m]"
+    return grid_of("Speeds reached", headings, rows, key="targets", optional=["distance [m]"])
