@@ -61,7 +61,8 @@ def placed_words(
         spread_out = spread(wanted, [sizes[place] for place in candidates], 0.0, room)
         fits = spread_out[-1] + sizes[candidates[-1]] / 2 <= room + LABEL_GAP
         if fits and all(
-            abs(x - at) <= _reach(at, size, room)
+            # A word at an end of the row is shifted inwards.
+            abs(x - at) <= FAR_WORD + max(size / 2 - at, at + size / 2 - room, 0.0)
             for x, at, size in zip(
                 spread_out, wanted, (sizes[place] for place in candidates), strict=True
             )
@@ -71,12 +72,6 @@ def placed_words(
         EventWord(events[n][0], texts[n], events[n][1], x)
         for n, x in zip(placed, middles, strict=True)
     ]
-
-
-def _reach(at: float, size: float, room: float) -> float:
-    """Return the largest distance of a word from the event, larger at the ends of a row."""
-    beyond = max(size / 2 - at, at + size / 2 - room, 0.0)
-    return FAR_WORD + beyond
 
 
 def draw_verticals(pen: Pen, times: Iterable[float]) -> None:

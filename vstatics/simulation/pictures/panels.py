@@ -9,7 +9,6 @@ import numpy as np
 from vstatics.core.errors import printable
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats
 from vstatics.pictures.drawing.tolerances import SAME_RUN_SPEED
 from vstatics.simulation.pictures.elements import carrying, loaded
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, panels_of
@@ -108,34 +107,31 @@ def _slips(motion: Motion) -> Iterator[MotionLine]:
 
 
 def _carried(motion: Motion) -> list[MotionPanel]:
-    capacities = motion.beside.get("capacities", {})
+    # A capacity that is never finite is not drawn.
+    capacities = {
+        name: capacity
+        for name, capacity in motion.beside.get("capacities", {}).items()
+        if np.isfinite(capacity).any()
+    }
     lines = [
-        MotionLine((name,), motion.torques[:, place], capacity=_finite(capacities.get(name)))
+        MotionLine((name,), motion.torques[:, place], capacity=capacities.get(name))
         for place, name in loaded(motion)
     ]
     return panels_of("torque", "torque of elements, N·m", 1.0, lines, by_size=True)
 
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    lines = [MotionLine((name,), motion.torques[:, k]) for k, name in _elastic(case, motion)]
     springs = {spring.name for spring in case.springs}
+    # Mechanisms have neither slip nor twist.
+    rigid = {*case.devices} - springs
+    carries = carrying(motion)
+    lines = [
+        MotionLine((name,), motion.torques[:, place])
+        for place, name in enumerate(motion.devices)
+        if name not in rigid and carries[place]
+    ]
     words = _kinds(springs, [line.names[0] for line in lines])
     return panels_of("torque", words, 1.0, lines, by_size=True)
-
-
-def _finite(capacity: Floats | None) -> Floats | None:
-    """Return a capacity, or None if it is never finite."""
-    return capacity if capacity is not None and np.isfinite(capacity).any() else None
-
-
-def _elastic(case: Transmission, motion: Motion) -> Iterator[tuple[int, str]]:
-    """Yield springs and converters that carry torque; mechanisms have neither slip nor twist."""
-    rigid = {*case.devices} - {spring.name for spring in case.springs}
-    carries = carrying(motion)
-    for place in range(len(motion.elements), len(motion.devices)):
-        name = motion.devices[place]
-        if name not in rigid and carries[place]:
-            yield place, name
 
 
 def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
@@ -178,22 +174,15 @@ def _heat(motion: Motion) -> list[MotionPanel]:
         if name in over_time[table]
     }
     least = LEAST_HEAT_SHARE * max(ends.values(), default=0.0)
-    order = sorted(ends, key=lambda entry: -ends[entry])
-
-    def distinction(table: str, name: str) -> str:
-        return "losses" if table == "losses" and ("heat", name) in ends else ""
-
-    lines = [
-        MotionLine((name,), over_time[table][name], distinction=distinction(table, name))
-        for table, name in order
-        if ends[table, name] > least
-    ]
-    small = [
-        line
-        for table, name in order
-        if ends[table, name] <= least
-        for line in MotionLine((name,), np.zeros(0), distinction=distinction(table, name)).labels
-    ]
+    lines: list[MotionLine] = []
+    small: list[str] = []
+    for table, name in sorted(ends, key=lambda entry: -ends[entry]):
+        distinction = "losses" if table == "losses" and ("heat", name) in ends else ""
+        line = MotionLine((name,), over_time[table][name], distinction=distinction)
+        if ends[table, name] > least:
+            lines.append(line)
+        else:
+            small += line.labels
     heat = panels_of("heat", "heat, kJ", 1e3, lines, by_size=True)
     if heat:
         heat[0] = heat[0]._replace(left_out=tuple(map(printable, small)))

@@ -151,7 +151,8 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
         head = sheet_head(page_name, notes, signs, style.width - 2 * MARGIN, style)
         over = (rows.high + BETWEEN_PANELS) * (page == 1)
         free = style.height - head.high - MARGIN - TIME_SCALE_HEIGHT - over
-        count = _fitting(heights[start:], free)
+        ends = np.cumsum(heights[start:]) + BETWEEN_PANELS * np.arange(len(shown) - start)
+        count = max(1, int((ends <= free).sum()))
         on_page = slice(start, start + count)
         high = sum(heights[on_page]) + BETWEEN_PANELS * (count - 1)
         top = TIME_SCALE_HEIGHT + high + over
@@ -165,11 +166,6 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
         _draw_panels(inner, content, on_page, heights[on_page], upper)
         yield pen.figure
         start, page = start + count, page + 1
-
-
-def _fitting(heights: Sequence[float], free: float) -> int:
-    ends = np.cumsum(heights) + BETWEEN_PANELS * np.arange(len(heights))
-    return max(1, int((ends <= free).sum()))
 
 
 def _draw_panels(
