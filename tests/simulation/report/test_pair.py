@@ -56,9 +56,9 @@ def test_panels_of_both_have_one_scale_whatever_their_links_are_called() -> None
         line = MotionLine((name,), np.array([-1.0, 6.0]))
         large = MotionPanel("torque", "torque", 1.0, (line,))
         slip = large._replace(kind="slip")
-        both = small.beside([large, slip]), large.beside([small])
+        both = small.with_scale_of([large, slip]), large.with_scale_of([small])
         assert range_of(both[0]) == range_of(both[1]) == range_of(large)
-        assert range_of(small.beside([slip])) == range_of(small)
+        assert range_of(small.with_scale_of([slip])) == range_of(small)
 
 
 @pytest.mark.slow

@@ -1,6 +1,6 @@
-"""The run of a scenario over time.
+"""Pictures of a run over time.
 
-`elements` says when each sticks or slips, `gears` which gear holds when, `panels` which lines there
-are; `lines` is what a line and a panel are, `events` how and where what happens is named. `rows`
-draws the bars over the panels, `line_panel` a panel, `shift` the pages.
+`elements` finds the times at which each shift element sticks or slips, `gears` the gear at each
+time, `panels` the lines to draw. `lines` declares lines and panels, `events` places the words of
+events. `rows` draws the bars above the panels, `line_panel` a panel, `shift` the pages.
 """

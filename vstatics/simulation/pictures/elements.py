@@ -1,4 +1,4 @@
-"""When each shift element of a run sticks or slips under torque."""
+"""Times at which the shift elements of a run stick, or slip under torque."""
 
 from __future__ import annotations
 
@@ -14,53 +14,53 @@ from vstatics.simulation.record.motion import Motion
 
 
 class ElementStates(NamedTuple):
-    """When a shift element slips under torque, and when it sticks."""
+    """Times at which a shift element slips under torque, and at which it sticks."""
 
     name: str
     element: int
-    """Its place."""
+    """Index of the element."""
     slips: tuple[Span, ...]
-    """From when till when. [s]"""
+    """Start and end times. [s]"""
     sticks: tuple[Span, ...]
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:
-    """Shift elements that carry torque at any time, with their places."""
+    """List the shift elements that carry torque at any time, with their indices."""
     carries = carrying(motion)
     return [(place, name) for place, name in enumerate(motion.elements) if carries[place]]
 
 
 def carrying(motion: Motion) -> Booleans:
-    """Of each device, whether it carries torque at any time; less than rounding is none."""
+    """Return whether each component carries torque at any time, beyond rounding noise."""
     peaks = np.fmax.reduce(np.abs(motion.torques), axis=0, initial=0.0)
-    made: Booleans = peaks > NO_RUN_TORQUE * peaks.max(initial=0.0)
-    return made
+    carries: Booleans = peaks > NO_RUN_TORQUE * peaks.max(initial=0.0)
+    return carries
 
 
 def states(motion: Motion) -> list[ElementStates]:
-    """When elements slip and stick, of those that carry torque.
+    """Return the times at which loaded shift elements slip and stick.
 
-    An element that carries none, or drags alone, is open; so is one at rest without torque.
+    An element without torque, or with drag torque alone, is disengaged.
     """
     gripped = [(place, name, _gripped(motion, place)) for place, name in loaded(motion)]
     return [_states(motion, *element) for element in gripped if element[2].any()]
 
 
 def _gripped(motion: Motion, place: int) -> Floats:
-    """The torque of a shift element at each instant without its drag, by magnitude [N*m]."""
+    """Return the torque of a shift element without drag, as a magnitude [N*m]."""
     name, torques = motion.elements[place], np.abs(motion.torques[:, place])
     capacities = motion.beside.get("capacities", {}).get(name)
     if capacities is None:
         return torques
     case = motion.case
-    if case and case.shift_elements[place].is_freewheel:  # it overruns whatever it can carry
+    if case and case.shift_elements[place].is_freewheel:  # overruns at any capacity
         sticks = motion.beside["sticks"][name] > 0
         return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
     return np.minimum(torques, capacities)
 
 
 def _states(motion: Motion, place: int, name: str, torques: Floats) -> ElementStates:
-    """Between two instants an element slips if it does at either of them."""
+    """Return the states of an element, which slips between two instants if it slips at either."""
     slips = np.abs(motion.slips[:, place])
     carries = torques[:-1] + torques[1:] > SAME_RUN_SPEED * torques.max()
     near = SAME_RUN_SPEED * max(np.abs(motion.speeds).max(initial=0.0), slips.max())
@@ -70,7 +70,7 @@ def _states(motion: Motion, place: int, name: str, torques: Floats) -> ElementSt
 
 
 def spans(time: Floats, holds: Booleans) -> Iterator[Span]:
-    """From when till when something holds that is known between instants.
+    """Yield start and end times of a state that is known between instants.
 
     >>> list(spans(np.array([0.0, 1.0, 1.0, 3.0]), np.array([True, False, True])))
     [(0.0, 1.0), (1.0, 3.0)]

@@ -1,4 +1,4 @@
-"""What happens in a run: which events are named in its pictures, how, and where."""
+"""Words of events in pictures of a run, and their places."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from vstatics.pictures.runs import IMPORTANCE, event_word
 from vstatics.simulation.record.motion import Event
 
 MOST_ROW_EVENTS = 80
-"""Events of a row that are tried for a word."""
+"""Largest number of events of a row that are considered for a word."""
 FAR_WORD = 26.0
-"""A word stands no farther from its event than this. [pt]"""
+"""Largest distance of a word from the event. [pt]"""
 
 
 class EventWord(NamedTuple):
-    """A word beside the row of what it happens to."""
+    """Word at the row of a component with events."""
 
     event: Event
     text: str
     at: float
-    """Of the event, from the left end of the row. [pt]"""
+    """Position of the event, from the left end of the row. [pt]"""
     middle: float
-    """Of the word. [pt]"""
+    """Position of the centre of the word. [pt]"""
 
 
 def placed_words(
     events: Sequence[tuple[Event, float]], room: float, style: Style
 ) -> list[EventWord]:
-    """Words of events of one row, none over another: as many as stand near their events.
+    """Place words of the events of a row without overlap, the most important first.
 
     Parameters
     ----------
     events : sequence of (Event, float)
-        With their places. [pt]
+        Events with positions. [pt]
     room : float
         Length of the row. [pt]
 
@@ -49,36 +49,33 @@ def placed_words(
     texts = [event_word(event, style) for event, _ in events]
     first_step = next((n for n, (event, _) in enumerate(events) if event.step), None)
     for n, (event, _) in enumerate(events):
-        if event.step and n != first_step:  # the row says of which sequence
+        if event.step and n != first_step:  # the name of the row is the sequence
             texts[n] = str(event.step)
     sizes = [width(text) + 2 * LABEL_GAP for text in texts]
     order = sorted(range(len(events)), key=lambda n: (IMPORTANCE[events[n][0].event], n))
-    kept: list[int] = []
+    placed: list[int] = []
     middles: list[float] = []
     for n in order[:MOST_ROW_EVENTS]:
-        tried = sorted([*kept, n])
-        wanted = [events[place][1] for place in tried]
-        found = spread(wanted, [sizes[place] for place in tried], 0.0, room)
-        fits = found[-1] + sizes[tried[-1]] / 2 <= room + LABEL_GAP
+        candidates = sorted([*placed, n])
+        wanted = [events[place][1] for place in candidates]
+        spread_out = spread(wanted, [sizes[place] for place in candidates], 0.0, room)
+        fits = spread_out[-1] + sizes[candidates[-1]] / 2 <= room + LABEL_GAP
         if fits and all(
-            abs(x - at) <= _reach(at, size, room)
-            for x, at, size in zip(found, wanted, (sizes[place] for place in tried), strict=True)
+            # A word at an end of the row is shifted inwards.
+            abs(x - at) <= FAR_WORD + max(size / 2 - at, at + size / 2 - room, 0.0)
+            for x, at, size in zip(
+                spread_out, wanted, (sizes[place] for place in candidates), strict=True
+            )
         ):
-            kept, middles = tried, found
+            placed, middles = candidates, spread_out
     return [
         EventWord(events[n][0], texts[n], events[n][1], x)
-        for n, x in zip(kept, middles, strict=True)
+        for n, x in zip(placed, middles, strict=True)
     ]
 
 
-def _reach(at: float, size: float, room: float) -> float:
-    """How far a word may be from its event: farther at an end of the row."""
-    beyond = max(size / 2 - at, at + size / 2 - room, 0.0)
-    return FAR_WORD + beyond
-
-
 def draw_verticals(pen: Pen, times: Iterable[float]) -> None:
-    """A vertical at each time [s]."""
+    """Draw a vertical line at each time [s]."""
     places = [pen.across(time) for time in sorted({*times})]
     pieces = [((x, 0.0), (x, pen.size[1])) for x in places]
     pen.lines(pieces, color=pen.style.faint, width=LEADER_WIDTH, zorder=0.45)

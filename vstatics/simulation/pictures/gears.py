@@ -1,4 +1,4 @@
-"""Which gear a run is in, and when: pieces of time in which all elements of a gear stick."""
+"""Gears of a run over time, and the shift phases between them."""
 
 from __future__ import annotations
 
@@ -14,13 +14,16 @@ from vstatics.simulation.pictures.elements import ElementStates, spans
 from vstatics.simulation.record.motion import Motion
 
 Phase = Literal["torque", "inertia", "slip", "part"]
-"""`torque`: a gear holds while an element of another one takes torque; `inertia`: none holds, and
-the speeds go from one gear to another; `slip`: the same within a gear; `part`: all of a gear stick
-but what all gears have, such as the lock-up of a converter."""
+"""Kinds of shift phases.
+
+`torque`: a gear is engaged while an element of another gear takes over torque. `inertia`: no gear
+is engaged, and speeds change from one gear to another. `slip`: slip within a gear. `part`: all
+elements of a gear stick except elements common to all gears, such as a lock-up clutch.
+"""
 
 
 class GearPiece(NamedTuple):
-    """A gear all of whose elements stick."""
+    """Time during which all elements of a gear stick."""
 
     gear: str
     start: float
@@ -30,7 +33,7 @@ class GearPiece(NamedTuple):
 
 
 class ShiftPhase(NamedTuple):
-    """What happens between gears, or beside one."""
+    """Phase between gears, or during a gear."""
 
     phase: Phase
     start: float
@@ -38,15 +41,15 @@ class ShiftPhase(NamedTuple):
     end: float
     """[s]"""
     gear: str = ""
-    """Of a `part`."""
+    """Gear of a phase `part`."""
 
 
 GearSets = Mapping[str, frozenset[str]]
-"""The names of the elements of each gear."""
+"""Names of the shift elements of each gear."""
 
 
 def element_sets(results: Results) -> GearSets:
-    """The elements of each gear that has any, with the freewheels that hold in it."""
+    """Return the shift elements of each gear, with the freewheels that hold."""
     case = results.with_freewheels_engaged
     names = [element.name for element in case.shift_elements]
     return {
@@ -57,48 +60,48 @@ def element_sets(results: Results) -> GearSets:
 
 
 def common(sets: GearSets, motion: Motion) -> list[str]:
-    """Elements that all gears have, and that do not always stick, as the lock-up of a converter."""
+    """List elements of all gears that do not always stick, such as a lock-up clutch."""
     sticks = motion.beside.get("sticks", {})
     every = frozenset.intersection(*sets.values()) if len(sets) > 1 else frozenset()
     return [name for name in motion.elements if name in every and not np.all(sticks.get(name, 1))]
 
 
 def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
-    """The gears that hold, in order; of gears within one another the one with more elements.
+    """Return the engaged gears in order; a gear contained in another yields to the larger.
 
-    Gears of the same elements, or of more than are needed, hold at the same time.
+    Gears with identical elements are engaged at the same time.
     """
     sticks = motion.beside.get("sticks")
     if sticks is None:
         return []
-    holds = {  # what is so at the later one of two instants is so between them
+    holds = {  # the state at the later of two instants is valid between them
         gear: np.logical_and.reduce([sticks[name][1:] > 0 for name in elements])
         for gear, elements in sets.items()
     }
-    made = []
+    pieces = []
     for gear, elements in sets.items():
         larger = [~holds[other] for other, more in sets.items() if elements < more]
         alone = np.logical_and.reduce([holds[gear], *larger])
-        made += [GearPiece(gear, *span) for span in spans(motion.time, alone)]
-    return sorted(made, key=lambda one: (one.start, one.end))
+        pieces += [GearPiece(gear, *span) for span in spans(motion.time, alone)]
+    return sorted(pieces, key=lambda piece: (piece.start, piece.end))
 
 
 def phases(
     sets: GearSets, motion: Motion, pieces: Sequence[GearPiece], rows: Sequence[ElementStates]
 ) -> list[ShiftPhase]:
-    """What happens beside the gears that hold, in order.
+    """Return the shift phases in order.
 
     Parameters
     ----------
     rows : sequence of ElementStates
-        When elements slip under torque.
+        Times at which elements slip under torque.
     """
-    time, aside = motion.time, {*common(sets, motion)}
+    time, common_names = motion.time, {*common(sets, motion)}
     middle = (time[:-1] + time[1:]) / 2
     slips = {
         row.name: _inside(middle, row.slips)
         for row in rows
-        if row.name not in aside and any(row.name in one for one in sets.values())
+        if row.name not in common_names and any(row.name in names for names in sets.values())
     }
     in_gear, takes_over = np.zeros((2, len(middle)), dtype=bool)
     for piece in pieces:
@@ -107,26 +110,29 @@ def phases(
         for name, slipping in slips.items():
             if name not in sets[piece.gear]:
                 takes_over |= holds & slipping
-    found = [ShiftPhase("torque", *span) for span in spans(time, takes_over)]
-    rest = {gear: one - aside for gear, one in sets.items() if aside and one - aside}
-    parts = gear_pieces(rest, motion)
+    found_phases = [ShiftPhase("torque", *span) for span in spans(time, takes_over)]
+    reduced = {
+        gear: names - common_names
+        for gear, names in sets.items()
+        if common_names and names - common_names
+    }
+    parts = gear_pieces(reduced, motion)
     for part in parts:
         holds = _inside(middle, [(part.start, part.end)]) & ~in_gear
-        found += [ShiftPhase("part", *span, part.gear) for span in spans(time, holds)]
+        found_phases += [ShiftPhase("part", *span, part.gear) for span in spans(time, holds)]
         in_gear |= holds
-    held = sorted([*pieces, *parts], key=lambda one: one.start)
+    held = sorted([*pieces, *parts], key=lambda piece: piece.start)
     slipping = np.logical_or.reduce([np.zeros_like(in_gear), *slips.values()]) & ~in_gear
     for start, end in spans(time, slipping):
-        before = [one.gear for one in held if one.end <= start]
-        after = [one.gear for one in held if one.start >= end]
+        before = [piece.gear for piece in held if piece.end <= start]
+        after = [piece.gear for piece in held if piece.start >= end]
         changes = before and after and before[-1] != after[0]
-        found.append(ShiftPhase("inertia" if changes else "slip", start, end))
-    return sorted(found, key=lambda one: one.start)
+        found_phases.append(ShiftPhase("inertia" if changes else "slip", start, end))
+    return sorted(found_phases, key=lambda phase: phase.start)
 
 
-def _inside(times: Floats, of: Sequence[Span]) -> Booleans:
-    """Which times are in any of some pieces."""
-    made = np.zeros(len(times), dtype=bool)
-    for low, high in of:
-        made |= (times > low) & (times < high)
-    return made
+def _inside(times: Floats, pieces: Sequence[Span]) -> Booleans:
+    inside = np.zeros(len(times), dtype=bool)
+    for low, high in pieces:
+        inside |= (times > low) & (times < high)
+    return inside

@@ -1,4 +1,4 @@
-"""A panel of lines over the time of a run, with what they are of and the capacities behind them."""
+"""Panel of lines over the time of a run, with the capacities of shift elements."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from vstatics.pictures.runs import short
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity_side, thinned
 
 PANEL_HEIGHT = 78.0
-"""Of a panel at least. [pt]"""
+"""Least height of a panel. [pt]"""
 LINE_NAME_WIDTH = 72.0
-"""Names at the right are wrapped to this width. [pt]"""
+"""Width to which names at the right are wrapped. [pt]"""
 CAPACITY: Look = {"linestyle": (0, (2.5, 2)), "width": 0.8}
-"""How the line of a capacity differs from that of its torque."""
+"""Look of the line of a capacity."""
 CAPACITY_ROOM = 1.25
-"""A capacity enlarges the scale of the torques to this part at most."""
+"""Largest factor by which a capacity enlarges the scale of the torques."""
 
 
 def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> list[LineEnd]:
-    """The names of lines at their last values."""
+    """Return the names of lines at the last values."""
     scale = range_of(shown)
     return [
         LineEnd(
@@ -43,19 +43,19 @@ def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> l
 def names_over(
     shown: MotionPanel, style: Style, numbers: Mapping[str, int], room: float
 ) -> list[list[KeySign]]:
-    """The names of lines in rows, where a page is too narrow for them at the right."""
+    """Return the names of lines in rows, for a page too narrow for names at the right."""
     rows: list[list[KeySign]] = []
     for line in shown.lines:
         for name, look in zip(line.labels, line.looks(style, numbers), strict=True):
             sign = KeySign(short(name), look)
-            if not rows or sum(one.wide + BETWEEN_SIGNS for one in rows[-1]) + sign.wide > room:
+            if not rows or sum(last.wide + BETWEEN_SIGNS for last in rows[-1]) + sign.wide > room:
                 rows.append([])
             rows[-1].append(sign)
     return rows
 
 
 def draw_names_over(pen: Pen, rows: Sequence[Sequence[KeySign]]) -> None:
-    """Names in rows over a panel."""
+    """Draw names in rows above a panel."""
     for place, row in enumerate(reversed(rows)):
         x = 0.0
         for sign in row:
@@ -66,59 +66,61 @@ def draw_names_over(pen: Pen, rows: Sequence[Sequence[KeySign]]) -> None:
 def draw_lines(
     pen: Pen, time: Floats, shown: MotionPanel, numbers: Mapping[str, int], *, off: float
 ) -> None:
-    """The lines of a panel.
+    """Draw the lines of a panel.
 
     Parameters
     ----------
     numbers : mapping of str to int
-        Of things that are no links, for their colours.
+        Numbers that determine the colours of things other than links.
     off : float
-        From the left edge to what its scale is of. [pt]
+        Distance from the left edge to the title of the scale. [pt]
     """
     wide, style = pen.size[0], pen.style
     pen.scale("left", ticks_of(pen.y), grid=True)
-    rest = pen.up(0.0)
-    pen.line((0.0, rest), (wide, rest), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
-    further = {"part": str(shown.part)} if shown.part > 1 else {}  # else both would be one group
-    own = pen.within("panel", panel=shown.kind.replace("_", "-"), **further)
+    zero = pen.up(0.0)
+    pen.line((0.0, zero), (wide, zero), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
+    further = (
+        {"part": str(shown.part)} if shown.part > 1 else {}
+    )  # otherwise both would be in the same group
+    group = pen.within("panel", panel=shown.kind.replace("_", "-"), **further)
     for line in shown.lines:
         looks = line.looks(style, numbers)
         last = repr(float(line.values[-1]))
         for name, look in zip(line.names, looks, strict=True):
             if line.capacity is not None:
-                _draw_capacity(own, name, line, time, look)
-            said = own.within("line", name=name, last=last)
-            said.plot(*thinned(time, line.values / shown.unit), title=short(name), **look)
-    what = what_of(shown, style)
-    pen.name("left", what, off + height(what) / 2)
+                _draw_capacity(group, name, line, time, look)
+            line_group = group.within("line", name=name, last=last)
+            line_group.plot(*thinned(time, line.values / shown.unit), title=short(name), **look)
+    scale_title = what_of(shown, style)
+    pen.name("left", scale_title, off + height(scale_title) / 2)
 
 
 def what_of(shown: MotionPanel, style: Style) -> str:
-    """What the scale of a panel is of."""
+    """Return the title of the scale of a panel."""
     return wrapped(style.text(shown.text), PANEL_HEIGHT)
 
 
 def ticks_of(scale: AxisScale) -> list[float]:
-    """The numbers at the scale of a panel."""
+    """Return the numbers at the scale of a panel."""
     return ticks(scale.low, scale.high, 5)
 
 
 def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Look) -> None:
-    """What an element can carry, on the side on which it carries; nothing while it is endless."""
-    assert line.capacity is not None  # noqa: S101 - it is asked of these alone
+    """Draw the capacity of an element on the side of the torque, except while infinite."""
+    assert line.capacity is not None  # noqa: S101 - callers check
     side = capacity_side(line.values, line.capacity)
     drawn = np.where(np.isfinite(line.capacity), side * line.capacity, np.nan)
     turns = np.flatnonzero(np.diff(side)) + 1
     times, values = np.insert(time, turns, time[turns]), np.insert(drawn, turns, np.nan)
-    said = pen.within("capacity", name=name, last=repr(float(line.capacity[-1])))
+    group = pen.within("capacity", name=name, last=repr(float(line.capacity[-1])))
     text = pen.style.text("capacity")
     look = {"color": look["color"], **CAPACITY}
-    said.plot(times, values, title=f"{short(name)}: {text}", zorder=1.8, **look)
+    group.plot(times, values, title=f"{short(name)}: {text}", zorder=1.8, **look)
 
 
 def range_of(shown: MotionPanel) -> AxisScale:
-    """A scale that has 0, in the unit of the panel, and room for panels of other runs."""
-    ends = [_ends(one) for one in (shown, *shown.others)]
+    """Return a scale with 0 and margins, in the unit of the panel, that also covers other runs."""
+    ends = [_ends(panel) for panel in (shown, *shown.others)]
     low, high = min(low for low, _ in ends), max(high for _, high in ends)
     room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0
     return AxisScale(low - room, high + room)

@@ -1,4 +1,4 @@
-"""Lines of a run over time, and the panels that have room for them."""
+"""Lines of a run over time, and the panels that contain them."""
 
 from __future__ import annotations
 
@@ -13,70 +13,72 @@ from vstatics.pictures.drawing.line_styles import Look, link_looks, thing_look
 from vstatics.pictures.drawing.style import Style
 
 MOST_LINES = 6
-"""Lines of a panel; with more there is a further one."""
+"""Largest number of lines of a panel; more lines get a further panel."""
 LARGE_PEAK_RATIO = 20.0
-"""Torques and energies whose largest values are so far apart have panels of their own."""
+"""Ratio of largest values from which torques and energies are drawn in separate panels."""
 LARGE_PART = 0.5
-"""With less of what an element can carry its capacity stays on the other side."""
+"""Torque, relative to the capacity, above which the capacity changes to the side of the torque."""
 PARTS_OF_TIME = 1500
-"""Of so many parts of the time the ends and extremes are drawn."""
+"""Number of parts of the time of which the ends and extremes are drawn."""
 
 
 class MotionLine(NamedTuple):
-    """A number over the time of a run."""
+    """Quantity over the time of a run."""
 
     names: tuple[str, ...]
-    """Of one thing, or of links that always turn together."""
+    """Name of a component, or of links that always turn together."""
     values: Floats
-    """In SI units."""
+    """Values in SI units."""
     links: tuple[int, ...] = ()
-    """Their numbers, if they are links."""
+    """Numbers of links; empty for other things."""
     capacity: Floats | None = None
-    """Of a shift element. [N*m]"""
-    beside: str = ""
-    """What tells it from another line of the same name."""
+    """Torque capacity of a shift element. [N*m]"""
+    distinction: str = ""
+    """Addition that distinguishes two lines of equal name."""
 
     @property
     def peak(self) -> float:
-        """Its largest value, by magnitude."""
+        """Largest value, as a magnitude."""
         return float(np.abs(self.values).max(initial=0.0))
 
     @property
     def labels(self) -> list[str]:
-        """What is written beside it."""
-        return [f"{name} ({self.beside})" if self.beside else name for name in self.names]
+        """Labels at the end of the line."""
+        return [f"{name} ({self.distinction})" if self.distinction else name for name in self.names]
 
     def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
-        """Of each name: of links their own, of others by their numbers."""
+        """Return the look of each name: by link, or by number for other things."""
         if self.links:
             return link_looks(self.links, style)
         return [thing_look(numbers[name], style) for name in self.names]
 
 
 class MotionPanel(NamedTuple):
-    """Lines to one scale."""
+    """Lines with a common scale."""
 
     kind: str
-    """``data-panel`` of its group."""
+    """Value of ``data-panel`` of the group."""
     text: str
-    """Of its scale."""
+    """Title of the scale."""
     unit: float
-    """By what values are divided."""
+    """Divisor of the values."""
     lines: tuple[MotionLine, ...]
     left_out: tuple[str, ...] = ()
-    """Names of what has no line."""
+    """Names of things without a line."""
     part: int = 1
-    """Which of several panels of a kind."""
+    """Number of the panel among the panels of a kind."""
     others: tuple[MotionPanel, ...] = ()
-    """Of another run, whose numbers its scale has room for, too."""
+    """Panels of another run that the scale also covers."""
 
-    def beside(self, others: Iterable[MotionPanel]) -> MotionPanel:
-        """The same with a scale for the same things of another run, whatever their names are."""
-        own = {name for line in self.lines for name in line.names}
-        alike = [one for one in others if (one.kind, one.text) == (self.kind, self.text)]
-        named = [one for one in alike if any(own.intersection(line.names) for line in one.lines)]
-        found = named or [one for one in alike if one.part == self.part]
-        return self._replace(others=tuple(found))
+    def with_scale_of(self, others: Iterable[MotionPanel]) -> MotionPanel:
+        """Return the panel with a scale that also covers the matching panels of another run."""
+        names = {name for line in self.lines for name in line.names}
+        alike = [panel for panel in others if (panel.kind, panel.text) == (self.kind, self.text)]
+        named = [
+            panel for panel in alike if any(names.intersection(line.names) for line in panel.lines)
+        ]
+        matching = named or [panel for panel in alike if panel.part == self.part]
+        return self._replace(others=tuple(matching))
 
 
 def panels_of(
@@ -87,35 +89,34 @@ def panels_of(
     *,
     by_size: bool = False,
 ) -> list[MotionPanel]:
-    """Panels of at most `MOST_LINES` lines: each line in the first that has room for it.
+    """Return panels of at most `MOST_LINES` lines; a line joins the first panel with room.
 
     Parameters
     ----------
     by_size : bool
-        Where one line would hide another by its size, each gets a panel.
+        Separate lines whose values differ so much that one would appear flat.
 
     Examples
     --------
     >>> lines = [MotionLine((str(n),), np.array([10.0**n])) for n in range(3)]
-    >>> [len(one.lines) for one in panels_of("heat", "", 1.0, lines, by_size=True)]
+    >>> [len(panel.lines) for panel in panels_of("heat", "", 1.0, lines, by_size=True)]
     [2, 1]
     """
-    found: list[list[MotionLine]] = []
-    for line in (part for one in lines for part in _parts(one)):
-        for panel in found:
-            if sum(len(one.names) for one in panel) + len(line.names) > MOST_LINES:
+    groups: list[list[MotionLine]] = []
+    for line in (part for whole in lines for part in _parts(whole)):
+        for panel in groups:
+            if sum(len(member.names) for member in panel) + len(line.names) > MOST_LINES:
                 continue
-            peaks = [one.peak for one in (*panel, line)]
+            peaks = [member.peak for member in (*panel, line)]
             if not by_size or max(peaks) < LARGE_PEAK_RATIO * min(peaks):
                 panel.append(line)
                 break
         else:
-            found.append([line])
-    return [MotionPanel(kind, text, unit, tuple(one)) for one in found]
+            groups.append([line])
+    return [MotionPanel(kind, text, unit, tuple(group)) for group in groups]
 
 
 def _parts(line: MotionLine) -> list[MotionLine]:
-    """A line with no more names than a panel has lines."""
     starts = range(0, len(line.names), MOST_LINES)
     return [
         line._replace(
@@ -127,7 +128,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 
 
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
-    """The number of each thing but links, by which it has its colour in all panels.
+    """Return the number that determines the colour of each thing other than a link.
 
     >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}
@@ -139,9 +140,9 @@ def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[s
 
 
 def capacity_side(torques: Floats, capacity: Floats) -> Floats:
-    """On which side of 0 a capacity is drawn: where the torque is, but where this is small.
+    """Return the side of 0 on which a capacity is drawn: the side of a large torque.
 
-    It changes the side only for a torque that is a large part of it; while it is 0 it may.
+    The side changes only for a torque that is a large part of the capacity, or at zero capacity.
 
     >>> capacity_side(np.array([-1.0, 6.0, -1.0, 2.0, -9.0]), np.full(5, 10.0))
     array([ 1.,  1.,  1.,  1., -1.])
@@ -149,21 +150,21 @@ def capacity_side(torques: Floats, capacity: Floats) -> Floats:
     side = np.where(torques < 0, -1.0, 1.0)
     closed = np.r_[False, capacity > 0, False]
     for start, end in np.flatnonzero(np.diff(closed)).reshape(-1, 2).tolist():
-        own = side[start:end].copy()
-        pieces = [0, *(np.flatnonzero(np.diff(own)) + 1).tolist(), end - start]
+        piece_side = side[start:end].copy()
+        pieces = [0, *(np.flatnonzero(np.diff(piece_side)) + 1).tolist(), end - start]
         large = np.abs(torques[start:end]) > LARGE_PART * capacity[start:end]
-        known = own[int(np.abs(torques[start:end]).argmax())]
+        known = piece_side[int(np.abs(torques[start:end]).argmax())]
         if large.any():
-            known = own[int(large.argmax())]
+            known = piece_side[int(large.argmax())]
         for first, last in pairwise(pieces):
             if large[first:last].any():
-                known = own[first]
+                known = piece_side[first]
             side[start + first : start + last] = known
     return side
 
 
 def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """A line that looks the same, of fewer points: in each part of the time its ends and extremes.
+    """Return a line of similar look with fewer points: ends and extremes of parts of the time.
 
     >>> time = np.linspace(0.0, 1.0, 100_001)
     >>> fewer, values = thinned(time, np.sin(1e4 * time))
@@ -174,9 +175,9 @@ def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
         return time, values
     edges = np.searchsorted(time, np.linspace(time[0], time[-1], PARTS_OF_TIME + 1)[:-1])
     starts = np.unique(edges)
-    kept = {0, len(time) - 1}
+    drawn = {0, len(time) - 1}
     for start, end in zip(starts, [*starts[1:], len(time)], strict=True):
         part = values[start:end]
-        kept |= {start, end - 1, start + int(part.argmin()), start + int(part.argmax())}
-    places = sorted(kept)
+        drawn |= {start, end - 1, start + int(part.argmin()), start + int(part.argmax())}
+    places = sorted(drawn)
     return time[places], values[places]

@@ -1,4 +1,4 @@
-"""Which panels a picture of a run has: speeds, slips, torques, output or vehicle, heat, columns."""
+"""Panels of a picture of a run: speeds, slips, torques, output or vehicle, heat, extra columns."""
 
 from __future__ import annotations
 
@@ -9,14 +9,13 @@ import numpy as np
 from vstatics.core.errors import printable
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats
 from vstatics.pictures.drawing.tolerances import SAME_RUN_SPEED
 from vstatics.simulation.pictures.elements import carrying, loaded
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, panels_of
 from vstatics.simulation.record.motion import Motion
 
 LEAST_HEAT_SHARE = 0.01
-"""Less heat, as part of the largest, has no line. [-]"""
+"""Heat below which a line is omitted, relative to the largest heat. [-]"""
 
 _ASKED = {
     "accelerations": ("acceleration, rad/s²", 1.0),
@@ -35,13 +34,13 @@ _ASKED = {
     "efficiency": ("efficiency", 1.0),
     "reduced_inertia": ("reduced inertia, kg·m²", 1.0),
 }
-"""Tables that somebody may ask for: their text, by what their values are divided."""
+"""Title and divisor of additional tables."""
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """The panels of a run, but those in which nothing happens.
+    """Return the panels of a run that are not empty.
 
-    Links and springs that are many stand behind what every shift is judged by.
+    Additional links and springs follow after the panels that matter for every shift.
     """
     speeds = panels_of("speed", "speed, rpm", RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
@@ -51,13 +50,15 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
         *_output(case, motion),
         *_heat(motion),
     ]
-    found = [*main, *_asked(case, motion, main), *speeds[1:], *_elastic_torques(case, motion)]
-    kinds = [panel.kind for panel in found]
-    return [one._replace(part=kinds[: n + 1].count(one.kind)) for n, one in enumerate(found)]
+    all_panels = [*main, *_asked(case, motion, main), *speeds[1:], *_elastic_torques(case, motion)]
+    kinds = [panel.kind for panel in all_panels]
+    return [
+        panel._replace(part=kinds[: n + 1].count(panel.kind)) for n, panel in enumerate(all_panels)
+    ]
 
 
 def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
-    """Links that move: input and output, those of elements with events, the fastest others."""
+    """Return lines of moving links: input, output, links of elements with events, fastest links."""
     largest = np.abs(motion.speeds).max(initial=0.0)
     near = SAME_RUN_SPEED * largest
     groups: list[list[int]] = []
@@ -89,7 +90,7 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
 
 
 def _wanted(case: Transmission, motion: Motion) -> dict[int, int]:
-    """Links that are to be seen, by their numbers, each with its rank."""
+    """Return the rank of links of interest by link number."""
     happens = {event.element for event in motion.events}
     links = [case.input, case.output]
     for element in case.shift_elements:
@@ -99,7 +100,6 @@ def _wanted(case: Transmission, motion: Motion) -> dict[int, int]:
 
 
 def _slips(motion: Motion) -> Iterator[MotionLine]:
-    """Of elements that carry torque and slip at any time."""
     near = SAME_RUN_SPEED * np.abs(motion.speeds).max(initial=0.0)
     for place, name in loaded(motion):
         if np.abs(motion.slips[:, place]).max(initial=0.0) > near:
@@ -107,67 +107,62 @@ def _slips(motion: Motion) -> Iterator[MotionLine]:
 
 
 def _carried(motion: Motion) -> list[MotionPanel]:
-    """Torques of elements with what they can carry."""
-    capacities = motion.beside.get("capacities", {})
+    # A capacity that is never finite is not drawn.
+    capacities = {
+        name: capacity
+        for name, capacity in motion.beside.get("capacities", {}).items()
+        if np.isfinite(capacity).any()
+    }
     lines = [
-        MotionLine((name,), motion.torques[:, place], capacity=_finite(capacities.get(name)))
+        MotionLine((name,), motion.torques[:, place], capacity=capacities.get(name))
         for place, name in loaded(motion)
     ]
     return panels_of("torque", "torque of elements, N·m", 1.0, lines, by_size=True)
 
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """Torques of springs and converters."""
-    lines = [MotionLine((name,), motion.torques[:, k]) for k, name in _elastic(case, motion)]
     springs = {spring.name for spring in case.springs}
+    # Mechanisms have neither slip nor twist.
+    rigid = {*case.devices} - springs
+    carries = carrying(motion)
+    lines = [
+        MotionLine((name,), motion.torques[:, place])
+        for place, name in enumerate(motion.devices)
+        if name not in rigid and carries[place]
+    ]
     words = _kinds(springs, [line.names[0] for line in lines])
     return panels_of("torque", words, 1.0, lines, by_size=True)
 
 
-def _finite(capacity: Floats | None) -> Floats | None:
-    """A capacity, if it has a limit at any time."""
-    return capacity if capacity is not None and np.isfinite(capacity).any() else None
-
-
-def _elastic(case: Transmission, motion: Motion) -> Iterator[tuple[int, str]]:
-    """Springs and converters that carry torque; mechanisms have no slip and no twist."""
-    rigid = {*case.devices} - {spring.name for spring in case.springs}
-    carries = carrying(motion)
-    for place in range(len(motion.elements), len(motion.devices)):
-        name = motion.devices[place]
-        if name not in rigid and carries[place]:
-            yield place, name
-
-
 def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
-    """What these are together.
+    """Return the title of the torques of some springs and converters.
 
     >>> _kinds((), ["TC"])
     'torque of converters, N·m'
     """
-    of = [name in springs for name in names]
-    if all(of):
+    are_springs = [name in springs for name in names]
+    if all(are_springs):
         return "torque of springs, N·m"
-    if not any(of):
+    if not any(are_springs):
         return "torque of converters, N·m"
     return "torque of springs, converters, N·m"
 
 
 def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """The acceleration of what has a road; without one the torque of the output."""
+    """Return panels of vehicle accelerations, or of the output torque without a road."""
     roads = motion.beside.get("vehicle_acceleration", {})
     if roads:
-        lines = [MotionLine((name,), one, _links(case, name)) for name, one in roads.items()]
+        lines = [MotionLine((name,), values, _links(case, name)) for name, values in roads.items()]
         return panels_of("acceleration", *_ASKED["vehicle_acceleration"], lines)
     torques = motion.beside.get("output_torque", {}).values()
     name = case.link_name(case.output)
-    lines = [MotionLine((name,), one, (case.output,)) for one in torques]
-    acting = [one for one in lines if one.peak > 0]
+    lines = [MotionLine((name,), values, (case.output,)) for values in torques]
+    acting = [line for line in lines if line.peak > 0]
     return panels_of("output", "output torque, N·m", 1.0, acting)
 
 
 def _heat(motion: Motion) -> list[MotionPanel]:
-    """All that heats, the most first; what is small beside it is named."""
+    """Return panels of heat and losses in descending order; negligible heat is only named."""
     over_time = motion.beside or {
         "heat": dict(zip(motion.elements, motion.heat.T, strict=True)),
         "losses": {},
@@ -179,50 +174,43 @@ def _heat(motion: Motion) -> list[MotionPanel]:
         if name in over_time[table]
     }
     least = LEAST_HEAT_SHARE * max(ends.values(), default=0.0)
-    order = sorted(ends, key=lambda one: -ends[one])
-
-    def beside(table: str, name: str) -> str:
-        return "losses" if table == "losses" and ("heat", name) in ends else ""
-
-    lines = [
-        MotionLine((name,), over_time[table][name], beside=beside(table, name))
-        for table, name in order
-        if ends[table, name] > least
-    ]
-    small = [
-        line
-        for table, name in order
-        if ends[table, name] <= least
-        for line in MotionLine((name,), np.zeros(0), beside=beside(table, name)).labels
-    ]
-    made = panels_of("heat", "heat, kJ", 1e3, lines, by_size=True)
-    if made:
-        made[0] = made[0]._replace(left_out=tuple(map(printable, small)))
-    return made
+    lines: list[MotionLine] = []
+    small: list[str] = []
+    for table, name in sorted(ends, key=lambda entry: -ends[entry]):
+        distinction = "losses" if table == "losses" and ("heat", name) in ends else ""
+        line = MotionLine((name,), over_time[table][name], distinction=distinction)
+        if ends[table, name] > least:
+            lines.append(line)
+        else:
+            small += line.labels
+    heat = panels_of("heat", "heat, kJ", 1e3, lines, by_size=True)
+    if heat:
+        heat[0] = heat[0]._replace(left_out=tuple(map(printable, small)))
+    return heat
 
 
 def _asked(
     case: Transmission, motion: Motion, shown: Sequence[MotionPanel]
 ) -> Iterator[MotionPanel]:
-    """Columns that somebody asks for, but those that are there."""
-    known = {"heat": "heat", "acceleration": "vehicle_acceleration"}
-    there = {
-        (known[panel.kind], name)
+    """Yield panels of additional columns that are not shown yet."""
+    tables_of_panels = {"heat": "heat", "acceleration": "vehicle_acceleration"}
+    present = {
+        (tables_of_panels[panel.kind], name)
         for panel in shown
-        if panel.kind in known
+        if panel.kind in tables_of_panels
         for line in panel.lines
-        if not line.beside
+        if not line.distinction
         for name in line.names
     }
     for table, rows in motion.asked.items():
         lines = [
             MotionLine((name,), values, _links(case, name))
             for name, values in rows.items()
-            if (table, name) not in there
+            if (table, name) not in present
         ]
         yield from panels_of(table, *_ASKED[table], lines)
 
 
 def _links(case: Transmission, name: str) -> tuple[int, ...]:
-    """The number of a link."""
-    return tuple(number for number, one in enumerate(case.link_names, 1) if one == name)
+    """Return the number of a link as a tuple, empty for other names."""
+    return tuple(number for number, link in enumerate(case.link_names, 1) if link == name)

@@ -1,4 +1,4 @@
-"""A picture of a run for those who work in Python."""
+"""Pictures of a run for Python users."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from vstatics.simulation.record.motion import Motion
 
 
 def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
-    """A picture of a run; parameters and errors as of `plot`.
+    """Draw a picture of a run; see `plot` for further parameters and errors.
 
     Raises
     ------
     ValueError
-        If this is no kind of a run, or its case is not known.
+        If `kind` is not a picture of a run, or if the motion has no case.
 
     Examples
     --------

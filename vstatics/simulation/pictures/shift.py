@@ -1,4 +1,4 @@
-"""A run over time: gears, states of elements, speeds, slips, torques, heat; what happens when."""
+"""Picture of a run over time: gears and shift elements, speeds, slips, torques, heat, events."""
 
 from __future__ import annotations
 
@@ -38,43 +38,43 @@ from vstatics.simulation.pictures.rows import RunRows, draw_rows, name_width, ru
 from vstatics.simulation.record.motion import Motion
 
 BEFORE_SCALE = 3.0
-"""From what a scale is of to its numbers. [pt]"""
+"""Distance from the title of a scale to the numbers. [pt]"""
 TIME_SCALE_HEIGHT = 30.0
-"""For the scale of the time. [pt]"""
+"""Height of the time scale. [pt]"""
 MOST_ROWS, MOST_OTHER_ROWS = 14, 6
-"""Of elements, and of what else has events."""
+"""Largest numbers of rows of shift elements, and of rows of other things with events."""
 BETWEEN_PANELS = 9.0
-"""[pt]"""
+"""Distance between panels. [pt]"""
 NARROW = 150.0
-"""Where a panel would be less wide, names stand over it. [pt]"""
+"""Width of a panel below which the names of lines are above the panel. [pt]"""
 TICKS_APART = 28.0
-"""Numbers of the time, at least. [pt]"""
+"""Least distance between numbers of the time scale. [pt]"""
 
 
 class _Content(NamedTuple):
-    """What the picture shows."""
+    """Content and layout of the picture."""
 
     motion: Motion
     panels: Sequence[MotionPanel]
     rows: RunRows
     numbers: Mapping[str, int]
     left: float
-    """For scales and names of rows. [pt]"""
+    """Width of scales and row names. [pt]"""
     off: float
-    """From a panel to what its scale is of. [pt]"""
+    """Distance from a panel to the title of the scale. [pt]"""
     wide: float
-    """Of a panel without its labels. [pt]"""
+    """Width of a panel without labels. [pt]"""
     over: bool
-    """Whether names of lines are over the panels."""
+    """Names of lines are above the panels."""
     notes: str
 
     def names_high(self, panel: MotionPanel, style: Style) -> float:
-        """That names over a panel need [pt]."""
+        """Return the height of the names above a panel [pt]."""
         rows = names_over(panel, style, self.numbers, self.wide) if self.over else []
         return SIGN_ROW_HEIGHT * len(rows)
 
     def high(self, panel: MotionPanel, style: Style) -> float:
-        """Of a panel with the names of its lines [pt]."""
+        """Return the height of a panel with the names of lines [pt]."""
         if self.over:
             return PANEL_HEIGHT + self.names_high(panel, style)
         return max(PANEL_HEIGHT, height_of(line_ends(panel, style, self.numbers)))
@@ -83,24 +83,24 @@ class _Content(NamedTuple):
 def draw(
     results: Results,
     style: Style,
-    gears: Sequence[int] = (),  # noqa: ARG001 - a run has them all
+    gears: Sequence[int] = (),  # noqa: ARG001 - a run shows all gears
     motion: Motion | None = None,
     others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[Figure]:
-    """Draw a run of a case, on as many pages as it needs, with the scales of other runs, too.
+    """Draw a run of a case on one or several pages, with common scales for other runs.
 
     Raises
     ------
     CaseError
-        If there is none, or nothing moves in it.
+        If the run is missing, or if nothing moves.
     """
     if motion is None:
         raise CaseError("E407", "this picture shows a run: expected a scenario, not a case")
     shown = panels(results.case, motion)
     if len(motion.time) < 2 or all(panel.kind == "heat" for panel in shown):
         raise CaseError("E408", "a picture of a run shows what moves, and nothing moves in this")
-    there = [panel for other, run in others for panel in panels(other.case, run)]
-    shown = [panel.beside(there) for panel in shown]
+    panels_of_others = [panel for other, run in others for panel in panels(other.case, run)]
+    shown = [panel.with_scale_of(panels_of_others) for panel in shown]
     content = _content(results, motion, shown, style)
     name = printable(title(results.case, style.text("run over time")))
     return list(_pages(content, name, style))
@@ -110,16 +110,16 @@ def _content(
     results: Results, motion: Motion, shown: Sequence[MotionPanel], style: Style
 ) -> _Content:
     elements = states(motion)
-    numbers = numbers_of([one.name for one in elements], shown)
+    numbers = numbers_of([element.name for element in elements], shown)
     with_rows = elements[:MOST_ROWS]
-    names = [one.name for one in with_rows]
+    names = [element.name for element in with_rows]
     happens = dict.fromkeys(event.element for event in motion.events)
     others = [name for name in happens if name not in names]
-    ticked = max(widest(tick_texts(ticks_of(range_of(one)))) for one in shown) + TICK_LENGTH + 2
+    ticked = max(widest(tick_texts(ticks_of(range_of(panel)))) for panel in shown) + TICK_LENGTH + 2
     off = ticked + BEFORE_SCALE
-    scale = off + max(height(what_of(one, style)) for one in shown)
+    scale = off + max(height(what_of(panel, style)) for panel in shown)
     left = MARGIN + max(scale, name_width([*names, *others[:MOST_OTHER_ROWS]], style))
-    right = max(width_of(line_ends(one, style, numbers)) for one in shown)
+    right = max(width_of(line_ends(panel, style, numbers)) for panel in shown)
     wide = style.width - left - right - MARGIN
     over = wide < NARROW
     if over:
@@ -129,11 +129,11 @@ def _content(
     sets = element_sets(results)
     pieces = gear_pieces(sets, motion)
     between = phases(sets, motion, pieces, elements)
-    unseen = [one.name for one in elements[MOST_ROWS:]]
+    unseen = [element.name for element in elements[MOST_ROWS:]]
     unseen += [name for name in others[MOST_OTHER_ROWS:] if name not in unseen]
-    of = RunRows(pieces, between, rows, common(sets, motion))
-    notes = _notes(motion, shown, of, unseen, style)
-    return _Content(motion, shown, of, numbers, left, off, wide, over, notes)
+    all_rows = RunRows(pieces, between, rows, common(sets, motion))
+    notes = _notes(motion, shown, all_rows, unseen, style)
+    return _Content(motion, shown, all_rows, numbers, left, off, wide, over, notes)
 
 
 def _time(motion: Motion) -> AxisScale:
@@ -141,20 +141,20 @@ def _time(motion: Motion) -> AxisScale:
 
 
 def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
-    """The rows, then the panels: as many on a page as it has room for."""
     shown, rows = content.panels, content.rows
-    heights = [content.high(one, style) for one in shown]
+    heights = [content.high(panel, style) for panel in shown]
     start, page = 0, 1
     while start < len(shown):
-        own, notes, signs = f"{name} ({page})", "", []
+        page_name, notes, signs = f"{name} ({page})", "", []
         if page == 1:
-            own, notes, signs = name, content.notes, _signs(content, style)
-        head = sheet_head(own, notes, signs, style.width - 2 * MARGIN, style)
+            page_name, notes, signs = name, content.notes, _signs(content, style)
+        head = sheet_head(page_name, notes, signs, style.width - 2 * MARGIN, style)
         over = (rows.high + BETWEEN_PANELS) * (page == 1)
         free = style.height - head.high - MARGIN - TIME_SCALE_HEIGHT - over
-        count = _fitting(heights[start:], free)
-        of = slice(start, start + count)
-        high = sum(heights[of]) + BETWEEN_PANELS * (count - 1)
+        ends = np.cumsum(heights[start:]) + BETWEEN_PANELS * np.arange(len(shown) - start)
+        count = max(1, int((ends <= free).sum()))
+        on_page = slice(start, start + count)
+        high = sum(heights[on_page]) + BETWEEN_PANELS * (count - 1)
         top = TIME_SCALE_HEIGHT + high + over
         pen = head.over((style.width, top), MARGIN, style)
         upper: list[Pen] = []
@@ -163,34 +163,28 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Figure]:
             upper = [pen.panel(corner, (content.wide, rows.high), _time(content.motion))]
             draw_rows(upper[0], rows, content.numbers)
         inner = pen.panel((content.left, TIME_SCALE_HEIGHT), (content.wide, high))
-        _draw_panels(inner, content, of, heights[of], upper)
+        _draw_panels(inner, content, on_page, heights[on_page], upper)
         yield pen.figure
         start, page = start + count, page + 1
 
 
-def _fitting(heights: Sequence[float], free: float) -> int:
-    """How many panels a height has room for, one at least."""
-    ends = np.cumsum(heights) + BETWEEN_PANELS * np.arange(len(heights))
-    return max(1, int((ends <= free).sum()))
-
-
 def _draw_panels(
-    pen: Pen, content: _Content, of: slice, heights: Sequence[float], upper: Sequence[Pen]
+    pen: Pen, content: _Content, on_page: slice, heights: Sequence[float], upper: Sequence[Pen]
 ) -> None:
-    """Panels one below the other, with one scale of time for them and for what is above."""
+    """Draw panels below each other, with a common time scale."""
     top, time = pen.size[1], _time(content.motion)
     drawn: list[Pen] = []
-    for one, high in zip(content.panels[of], heights, strict=True):
+    for shown, high in zip(content.panels[on_page], heights, strict=True):
         corner = pen.corner[0], pen.corner[1] + top - high
-        inner = pen.size[0], high - content.names_high(one, pen.style)
-        drawn.append(pen.panel(corner, inner, time, range_of(one)))
-        draw_lines(drawn[-1], content.motion.time, one, content.numbers, off=content.off)
+        inner = pen.size[0], high - content.names_high(shown, pen.style)
+        drawn.append(pen.panel(corner, inner, time, range_of(shown)))
+        draw_lines(drawn[-1], content.motion.time, shown, content.numbers, off=content.off)
         drawn[-1].frame()
         if content.over:
-            rows = names_over(one, pen.style, content.numbers, content.wide)
+            rows = names_over(shown, pen.style, content.numbers, content.wide)
             draw_names_over(drawn[-1], rows)
         else:
-            beside(drawn[-1], "right", line_ends(one, pen.style, content.numbers))
+            beside(drawn[-1], "right", line_ends(shown, pen.style, content.numbers))
         top -= high + BETWEEN_PANELS
     numbers = ticks(time.low, time.high, min(8, max(2, int(content.wide / TICKS_APART))))
     for panel in drawn:
@@ -215,20 +209,20 @@ def _signs(content: _Content, style: Style) -> list[Meaning]:
 def _notes(
     motion: Motion, shown: Sequence[MotionPanel], rows: RunRows, unseen: Sequence[str], style: Style
 ) -> str:
-    """What the picture does not show."""
-    said = []
+    """Return the remarks below the title: things that the picture omits."""
+    remarks = []
     if unseen:
         names = ", ".join(map(short, unseen))
-        said.append(f"{style.text('without a row')}: {names}")
+        remarks.append(f"{style.text('without a row')}: {names}")
     unnamed = len(motion.events) - sum(len(row.words) for row in rows.rows)
     if unnamed > 0:
-        said.append(f"{style.text('events without a word')}: {unnamed}")
+        remarks.append(f"{style.text('events without a word')}: {unnamed}")
     if motion.stopped is not None:
         stopped = style.text("the run was stopped")
-        said.append(f"{stopped}: {printable(motion.stopped.message)[:200]}")
+        remarks.append(f"{stopped}: {printable(motion.stopped.message)[:200]}")
     for panel in shown:
         if panel.left_out:
-            of = style.text(panel.text).split(", ")[0]
+            quantity = style.text(panel.text).split(", ")[0]
             names = ", ".join(panel.left_out)
-            said.append(f"{of}, {style.text('left out')}: {names}")
-    return "; ".join(said)
+            remarks.append(f"{quantity}, {style.text('left out')}: {names}")
+    return "; ".join(remarks)

@@ -1,7 +1,7 @@
-"""What is kept of a run, and how it is told.
+"""Record of a run: its columns, events and energies, and the motion that a simulation returns.
 
-`record` collects a run while it goes on, in `segments`; `drawn` makes columns of them, some steps
-at a time, at the instants that `curves` tells; `asked` has columns that somebody asks for, `rows`
-their names, `changes` accelerations and jerks. `account` tells where its work goes. `motion` is
-what a simulation gives: `tables` has its tables, `columns` its course, `answer` its JSON.
+`record` collects a run in the pieces of `segments`, which calculates their columns. `drawn` chooses
+the instants that draw these columns from the curves of `curves`. `asked` calculates additional
+columns, `rows` lists their names, `changes` differentiates speeds. `account` balances the energy.
+`motion` declares the result; `tables`, `columns` and `answer` write it.
 """

@@ -1,4 +1,4 @@
-"""Where the work goes: heat, losses and energies of a state."""
+"""Energy balance of a run: the distribution of the work to heat, losses and stored energy."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from vstatics.simulation.system.equations import Equations
 
 
 def element_heat(equations: Equations, states: Floats) -> Floats:
-    """Heat of shift elements up to states, shape (elements, states) [J]."""
+    """Return the heat of shift elements up to some states, shape (elements, states) [J]."""
     system, works = equations.system, states[equations.works]
-    made = np.zeros((len(system.case.shift_elements), states.shape[1]))
+    heat = np.zeros((len(system.case.shift_elements), states.shape[1]))
     for index, contact in enumerate(system.contacts):
         if contact.element is not None:
-            made[contact.element] += works[equations.layout.contacts + index]
+            heat[contact.element] += works[equations.layout.contacts + index]
     for index, spring in enumerate(system.springs):
         if spring.element is not None:
-            made[spring.element] += states[equations.slipped][index]
-    return made
+            heat[spring.element] += states[equations.slipped][index]
+    return heat
 
 
 def energy_account(
@@ -35,7 +35,7 @@ def energy_account(
     state: Floats,
     impacts: tuple[float, float],
 ) -> Energy:
-    """The energies of a run [J].
+    """Return the energy balance of a run [J].
 
     Parameters
     ----------
@@ -43,15 +43,15 @@ def energy_account(
     end : float
         [s]
     equations : Equations
-        That hold at the end.
+        Equations at the end.
     state : ndarray
-        At the end.
+        State at the end.
     impacts : tuple of float
-        What impacts took, and the work that was done on links at given speeds. [J]
+        Energy lost in impacts, and their work on links at given speeds. [J]
     """
     system = equations.system
     heat, losses = (
-        {name: float(one) for name, one in energies.items()}
+        {name: float(energy) for name, energy in energies.items()}
         for energies in heat_and_losses(equations, state)
     )
     works, layout = state[equations.works], equations.layout
@@ -67,16 +67,16 @@ def energy_account(
     )
     twists = state[equations.twists]
     elastic = system.elastic_energy(twists) - system.elastic_energy(start.twists)
-    rest = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
+    balance = work - sum(heat.values()) - sum(losses.values()) - kinetic - elastic - impact
     areas = friction_areas(system.case)
     per_area = {name: heat[name] / area for name, area in areas.items() if name in heat}
-    return Energy(work, heat, per_area, losses, kinetic, elastic, impact, rest)
+    return Energy(work, heat, per_area, losses, kinetic, elastic, impact, balance)
 
 
 def heat_and_losses(
     equations: Equations, state: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Of everything by its name [J], in a state or in several; what has one name is one sum."""
+    """Return heat and losses by name [J], for a state or several; equal names are summed."""
     system, layout = equations.system, equations.layout
     works = state[equations.works]
     heat: dict[str, Floats] = {}
@@ -85,8 +85,8 @@ def heat_and_losses(
         if contact.switch or contact.is_variator:
             continue
         is_loss = contact.overrun_drag or (contact.is_drag and contact.beside is None)
-        of = losses if is_loss else heat
-        _add(of, contact.name, works[layout.contacts + index])
+        energies = losses if is_loss else heat
+        _add(energies, contact.name, works[layout.contacts + index])
     for index, spring in enumerate(system.springs):
         if spring.viscous:
             _add(losses, spring.name, state[equations.damped][index])

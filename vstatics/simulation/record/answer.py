@@ -1,4 +1,4 @@
-"""What `vstatics simulate` answers: the course of a simulation."""
+"""JSON document of `vstatics simulate`: the course of a simulation."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
-"""Columns of a table by row, if somebody asks for them."""
+"""Columns of a table by row; absent if nobody asked for the table."""
 
 
 class AskedAnswer(NamedTuple):
-    """What a run has besides."""
+    """Additional tables of a run."""
 
     accelerations: Rows = None
     jerks: Rows = None
@@ -37,7 +37,7 @@ class AskedAnswer(NamedTuple):
 
 @document("vstatics-simulation")
 class MotionAnswer(NamedTuple):
-    """Times, speeds, slips, torques, events, energy, peaks of a case, by its name."""
+    """Times, columns, events, energies and largest torques of a case."""
 
     case: str
     time: Floats
@@ -49,9 +49,9 @@ class MotionAnswer(NamedTuple):
     energy: Energy
     peaks: Mapping[str, Peak]
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """If somebody asks for it."""
+    """Fatigue damage by component, if asked for."""
     targets: Sometimes[Sequence[Reached]]
-    """If speeds were asked for that links reach."""
+    """Speeds reached, if the scenario has target speeds."""
     messages: Sequence[Message]
     stopped: str | None
 
@@ -59,25 +59,29 @@ class MotionAnswer(NamedTuple):
 def motion_answer(
     motion: Motion, case: str, *, targets: bool = False, damage: bool = False
 ) -> MotionAnswer:
-    """What is answered of a motion.
+    """Return the JSON document of a motion.
 
     Parameters
     ----------
     motion : Motion
     case : str
-        Its name.
+        Name of the case.
     targets : bool
-        Whether speeds were asked for that links reach.
+        Include the target speeds.
     damage : bool
-        Whether that of devices was asked for.
+        Include the fatigue damage of components.
     """
+    # A table of a single number has one row without a name.
+    asked: dict[str, Any] = {
+        table: rows[""].tolist() if "" in rows else rows for table, rows in motion.asked.items()
+    }
     return MotionAnswer(
         case,
         motion.time,
         dict(zip(motion.links, motion.speeds.T, strict=True)),
         dict(zip(motion.elements, motion.slips.T, strict=True)),
         dict(zip(motion.devices, motion.torques.T, strict=True)),
-        _asked(motion.asked),
+        AskedAnswer(**asked),
         motion.events,
         motion.energy,
         motion.peaks,
@@ -88,16 +92,8 @@ def motion_answer(
     )
 
 
-def _asked(tables: Mapping[str, Mapping[str, Floats]]) -> AskedAnswer:
-    """What was asked for; a table of one number has no rows."""
-    found: dict[str, Any] = {
-        table: rows[""].tolist() if "" in rows else rows for table, rows in tables.items()
-    }
-    return AskedAnswer(**found)
-
-
 def lay_out(document: Mapping[str, Any]) -> str:
-    """JSON with a line for each list of numbers.
+    """Return a document as JSON with a line for each list of numbers.
 
     >>> print(lay_out({"time": [0.0, 1.0], "speeds": {"in": [3.0, None]}, "events": []}))
     {
@@ -113,10 +109,10 @@ def lay_out(document: Mapping[str, Any]) -> str:
 
 
 def _laid_out(value: Any, encode: Callable[[Any], str], end: str) -> str:
-    """Mappings on several lines, as are lists of them; anything else on one."""
+    """Return JSON with mappings, and lists of mappings, on several lines."""
     inner = end + " "
     if isinstance(value, Mapping) and value:
-        items = (f"{encode(key)}: {_laid_out(one, encode, inner)}" for key, one in value.items())
+        items = (f"{encode(key)}: {_laid_out(item, encode, inner)}" for key, item in value.items())
         return "{" + inner + f",{inner}".join(items) + end + "}"
     if isinstance(value, list) and value and isinstance(value[0], Mapping):
         return "[" + inner + f",{inner}".join(map(encode, value)) + end + "]"

@@ -1,4 +1,4 @@
-"""Columns of a run that somebody asks for, in addition to its speeds, slips and torques."""
+"""Additional columns of a run, on top of its speeds, slips and torques."""
 
 from __future__ import annotations
 
@@ -26,31 +26,31 @@ from vstatics.simulation.system.values import outside_torques
 
 
 class Moments(NamedTuple):
-    """What is known of a run at some times of a piece, which are the last axis of all arrays."""
+    """State of a run at some times of a piece; time is the last axis of all arrays."""
 
     motion: PieceMotion
     times: Floats
     states: Floats
     speeds: Floats
-    """Of links. [rad/s]"""
+    """Speeds of links. [rad/s]"""
     slips: Floats
-    """Of shift elements. [rad/s]"""
+    """Slips of shift elements. [rad/s]"""
     torques: Floats
-    """Of devices. [N*m]"""
+    """Torques of components. [N*m]"""
     ports: Floats
     """Torques of ports. [N*m]"""
 
     @property
     def system(self) -> MotionSystem:
-        """Of which it is a motion."""
+        """System in motion."""
         return self.motion.equations.system
 
     def accelerations(self) -> Floats:
-        """Of links [rad/s^2]."""
+        """Return the accelerations of links [rad/s^2]."""
         return self.motion.accelerations(self.times, self.states)
 
     def jerks(self) -> Floats:
-        """Of links [rad/s^3]."""
+        """Return the jerks of links [rad/s^3]."""
         return self.motion.jerks(self.times, self.states)
 
 
@@ -58,18 +58,18 @@ Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
-    """Of links and springs."""
+    """Return the powers of links and springs [W]."""
     system = at.system
     of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
-    springs = {one.name: one for one in system.springs}
+    springs = {spring.name: spring for spring in system.springs}
 
     def power(name: str) -> Floats:
         if name in system.names:
-            made: Floats = of_links[system.names.index(name)]
+            value: Floats = of_links[system.names.index(name)]
         else:
             spring = springs[name]
-            made = at.torques[spring.device] * (spring.row @ at.speeds)
-        return made
+            value = at.torques[spring.device] * (spring.row @ at.speeds)
+        return value
 
     return np.array([power(name) for name in rows])
 
@@ -80,18 +80,20 @@ def _of_links(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[s
 
 def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
     roads = roads_of(at.system.scenario)
-    own = [roads[at.system.names.index(name) + 1] for name in rows]
-    made = np.array([road.radius for road in own])[:, None] * _of_links(values, at, rows)
-    for row, road in enumerate(own):
+    driven_roads = [roads[at.system.names.index(name) + 1] for name in rows]
+    values_of_vehicles = np.array([road.radius for road in driven_roads])[:, None] * _of_links(
+        values, at, rows
+    )
+    for row, road in enumerate(driven_roads):
         if road.wheel:
-            made[row] = _on_loaded_wheel(road.wheel, values, at, rows[row])
-    return made
+            values_of_vehicles[row] = _on_loaded_wheel(road.wheel, values, at, rows[row])
+    return values_of_vehicles
 
 
 def _on_loaded_wheel(
     wheel: LoadedWheel, values: Callable[[Moments], Floats], at: Moments, name: str
 ) -> Floats:
-    """Speed, acceleration or jerk of a vehicle whose wheel turns with w(v)."""
+    """Return speed, acceleration or jerk of a vehicle with a speed-dependent rolling radius."""
     [turning] = _of_links(attrgetter("speeds"), at, [name])
     velocity = wheel.velocity(turning)
     if values not in (Moments.accelerations, Moments.jerks):
@@ -110,15 +112,15 @@ def _heat(at: Moments, rows: Sequence[str]) -> Floats:
 
 
 def _slip_power(at: Moments, rows: Sequence[str]) -> Floats:
-    names = [one.name for one in at.system.case.shift_elements]
+    names = [element.name for element in at.system.case.shift_elements]
     places = [names.index(name) for name in rows]
     return at.torques[places] * at.slips[places]
 
 
 def _per_area(values: Maker, at: Moments, rows: Sequence[str]) -> Floats:
     areas = friction_areas(at.system.case)
-    made: Floats = values(at, rows) / np.array([[areas.get(name, np.nan)] for name in rows])
-    return made
+    per_area: Floats = values(at, rows) / np.array([[areas.get(name, np.nan)] for name in rows])
+    return per_area
 
 
 def _speed_ratios(at: Moments, rows: Sequence[str]) -> Floats:
@@ -126,19 +128,21 @@ def _speed_ratios(at: Moments, rows: Sequence[str]) -> Floats:
 
 
 def _efficiencies(at: Moments, rows: Sequence[str]) -> Floats:
-    found, count = _converters(at, rows), len(at.system.case.devices)
-    torques = at.torques[[count + at.system.converters.index(one) for one in found]]
-    power = torques * at.speeds[[one.pump - 1 for one in found]]
-    return efficiencies(found, speed_ratios(found, at.speeds), power)
+    converters, count = _converters(at, rows), len(at.system.case.devices)
+    torques = at.torques[
+        [count + at.system.converters.index(converter) for converter in converters]
+    ]
+    power = torques * at.speeds[[converter.pump - 1 for converter in converters]]
+    return efficiencies(converters, speed_ratios(converters, at.speeds), power)
 
 
 def _converters(at: Moments, rows: Sequence[str]) -> list[Converter]:
-    by_name = {one.name: one for one in at.system.converters}
+    by_name = {converter.name: converter for converter in at.system.converters}
     return [by_name[name] for name in rows]
 
 
 def _reduced_inertia(at: Moments, _: Sequence[str]) -> Floats:
-    """``sum J (w/w_input)^2`` of all bodies but the output (Tarasik, (3)), shape (1, times)."""
+    """Return ``sum J (w/w_input)^2``, without the output (Tarasik, (3)), shape (1, times)."""
     system, case = at.system, at.system.case
     output = np.arange(len(system.names)) == case.main_output - 1
     others = (system.heavy != output).any(axis=1)
@@ -153,11 +157,11 @@ def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
 
 
 class AskedTable(NamedTuple):
-    """What has a row in a table, and how its rows are made."""
+    """Kind of the rows of a table, with the unit and the function that calculates the values."""
 
     kind: Kind
     unit: str
-    """Of rows that turn; nothing for a number without one, or in any."""
+    """Unit of rows of rotating links; empty for a dimensionless number or a state of any unit."""
     make: Maker
 
 
@@ -184,24 +188,24 @@ TABLES: Mapping[str, AskedTable] = {
     "efficiency": AskedTable("converter", "", _efficiencies),
     "reduced_inertia": AskedTable("number", "kg*m^2", _reduced_inertia),
 }
-"""By name. A number has one row, which has no name."""
+"""Additional tables by name."""
 PER_AREA = "_per_area"
-"""End of the names of tables that need the area of a shift element."""
+"""Suffix of the names of tables that need the area of a shift element."""
 MOST_EMPTY = 12
-"""Number of columns that a warning names."""
+"""Largest number of columns that a warning names."""
 ALWAYS = ("speeds", "slips", "torques")
-"""Tables that every run has."""
+"""Tables of every run."""
 
 
 def rows_of_tables(
     asked: Sequence[tuple[str, str]], scenario: Scenario
 ) -> Mapping[str, tuple[str, ...]]:
-    """The rows that are asked for, each once, by their tables in the order of `TABLES`.
+    """Return the requested rows without repetition, by table in the order of `TABLES`.
 
     Raises
     ------
     CaseError
-        Of what there is not.
+        If a table or a row does not exist.
     """
     for table, row in asked:
         known: Sequence[str] = tuple(TABLES)
@@ -214,8 +218,10 @@ def rows_of_tables(
             expected = f", expected one of {listed(known)}" if known else ""
             hint = nearest(read, known) or expected
             raise CaseError("E679", f"a run has no {what} {quoted(read)}{hint}")
-    made = {name: tuple(dict.fromkeys(row for one, row in asked if one == name)) for name in TABLES}
-    return {name: rows for name, rows in made.items() if rows}
+    rows_by_table = {
+        name: tuple(dict.fromkeys(row for table, row in asked if table == name)) for name in TABLES
+    }
+    return {name: rows for name, rows in rows_by_table.items() if rows}
 
 
 def empty_columns(asked: Mapping[str, Mapping[str, Floats]]) -> list[Message]:

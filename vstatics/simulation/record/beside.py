@@ -1,4 +1,4 @@
-"""What a run has beside its columns, for those who look at it: what sticks, capacities, losses."""
+"""Tables of a run for pictures and the report: sticking elements, capacities, losses."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
 
 
 def beside(motion: PieceMotion, times: Floats, states: Floats) -> Tables:
-    """At some times of a piece.
+    """Return the tables for pictures and the report, at some times of a piece.
 
-    `sticks` of shift elements (1: it does), their `capacities` [N*m], `heat` and `losses` of all
-    by name [J], `vehicle_acceleration` of links with a road [m/s^2], `output_torque` that the
-    train gives to the output link [N*m].
+    The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and
+    `losses` by name [J], `vehicle_acceleration` of links with a road [m/s^2], and `output_torque`,
+    which the train gives to the output link [N*m].
     """
     equations, roads = motion.equations, roads_of(motion.equations.system.scenario)
     rates, torques = equations.acting_at(times, states)
     heat, losses = heat_and_losses(equations, states)
-    names = [one.name for one in equations.system.case.shift_elements]
+    names = [element.name for element in equations.system.case.shift_elements]
     structure = equations.structure
     accelerated: Floats = structure.free @ (structure.accelerations @ torques)
     if any(structure.light[link - 1].any() for link in roads):
@@ -57,82 +57,87 @@ def beside(motion: PieceMotion, times: Floats, states: Floats) -> Tables:
 
 
 def joined(parts: Sequence[Tables]) -> Tables:
-    """Tables one behind the other."""
+    """Return tables with the columns of all parts appended."""
     return {
         table: {row: np.concatenate([part[table][row] for part in parts]) for row in rows}
         for table, rows in parts[0].items()
     }
 
 
-def chosen(tables: Tables, kept: Booleans) -> Tables:
-    """Tables at some of their times."""
+def chosen(tables: Tables, selected: Booleans) -> Tables:
+    """Return tables at the selected times."""
     return {
-        table: {row: column[kept] for row, column in rows.items()} for table, rows in tables.items()
+        table: {row: column[selected] for row, column in rows.items()}
+        for table, rows in tables.items()
     }
 
 
 def _sticks(equations: Equations) -> Iterator[bool]:
-    """Of each shift element."""
+    """Yield the state of each shift element: True if sticking."""
     system, states = equations.system, equations.states
     contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
     springs = dict(zip(map(id, system.springs), states.springs, strict=True))
     for index in range(len(system.case.shift_elements)):
-        of = system.by_element[index]
-        yield contacts[id(of)] if isinstance(of, Contact) else springs[id(of)] == "stick"
+        device = system.by_element[index]
+        yield (
+            contacts[id(device)] if isinstance(device, Contact) else springs[id(device)] == "stick"
+        )
 
 
 def _capacities(
     equations: Equations, times: Floats, states: Floats, rates: Floats, torques: Floats
 ) -> Iterator[Floats]:
-    """Of each shift element: what it carries while it slips, what it can while it sticks."""
-    system, does = equations.system, equations.states
-    looks = any(one.programme.look is not None for one in system.may_slip)
+    """Yield the capacity of each shift element: dynamic when slipping, static when sticking."""
+    system, active = equations.system, equations.states
+    looks = any(device.programme.look is not None for device in system.may_slip)
     seen = equations.seen_at(times, states, rates, torques) if looks else None
     at = equations.ports.inside(times)
-    found: dict[int, Floats] = {}
-    devices = zip(system.may_slip, (*does.contacts, *does.springs), strict=True)
+    capacities: dict[int, Floats] = {}
+    devices = zip(system.may_slip, (*active.contacts, *active.springs), strict=True)
     for port, (device, state) in enumerate(devices, equations.layout.contacts):
         if device.element is None:
             continue
         if state in SIGNS and not (isinstance(device, Contact) and device.one_way):
-            found[device.element] = np.abs(torques[port])
+            capacities[device.element] = np.abs(torques[port])
             continue
-        found[device.element] = programme_along(device.programme, at, seen)
-        if isinstance(device, Contact) and device.friction is not None:
-            found[device.element] = found[device.element] * friction_at(device.friction)
-        if isinstance(device, Contact) and state == "stick":
-            found[device.element] = device.static * found[device.element]
-    return (found[index] for index in range(len(system.case.shift_elements)))
+        capacity = programme_along(device.programme, at, seen)
+        if isinstance(device, Contact):
+            if device.friction is not None:
+                capacity = capacity * friction_at(device.friction)
+            if state == "stick":
+                capacity = device.static * capacity
+        capacities[device.element] = capacity
+    return (capacities[index] for index in range(len(system.case.shift_elements)))
 
 
 def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
-    """The acceleration of a vehicle by that of its link [m/s^2], which turns so fast [rad/s]."""
+    """Return the acceleration of a vehicle [m/s^2] from that of a link [rad/s^2]."""
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))
-    made: Floats = acceleration / slope
-    return made
+    return acceleration / slope
 
 
 def _output_torque(equations: Equations, accelerations: Floats, torques: Floats) -> Floats:
-    """That elements and mechanisms give to the output link; where none is at it, springs.
+    """Return the torque that the train gives to the output link [N*m].
 
-    Of the balance of the link: its inertia takes what all that acts from outside leaves.
+    The balance of the link gives the torque: its inertia takes the rest of the outside torques. A
+    link without gear sets or shift elements receives the torque of its springs.
     """
     system, layout = equations.system, equations.layout
     link = system.case.output - 1
-    own = (system.heavy != 0).sum(axis=1) == 1
-    inertia = float((system.inertias * own) @ system.heavy[:, link] ** 2)
-    made: Floats = -(outside_torques(equations)[link] @ torques)
+    alone = (system.heavy != 0).sum(axis=1) == 1
+    inertia = float((system.inertias * alone) @ system.heavy[:, link] ** 2)
+    torque: Floats = -(outside_torques(equations)[link] @ torques)
     if inertia:
-        made = made + inertia * accelerations[link]
-    own_springs = len(system.case.devices) - len(system.case.springs)
-    bent = [*enumerate(system.springs, layout.springs)]
+        torque = torque + inertia * accelerations[link]
+    first_spring = len(system.case.devices) - len(system.case.springs)
+    springs = [*enumerate(system.springs, layout.springs)]
     inner = [mesh.row[link] for mesh in system.meshes]
-    inner += [one.row[link] for one in system.contacts if one.element is not None]
-    inner += [one.row[link] for _, one in bent if one.device < own_springs]
+    inner += [device.row[link] for device in system.contacts if device.element is not None]
+    inner += [device.row[link] for _, device in springs if device.device < first_spring]
     if any(inner):
-        for port, spring in bent:
-            if spring.device >= own_springs:
-                made = made + spring.row[link] * torques[port]
-    return made
+        for port, spring in springs:
+            if spring.device >= first_spring:
+                torque = torque + spring.row[link] * torques[port]
+    return torque

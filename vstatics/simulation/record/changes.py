@@ -1,4 +1,4 @@
-"""How fast the speeds of links change, and how fast that changes, along the motion."""
+"""Accelerations and jerks of links along a motion."""
 
 from __future__ import annotations
 
@@ -18,45 +18,48 @@ from vstatics.simulation.tolerances import (
 
 
 class PieceMotion(NamedTuple):
-    """The motion while the same things stick and slip."""
+    """Motion between two events, while no element changes between sticking and slipping."""
 
     equations: Equations
     begin: float
-    """[s]"""
+    """Start time. [s]"""
     end: float
-    """[s]"""
+    """End time. [s]"""
 
     def accelerations(self, times: Floats, states: Floats) -> Floats:
-        """Of links, shape (links, times) [rad/s^2]."""
+        """Return the accelerations of links, shape (links, times) [rad/s^2]."""
         return self._accelerations(times, states)[0]
 
     def jerks(self, times: Floats, states: Floats) -> Floats:
-        """Changes of these with time, shape (links, times) [rad/s^3]."""
+        """Return the jerks of links, shape (links, times) [rad/s^3]."""
         return self._along(times, states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """And what they are the sums of, for their rounding."""
+        """Return accelerations, and sums of magnitudes as a scale of rounding errors."""
         equations, structure = self.equations, self.equations.structure
         _, torques = equations.acting_at(times, states)
         by_torque = structure.free @ structure.accelerations
-        made, size = by_torque @ torques, np.abs(by_torque) @ np.abs(torques)
+        accelerations, magnitudes = by_torque @ torques, np.abs(by_torque) @ np.abs(torques)
         light = structure.light.any(axis=1)
         if light.any():
-            made[light] = self._along(times, states, self._speeds)[light]
-            size[light] = np.abs(made[light])
-        return made, size
+            accelerations[light] = self._along(times, states, self._speeds)[light]
+            magnitudes[light] = np.abs(accelerations[light])
+        return accelerations, magnitudes
 
     def _speeds(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
         speeds = self.equations.speeds_at(times, states)
         return speeds, np.abs(speeds)
 
     def _along(
-        self, times: Floats, states: Floats, of: Callable[[Floats, Floats], tuple[Floats, Floats]]
+        self,
+        times: Floats,
+        states: Floats,
+        function: Callable[[Floats, Floats], tuple[Floats, Floats]],
     ) -> Floats:
-        """The change along the motion of what follows from time and state.
+        """Return the derivative along the motion of a function of time and state.
 
-        By its values a little later along the tangent, at the end of the piece a little earlier:
-        straight equations have no error so, others that of the square of the step.
+        One-sided differences of second order along the tangent, forwards, or backwards at the end
+        of the piece. They are exact for linear equations.
         """
         equations = self.equations
         duration = max(equations.system.scenario.duration, LEAST_DURATION)
@@ -64,10 +67,10 @@ class PieceMotion(NamedTuple):
         late = (times > self.end - step) & (times >= self.begin + step)
         steps = np.where(late, -step, step)
         at = zip(times.tolist(), states.T, strict=True)
-        changes = np.array([equations.derivative(*one) for one in at]).T
-        (now, size), (half, _), (whole, _) = (
-            of(times + part * steps, states + part * steps * changes) for part in (0.0, 0.5, 1.0)
+        changes = np.array([equations.derivative(*moment) for moment in at]).T
+        (now, magnitudes), (half, _), (whole, _) = (
+            function(times + part * steps, states + part * steps * changes)
+            for part in (0.0, 0.5, 1.0)
         )
         risen = 4 * (half - now) - (whole - now)
-        made: Floats = np.where(np.abs(risen) <= NO_CHANGE * size, 0.0, risen / steps)
-        return made
+        return np.where(np.abs(risen) <= NO_CHANGE * magnitudes, 0.0, risen / steps)

@@ -1,9 +1,9 @@
-"""The course of a simulation as columns of numbers, named as in expressions of a sweep."""
+"""The course of a simulation as columns of numbers, with the names that sweep expressions use."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,31 +19,31 @@ if TYPE_CHECKING:
 
 
 def columns(motion: Motion) -> dict[str, Floats]:
-    """`time`, then each of speeds, slips and torques by its heading, such as ``speeds[in]``.
+    """Return the columns of a motion by heading, such as ``speeds[in]``.
 
-    [s], [rad/s], [N*m]; then what was asked for; of a run that had to stop also `stopped`, 1 at its
-    last instant.
+    The first is `time` [s], followed by speeds and slips [rad/s], torques [N*m] and additional
+    columns. A run that stopped early also has `stopped`, which is 1 at the last instant.
     """
-    made = {"time": motion.time}
+    named = {"time": motion.time}
     for table, names, values in (
         ("speeds", motion.links, motion.speeds),
         ("slips", motion.elements, motion.slips),
         ("torques", motion.devices, motion.torques),
     ):
         for index in range(len(names)):
-            made[f"{table}[{written(index, names)}]"] = values[:, index]
+            named[f"{table}[{written(index, names)}]"] = values[:, index]
     for table, rows in motion.asked.items():
         names = tuple(rows)
         for n, name in enumerate(names):
-            made[f"{table}[{written(n, names)}]" if name else table] = rows[name]
+            named[f"{table}[{written(n, names)}]" if name else table] = rows[name]
     if motion.stopped is not None:
-        made["stopped"] = np.zeros(len(motion.time))
-        made["stopped"][-1] = 1.0
-    return made
+        named["stopped"] = np.zeros(len(motion.time))
+        named["stopped"][-1] = 1.0
+    return named
 
 
 def motion_dataframe(motion: Motion) -> pd.DataFrame:
-    """A row for each instant by its time, a column for each heading; see `Motion.to_dataframe`."""
+    """Return a data frame with a row for each instant; see `Motion.to_dataframe`."""
     require("pandas", "to_dataframe")
     import pandas as pd
 
@@ -52,31 +52,32 @@ def motion_dataframe(motion: Motion) -> pd.DataFrame:
 
 
 def as_csv(motion: Motion, *, raw: bool = False) -> str:
-    """A line of headings, then one for each instant, with all digits; NaN is an empty cell."""
+    """Return comma-separated values with all digits: a heading, then a line for each instant.
+
+    NaN is an empty cell.
+    """
     named = columns(motion)
-    table = np.column_stack([*named.values()])
-    return "".join([csv.lines([named], raw=raw), *_lines(table)])
-
-
-def _lines(table: Floats) -> Iterator[str]:
-    for row in table.tolist():
-        yield ",".join(repr(value) if value == value else "" for value in row) + "\n"  # noqa: PLR0124 (NaN)
+    lines = (
+        ",".join("" if math.isnan(value) else repr(value) for value in row) + "\n"
+        for row in np.column_stack([*named.values()]).tolist()
+    )
+    return "".join([csv.lines([named], raw=raw), *lines])
 
 
 def as_npz(motion: Motion) -> bytes:
-    """An archive of arrays by their headings."""
+    """Return the bytes of a NumPy archive with an array for each heading."""
     file = io.BytesIO()
     np.savez(file, **columns(motion))  # type: ignore[arg-type] # arrays, no options
     return file.getvalue()
 
 
 def as_parquet(motion: Motion) -> bytes:
-    """A table of floats, by pyarrow; what does not exist is null."""
+    """Return the bytes of a Parquet file of floats; NaN is written as null."""
     from importlib import import_module
 
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     named = columns(motion)
-    arrays = [pa.array(np.ascontiguousarray(one), from_pandas=True) for one in named.values()]
+    arrays = [pa.array(np.ascontiguousarray(column), from_pandas=True) for column in named.values()]
     file = io.BytesIO()
     parquet.write_table(pa.table(arrays, names=[*named]), file)
     return file.getvalue()

@@ -1,8 +1,8 @@
-"""The columns of a run as curves: where each is largest and least, how many instants draw them.
+"""Columns of a run as curves: their extremes, and the number of chords that draw them.
 
-Between two points of integration a column is a polynomial through its values at some instants of a
-part. Its bend tells how many chords come near to it, its slope where it turns; what is written is
-calculated there anew, so these polynomials choose instants and no numbers.
+Between two points of integration a column is approximated by the polynomial through its values at
+some nodes. The second derivative gives the number of chords, the first derivative the extremes. The
+polynomials only choose instants; the values there are calculated from the states.
 """
 
 from __future__ import annotations
@@ -17,27 +17,27 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1
-"""Part of its range within which a curve has all of its largest values before it is refined."""
+"""Fraction of the range within which the nodes of a curve reach the extremes."""
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
-"""Square of the most chords of a part: what bends more has no polynomial."""
+"""Square of the largest number of chords of a part; a polynomial with more is meaningless."""
 
 
 class Curves(NamedTuple):
-    """Columns over some parts of a run."""
+    """Columns over consecutive parts of a run."""
 
     begins: Floats
-    """Of each part. [s]"""
+    """Start times of the parts. [s]"""
     lengths: Floats
-    """[s]"""
+    """Durations of the parts. [s]"""
     nodes: tuple[float, ...]
-    """Where in a part the values are, from 0 to 1."""
+    """Positions of the values within a part, from 0 to 1."""
     values: Floats
-    """Shape (columns, parts, nodes)."""
+    """Values, shape (columns, parts, nodes)."""
 
 
 class CurveRanges(NamedTuple):
-    """Of each column over a run; infinite where it does not change but for rounding."""
+    """Range of each column over a run; constant columns have an infinite size."""
 
     least: Floats
     largest: Floats
@@ -47,17 +47,17 @@ class CurveRanges(NamedTuple):
 def ranges(
     curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
 ) -> CurveRanges:
-    """The ranges of columns; what is small beside others of its kind does not change.
+    """Return the ranges of columns; changes negligible for a kind of column do not count.
 
     Parameters
     ----------
     kinds : sequence of slice
-        Columns that measure the same.
+        Groups of columns of the same quantity.
     before : CurveRanges, optional
-        Of an earlier part of the run, which count too.
+        Ranges of an earlier part of the run, which are included.
     """
-    least = np.fmin.reduce([np.fmin.reduce(one.values, axis=(1, 2)) for one in curves])
-    largest = np.fmax.reduce([np.fmax.reduce(one.values, axis=(1, 2)) for one in curves])
+    least = np.fmin.reduce([np.fmin.reduce(part.values, axis=(1, 2)) for part in curves])
+    largest = np.fmax.reduce([np.fmax.reduce(part.values, axis=(1, 2)) for part in curves])
     if before is not None:
         least, largest = np.fmin(least, before.least), np.fmax(largest, before.largest)
     size = largest - least
@@ -68,14 +68,14 @@ def ranges(
     return CurveRanges(least, largest, np.where(np.isfinite(size), size, np.inf))
 
 
-def drawn_times(curves: Sequence[Curves], of: CurveRanges, most: int) -> list[Floats]:
-    """Times of each of `curves` by which chords come near to all columns, without ends [s].
+def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int) -> list[Floats]:
+    """Return the times of each curve whose chords approximate all columns, without ends [s].
 
-    Where that takes more than `most`, chords are longer.
+    If more than `most` times are needed, the chords become longer.
 
     Examples
     --------
-    A parabola bends everywhere alike:
+    The second derivative of a parabola is constant:
 
     >>> nodes = (0.0, 0.3, 0.7, 1.0)
     >>> curve = Curves(np.zeros(1), np.full(1, 2.0), nodes, np.array([[[x**2 for x in nodes]]]))
@@ -83,30 +83,32 @@ def drawn_times(curves: Sequence[Curves], of: CurveRanges, most: int) -> list[Fl
     >>> len(times), times[:2].round(3).tolist()
     (17, [0.111, 0.222])
     """
-    counts = [_counts(one, of) for one in curves]
-    many = sum(int(one.sum()) for one in counts)
-    if many > most:
-        counts = [np.maximum(1, one * most // many) for one in counts]
-    made = []
-    for one, count in zip(curves, counts, strict=True):
+    counts = [_counts(curve, column_ranges) for curve in curves]
+    total = sum(int(count.sum()) for count in counts)
+    if total > most:
+        counts = [np.maximum(1, count * most // total) for count in counts]
+    times = []
+    for curve, count in zip(curves, counts, strict=True):
         ends = np.cumsum(count - 1)
         numbers = np.arange(ends[-1]) - np.repeat(ends - count + 1, count - 1) + 1
         within = numbers / np.repeat(count, count - 1)
-        made.append(_times(one, np.repeat(np.arange(len(count)), count - 1), within))
-    return made
+        times.append(_times(curve, np.repeat(np.arange(len(count)), count - 1), within))
+    return times
 
 
-def _counts(curves: Curves, of: CurveRanges) -> Integers:
-    """Into how many equal pieces each part is cut, by the largest bend in it."""
+def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
+    """Return the number of equal chords of each part, from the largest second derivative."""
     bends = np.abs(_risen(curves.values) @ _polynomials(curves.nodes).bends.T).max(axis=2)
-    chords = np.nan_to_num(bends / (8 * CHORD * of.size[:, None])).max(axis=0, initial=0.0)
+    chords = np.nan_to_num(bends / (8 * CHORD * column_ranges.size[:, None])).max(
+        axis=0, initial=0.0
+    )
     return np.asarray(np.maximum(1, np.ceil(np.sqrt(np.minimum(chords, _MOST_CHORDS)))), dtype=int)
 
 
-def extreme_times(curves: Sequence[Curves], of: CurveRanges) -> list[Floats]:
-    """Times of each of `curves` at which columns are largest or least [s].
+def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[Floats]:
+    """Return the times of each curve at which columns are largest or least [s].
 
-    Of equal extremes the first is among them.
+    The first of several equal extremes is included.
 
     Examples
     --------
@@ -117,24 +119,24 @@ def extreme_times(curves: Sequence[Curves], of: CurveRanges) -> list[Floats]:
     >>> sorted(set(times.round(9).tolist()))
     [0.0, 1.0]
     """
-    if not np.isfinite(of.size).any():  # nothing changes
+    if not np.isfinite(column_ranges.size).any():  # nothing changes
         return [np.zeros(0) for _ in curves]
-    tried = [_turns(one, of) for one in curves]
-    columns, times, values = (np.concatenate(one) for one in zip(*tried, strict=True))
-    owner = np.repeat(np.arange(len(curves)), [len(one.columns) for one in tried])
-    near = EQUAL_EXTREMES * of.size
+    candidates = [_turns(curve, column_ranges) for curve in curves]
+    columns, times, values = (np.concatenate(parts) for parts in zip(*candidates, strict=True))
+    owner = np.repeat(np.arange(len(curves)), [len(turns.columns) for turns in candidates])
+    near = EQUAL_EXTREMES * column_ranges.size
     chosen: list[list[float]] = [[] for _ in curves]
-    for column in np.flatnonzero(np.isfinite(of.size)).tolist():
+    for column in np.flatnonzero(np.isfinite(column_ranges.size)).tolist():
         places = np.flatnonzero(columns == column)
         for heights in (values[places], -values[places]):
             equal = places[heights >= heights.max() - near[column]]
             for place in (places[heights.argmax()], equal[times[equal].argmin()]):
                 chosen[owner[place]].append(float(times[place]))
-    return [np.array(one) for one in chosen]
+    return [np.array(times_of_curve) for times_of_curve in chosen]
 
 
 class _Turns(NamedTuple):
-    """Places of columns that may be extremes."""
+    """Candidates for extremes of columns."""
 
     columns: Integers
     times: Floats
@@ -142,35 +144,35 @@ class _Turns(NamedTuple):
     values: Floats
 
 
-def _turns(curves: Curves, of: CurveRanges) -> _Turns:
-    """The highest and lowest nodes of columns, and where a column turns near to its extremes."""
-    moves, nodes = np.flatnonzero(np.isfinite(of.size)), np.array(curves.nodes)
-    values = curves.values[moves]
+def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
+    """Return the highest and lowest nodes of columns, and turning points near the extremes."""
+    moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
+    values = curves.values[moving]
     flat = values.reshape(len(values), -1)
     ends = [np.nan_to_num(sign * flat, nan=-np.inf).argmax(axis=1) for sign in (1.0, -1.0)]
     parts, at = np.unravel_index(np.concatenate(ends), values.shape[1:])
-    twice = np.concatenate([moves, moves])
-    found = [_Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])]
+    twice = np.concatenate([moving, moving])
+    candidates = [_Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])]
     polynomials = _polynomials(curves.nodes)
-    risen = _risen(values)
-    up = risen @ polynomials.slopes.T > 0
+    rises = _risen(values)
+    up = rises @ polynomials.slopes.T > 0
     turns = up[..., :-1] != up[..., 1:]
     if turns.any():
-        room = (_NEAR_TOP * of.size[moves])[:, None, None]
-        high = values >= of.largest[moves, None, None] - room
-        low = values <= of.least[moves, None, None] + room
+        room = (_NEAR_TOP * column_ranges.size[moving])[:, None, None]
+        high = values >= column_ranges.largest[moving, None, None] - room
+        low = values <= column_ranges.least[moving, None, None] + room
         extreme = high | low
         turns &= extreme[..., :-1] | extreme[..., 1:]
         column, part, node = np.nonzero(turns)
-        powers = risen[column, part] @ polynomials.powers.T
+        powers = rises[column, part] @ polynomials.powers.T
         place = _turning(powers, nodes[node], nodes[node + 1])
         reached = values[column, part, 0] + _along(powers, place)
-        found.append(_Turns(moves[column], _times(curves, part, place), reached))
-    return _Turns(*(np.concatenate(one) for one in zip(*found, strict=True)))
+        candidates.append(_Turns(moving[column], _times(curves, part, place), reached))
+    return _Turns(*(np.concatenate(fields) for fields in zip(*candidates, strict=True)))
 
 
 def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
-    """Where polynomials turn between two places, by Newton's rule."""
+    """Return the turning points of polynomials between two places, by Newton's method."""
     orders = np.arange(1.0, powers.shape[1])
     slopes = powers[:, 1:] * orders
     bends = slopes[:, 1:] * orders[:-1]
@@ -183,34 +185,32 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
 
 
 def _times(curves: Curves, parts: Integers, within: Floats) -> Floats:
-    times: Floats = curves.begins[parts] + within * curves.lengths[parts]
-    return times
+    return curves.begins[parts] + within * curves.lengths[parts]
 
 
 def _risen(values: Floats) -> Floats:
-    """Values less that at the begin of the part; 0 where there is none."""
+    """Return values minus the value at the start of the part, with 0 instead of NaN."""
     return np.nan_to_num(values - values[..., :1], posinf=0.0, neginf=0.0)
 
 
 def _along(powers: Floats, places: Floats) -> Floats:
-    """Polynomials, each at a place of its own."""
-    made: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
-    return made
+    """Evaluate each polynomial at a different place."""
+    values: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
+    return values
 
 
 class _Polynomials(NamedTuple):
-    """By values at nodes."""
+    """Matrices from values at nodes to coefficients, and to derivatives at the nodes."""
 
     powers: Floats
     slopes: Floats
-    """At the nodes."""
+    """First derivatives at the nodes."""
     bends: Floats
-    """At the nodes."""
+    """Second derivatives at the nodes."""
 
 
 @lru_cache(maxsize=8)
 def _polynomials(nodes: tuple[float, ...]) -> _Polynomials:
-    """Through values at these places."""
     places, orders = np.array(nodes), np.arange(len(nodes))
     values = places[:, None] ** orders
     powers = np.linalg.inv(values)

@@ -1,4 +1,4 @@
-"""The instants by which a run is drawn: some steps at a time, and fewer where they get too many."""
+"""Choice of the instants that draw a run, thinned out when they become too many."""
 
 from __future__ import annotations
 
@@ -23,43 +23,45 @@ from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CHORD
 
 _MOST_BISECTIONS = 20
-"""Of an interval in which a column has a corner."""
+"""Largest number of bisections of an interval in which a column has a corner."""
 _MOST_NEAR_CORNERS = 2000
-"""Instants of some steps that are added there: with more there are no corners, but rounding."""
+"""Largest number of instants added at corners; more corners are rounding noise."""
 _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
-"""Instants of a run, and numbers of all columns there; with more its chords would be shorter."""
+"""Largest number of instants of a run, and of values in all columns, at full or reduced effort."""
 
 
 class _SteppedCourse(NamedTuple):
-    """Steps of a piece that follow each other, with the columns along them as curves."""
+    """Consecutive steps of a piece, with the columns as curves."""
 
     piece: int
     steps: Sequence[tuple[TimeStep, float]]
     curves: Curves
 
     def inside(self, times: Floats) -> Floats:
-        """Those of some times that lie within steps, in order."""
+        """Return the times strictly within the steps, sorted."""
         ends = np.array([self.curves.begins[0], *(end for _, end in self.steps)])
-        kept = (times > ends[0]) & (times < ends[-1]) & ~np.isin(times, ends)
-        return np.unique(times[kept])
+        is_inside = (times > ends[0]) & (times < ends[-1]) & ~np.isin(times, ends)
+        return np.unique(times[is_inside])
 
     def states(self, times: Floats) -> Floats:
-        """The states at times, which are in order."""
+        """Return the states at sorted times."""
         ends = [end for _, end in self.steps]
-        of = np.minimum(np.searchsorted(ends, times), len(ends) - 1)
-        return np.hstack([self.steps[n][0].between(times[of == n]) for n in np.unique(of)])
+        step_of_time = np.minimum(np.searchsorted(ends, times), len(ends) - 1)
+        return np.hstack(
+            [self.steps[n][0].between(times[step_of_time == n]) for n in np.unique(step_of_time)]
+        )
 
 
 class DrawnRun:
-    """Times and columns of a run so far.
+    """Times and columns of a run up to the time reached.
 
     Parameters
     ----------
     system : MotionSystem
     every : float, optional
-        Its multiples are never left out. [s]
+        Spacing of instants that are never removed. [s]
     asked : mapping of str to sequence of str
-        Rows of tables that somebody asks for.
+        Rows of additional tables.
     """
 
     def __init__(
@@ -68,18 +70,18 @@ class DrawnRun:
         self.table, self.every = MotionColumns(system, asked), every
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
-        self.beside: Tables = {}
-        """What is known at these times besides; no time is kept for its sake."""
-        self._of: CurveRanges | None = None
+        self.picture_tables: Tables = {}
+        """Tables for pictures at the same times; they add no times of their own."""
+        self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
     def add(self, pieces: Sequence[Piece], *, hurried: bool = False) -> None:
-        """Add what was kept, what draws it, and its extremes.
+        """Add pieces, with the instants that draw the columns, and extremes.
 
         Parameters
         ----------
         hurried : bool
-            Whether somebody waits, and few instants have to do.
+            Choose fewer instants, as a user is waiting.
         """
         instants, numbers = _MOST_HURRIED if hurried else _MOST_DRAWN
         most = min(instants, numbers // len(self.columns))
@@ -88,90 +90,90 @@ class DrawnRun:
             if len(times):
                 added[course.piece].append((times, course.states(times)))
         all_times, all_columns = [self.times], [self.columns]
-        all_beside = [self.beside] if self.beside else []
-        for piece, more in zip(pieces, added, strict=True):
-            times = np.concatenate([piece.times, *(one for one, _ in more)])
-            states = np.hstack([np.array(piece.states).T, *(one for _, one in more)])
+        all_tables = [self.picture_tables] if self.picture_tables else []
+        for piece, additions in zip(pieces, added, strict=True):
+            times = np.concatenate([piece.times, *(added_times for added_times, _ in additions)])
+            states = np.hstack(
+                [np.array(piece.states).T, *(added_states for _, added_states in additions)]
+            )
             order = np.argsort(times, kind="stable")
             all_times.append(times[order])
             all_columns.append(self.table.at(piece, times[order], states[:, order]))
-            all_beside.append(beside(piece.motion, times[order], states[:, order]))
+            all_tables.append(beside(piece.motion, times[order], states[:, order]))
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
-        self.beside = joined(all_beside)
+        self.picture_tables = joined(all_tables)
         if len(self.times) > most:
             self._thin(most if hurried else most // 2)
             self._is_thin = True
 
     def _thin(self, most: int) -> None:
-        """Leave out instants at equal distances, down to so many; none that has to stay."""
-        kept = self._needed()
-        others = np.flatnonzero(~kept)
-        room = max(1, most - int(kept.sum()))
-        kept[others[:: -(-len(others) // room) or 1]] = True
-        self.times, self.columns = self.times[kept], self.columns[:, kept]
-        self.beside = chosen(self.beside, kept)
+        """Remove instants evenly, down to a number, and keep all needed instants."""
+        remaining = self._needed()
+        others = np.flatnonzero(~remaining)
+        room = max(1, most - int(remaining.sum()))
+        remaining[others[:: -(-len(others) // room) or 1]] = True
+        self.times, self.columns = self.times[remaining], self.columns[:, remaining]
+        self.picture_tables = chosen(self.picture_tables, remaining)
 
     def _needed(self) -> Booleans:
-        """Ends, extremes, where something begins or jumps, multiples of the step."""
+        """Return a mask of ends, extremes, jumps, starts and multiples of the step."""
         times, columns = self.times, self.columns.T
-        kept = np.zeros(len(times), dtype=bool)
-        kept[[0, -1]] = True
+        needed = np.zeros(len(times), dtype=bool)
+        needed[[0, -1]] = True
         twice = np.flatnonzero(times[1:] == times[:-1])
-        kept[twice] = kept[twice + 1] = True
+        needed[twice] = needed[twice + 1] = True
         if self.every:
-            kept |= times == np.rint(times / self.every) * self.every
-        kept[first_largest(columns - np.fmin.reduce(columns))] = True
-        kept[first_largest(np.fmax.reduce(columns) - columns)] = True
-        return kept
+            needed |= times == np.rint(times / self.every) * self.every
+        needed[first_largest(columns - np.fmin.reduce(columns))] = True
+        needed[first_largest(np.fmax.reduce(columns) - columns)] = True
+        return needed
 
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool
     ) -> Iterator[tuple[_SteppedCourse, Floats]]:
-        """Times by which columns are drawn, and those of their extremes."""
+        """Yield the times that draw each course, including extremes."""
         courses = [
             _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)
-            for steps in _alike(piece.steps)
+            # Curves have equal numbers of nodes in all parts.
+            for _, equal in groupby(piece.steps, lambda step: len(step[0].nodes))
+            for steps in [[*equal]]
         ]
         if not courses:
             return
-        curves = [one.curves for one in courses]
+        curves = [course.curves for course in courses]
         table = self.table
         moves = slice(table.speeds.start, table.slips.stop)
-        of = self._of = ranges(curves, [moves, *table.kinds[2:]], self._of)
-        parts = sum(len(one.begins) for one in curves)
+        column_ranges = self._ranges = ranges(curves, [moves, *table.kinds[2:]], self._ranges)
+        parts = sum(len(curve.begins) for curve in curves)
         self._parts += parts
         room = most * parts // self._parts if self._is_thin else most - len(self.times)
-        drawn, extremes = drawn_times(curves, of, room), extreme_times(curves, of)
+        drawn, extremes = (
+            drawn_times(curves, column_ranges, room),
+            extreme_times(curves, column_ranges),
+        )
         for course, *times in zip(courses, drawn, extremes, strict=True):
             inside, piece = course.inside(np.concatenate(times)), pieces[course.piece]
             if piece.margins.shared and not hurried:
-                inside = self._with_corners(piece, course, inside, of.size)
+                inside = self._with_corners(piece, course, inside, column_ranges.size)
             yield course, inside
 
     def _with_corners(
         self, piece: Piece, course: _SteppedCourse, times: Floats, size: Floats
     ) -> Floats:
-        """Times, and those near corners: where redundant elements begin to share otherwise."""
+        """Add times near corners, where redundant elements begin to share a torque differently."""
         edges = np.concatenate([course.curves.begins, times, [course.steps[-1][1]]])
         edges.sort()
         low, high = edges[:-1], edges[1:]
         for _ in range(_MOST_BISECTIONS):
             middle = 0.5 * (low + high)
             first, at, last = (
-                self.table.at(piece, one, course.states(one)) for one in (low, middle, high)
+                self.table.at(piece, instants, course.states(instants))
+                for instants in (low, middle, high)
             )
             far = (np.abs(at - 0.5 * (first + last)) > CHORD * size[:, None]).any(axis=0)
             if not far.any() or len(times) > _MOST_NEAR_CORNERS:
                 break
             times = np.concatenate([times, middle[far]])
-            low, high = (np.sort(np.concatenate([one[far], middle[far]])) for one in (low, high))
+            low, high = (np.sort(np.concatenate([ends[far], middle[far]])) for ends in (low, high))
         return course.inside(times)
-
-
-def _alike(
-    steps: Sequence[tuple[TimeStep, float]],
-) -> Iterator[Sequence[tuple[TimeStep, float]]]:
-    """Steps that follow each other with their instants at the same places."""
-    for _, some in groupby(steps, lambda one: len(one[0].nodes)):
-        yield [*some]

@@ -1,4 +1,4 @@
-"""What a simulation gives."""
+"""Result of a simulation: the motion with its events, energies and largest torques."""
 
 from __future__ import annotations
 
@@ -21,75 +21,75 @@ EventKind = Literal["locks", "slips", "reverses", "impact", "step"]
 
 
 class Event(NamedTuple):
-    """What happens to an element, to a load, to a mechanism, or in a sequence, at an instant."""
+    """Event at an instant, of a shift element, a load, a mechanism or a sequence."""
 
     time: float
     """[s]"""
     element: str
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
-    """Lost at once, in an impact; None of a step. [J]"""
+    """Energy lost at once in an impact; None for a step of a sequence. [J]"""
     word: str = ""
     """Usual word: dog clutches open and close, freewheels overrun, loads start, mechanisms that
-    their friction holds still stick and move."""
+    friction has locked stick and move."""
     step: Annotated[int | None, SOMETIMES] = None
-    """The number of the step of a sequence that was done."""
+    """Number of the completed step of a sequence."""
 
 
 class Energy(NamedTuple):
-    """Where the work went, in J."""
+    """Energy balance of a run, in J."""
 
     work: float
-    """Of outside torques."""
+    """Work of outside torques."""
     heat: Mapping[str, float]
-    """Of friction, by shift element, by link for its resistances."""
+    """Heat of friction, by shift element, and by link for resistances."""
     heat_per_area: Annotated[Mapping[str, float], SOMETIMES]
-    """Of elements whose area is known. [J/m^2]"""
+    """Heat per friction area of shift elements with a known area. [J/m^2]"""
     losses: Mapping[str, float]
-    """Of converters, dampers, drag, meshes, by name."""
+    """Losses of converters, dampers, drag and meshes, by name."""
     kinetic: float
-    """Change."""
+    """Change of the kinetic energy."""
     elastic: float
-    """Change."""
+    """Change of the elastic energy."""
     impact: float
-    """Lost at once."""
+    """Energy lost at once in impacts."""
     balance: float
-    """Work less all the rest."""
+    """Work minus all other parts; 0 but for numerical errors."""
 
 
 class Damage(Protocol):
-    """Fatigue damage of a device by its torque in a run."""
+    """Fatigue damage of a component by the torque of a run."""
 
     @property
     def damage(self) -> float:
-        """Part of the damage at which the device fails [-]."""
+        """Fraction of the damage at which the component fails [-]."""
 
     @property
     def repeats(self) -> float | None:
-        """Number of runs that the device bears; None: any number [-]."""
+        """Number of runs to failure; None for an unlimited number [-]."""
 
 
 class Peak(NamedTuple):
-    """The largest torque of a device, by magnitude."""
+    """Torque of a component with the largest magnitude."""
 
     torque: float
-    """With its sign. [N*m]"""
+    """Torque, with sign. [N*m]"""
     time: float
     """[s]"""
 
 
 class Reached(NamedTuple):
-    """When a link reached a speed."""
+    """Time and travel at which a link reaches a target speed."""
 
     link: str
     speed: float
     """[rad/s]"""
     time: float
-    """[s]; NaN: it did not"""
+    """Time; NaN if the speed is not reached. [s]"""
     angle: float
-    """Through which it had turned. [rad]"""
+    """Angle turned until then. [rad]"""
     distance: float
-    """On a road; NaN without one, or where the radius of the wheels changes. [m]"""
+    """Distance on a road; NaN without a road, or with a varying rolling radius. [m]"""
 
 
 class Motion(NamedTuple):
@@ -98,35 +98,35 @@ class Motion(NamedTuple):
     Attributes
     ----------
     time : ndarray, shape (instants,)
-        Events, the largest and least values of each column, multiples of a step, and so many
-        others that straight lines between them draw the columns; an instant of a jump
-        stands twice, the last is the duration. [s]
+        Instants of events, of the extremes of each column, multiples of a step, and enough others
+        to draw the columns with straight lines. An instant of a jump appears twice. The last
+        instant is the duration. [s]
     links, elements, devices : sequence of str
         Names of the columns of `speeds`, of `slips`, of `torques`.
     speeds : ndarray, shape (instants, links)
-        [rad/s]
+        Speeds of links. [rad/s]
     slips : ndarray, shape (instants, elements)
-        Of shift elements: speed of the first link less that of the second. [rad/s]
+        Slip of shift elements: speed of the first link minus the speed of the second. [rad/s]
     torques : ndarray, shape (instants, devices)
-        Of shift elements, mechanisms, springs, converters: on the first link, given to the
-        device, so the integral of torque times slip is heat. [N*m]
+        Torques of shift elements, mechanisms, springs and converters: those that the first link
+        gives to the component, so the integral of torque times slip is heat. [N*m]
     heat : ndarray, shape (instants, elements)
-        Of shift elements up to an instant. [J]
+        Heat of shift elements up to an instant. [J]
     events : sequence of Event
     energy : Energy
     peaks : mapping of str to Peak
     reached : sequence of Reached
     messages : sequence of Message
     stopped : Problem, optional
-        Why the run ends before its duration.
+        Reason why the run ends before its duration.
     asked : mapping of str to mapping of str to ndarray, shape (instants,)
-        Columns that were asked for, by table and row.
+        Additional columns, by table and row.
     damage : mapping of str to DeviceDamage
-        Of devices that have a fatigue strength.
+        Damage of components with a fatigue strength.
     beside : mapping of str to mapping of str to ndarray, shape (instants,)
-        What pictures show besides, as of `record.beside`; none of the method `tarasik`.
+        Tables for pictures, see `record.beside`; empty for the method `tarasik`.
     case : Transmission
-        What moves, as `simulate` had it.
+        Case of the scenario.
 
     Examples
     --------
@@ -160,24 +160,23 @@ class Motion(NamedTuple):
     case: Transmission | None = None
 
     def __repr__(self) -> str:
-        """Of what, how long, and how much happened; not all its numbers."""
+        """Return the case, the duration and the number of events."""
         name = f" of {self.case.name!r}" if self.case and self.case.name else ""
         end = f"{self.time[-1]:.6g} s, {len(self.events)} {plural('event', len(self.events))}"
         stopped = ", stopped" if self.stopped else ""
         return f"<Motion{name}: {end}{stopped}>"
 
     def _repr_html_(self) -> str:
-        """Events, energy, largest torques, speeds reached, for a notebook."""
         return shown(higher("motion_grids")(self))
 
     def to_dataframe(self) -> pd.DataFrame:
-        """The course as a pandas table, with the columns of `vstatics simulate -o run.csv`.
+        """Return the course as a data frame with the columns of `vstatics simulate -o run.csv`.
 
         Returns
         -------
         DataFrame
             A row for each instant, with its time as index [s]; speeds and slips [rad/s], torques
-            [N*m], then what was asked for. An instant of a jump has two rows.
+            [N*m], then additional columns. An instant of a jump has two rows.
 
         Raises
         ------
@@ -198,22 +197,26 @@ class Motion(NamedTuple):
         return table
 
     def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
-        """A picture of the run, which a notebook shows: `vstatics.plot` of its case with it.
+        """Draw the run; a notebook shows the picture.
 
         Parameters
         ----------
         kind : {"shift", "plan"}
-            Speeds, slips, torques, heat over time with the events, or the kinematic plan with the
-            speeds that the run had.
+            Speeds, slips, torques and heat over time with the events, or the speed plan with the
+            speeds of the run.
         **how
-            As of `vstatics.plot`: `width` [mm] and others.
+            Options of `vstatics.plot`, such as `width` [mm].
+
+        Returns
+        -------
+        Picture
 
         Raises
         ------
         CaseError
-            If matplotlib is missing, or nothing moves.
+            If matplotlib is missing, or if no speed, slip or torque changes.
         ValueError
-            If this is no kind of a run.
+            If `kind` is not a picture of a run.
 
         Examples
         --------

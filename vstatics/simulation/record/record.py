@@ -1,4 +1,4 @@
-"""What is kept of a run while it goes on, and the motion made of it."""
+"""Record that collects a run step by step and returns its motion."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Numbers of the states that are kept in full, and as many as a step besides takes room for."""
+"""Largest number of state values kept in full, and equivalent overhead of one step."""
 
 
 class Record:
-    """A run so far.
+    """Record of a run up to the time reached.
 
     Parameters
     ----------
     system : MotionSystem
     start : Instant
     step : float, optional
-        Its multiples are instants too. [s]
+        Spacing of additional instants. [s]
     asked : mapping of str to sequence of str
-        Rows of tables that somebody asks for.
+        Rows of additional tables.
     """
 
     def __init__(
@@ -67,23 +67,23 @@ class Record:
         self.events: list[Event] = []
         self.impact = 0.0
         self.impact_work = 0.0
-        """Of impulses on links whose speeds are given. [J]"""
+        """Work of impulses on links at given speeds. [J]"""
         self.joined: set[int] = set()
-        """Contacts that have just joined by an impact."""
+        """Contacts that have just joined in an impact."""
         self.messages: list[Message] = []
         self.cut: set[str] = set()
-        """Elements whose controls were above their capacity, states that were set beyond limits."""
+        """Elements whose control exceeded their capacity, and states set beyond their limits."""
         self.pieces: list[Piece] = []
-        """Those that are kept in full: what was before is drawn."""
+        """Latest pieces, with all their steps; earlier ones are in `drawn`."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Contacts of which it was open what breaks away."""
+        """Sets of contacts among which the choice of what breaks away was not unique."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
         self.value_scales = np.maximum(np.abs(start.values), LEAST_VALUE)
-        """What is large of states and temperatures."""
+        """Magnitudes of states and temperatures that tolerances refer to."""
         self.targets = [
             (link - 1, speed)
             for link, speeds in system.scenario.targets.items()
@@ -92,37 +92,37 @@ class Record:
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
 
     def copy(self) -> Record:
-        """The same up to here, to go on by itself; without the pieces before."""
-        made = copy(self)
-        made.events, made.messages, made.pieces = [*self.events], [*self.messages], []
-        made.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
-        made.numbers, made.sharing = 0, {*self.sharing}
-        made.joined, made.cut, made.reached = {*self.joined}, {*self.cut}, dict(self.reached)
-        made.open = {*self.open}
-        return made
+        """Return a copy that continues independently, without the earlier pieces."""
+        copied = copy(self)
+        copied.events, copied.messages, copied.pieces = [*self.events], [*self.messages], []
+        copied.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
+        copied.numbers, copied.sharing = 0, {*self.sharing}
+        copied.joined, copied.cut, copied.reached = {*self.joined}, {*self.cut}, dict(self.reached)
+        copied.open = {*self.open}
+        return copied
 
     @property
     def turnover(self) -> float:
-        """The energy of which a balance is what is left: all that passed, or was stored [J].
+        """Energy that has passed or is stored, which the balance is compared with [J].
 
-        Net work says nothing: what one torque gives another may take.
+        Net work is no measure: one torque can take what another gives.
         """
         return max(self.worked, self.stored)
 
     def happened(self, seen: Seen, since: float) -> bool:
-        """Whether events since a time [s] have what a word says, such as `locks`."""
+        """Return whether an event with a word such as `locks` has occurred since a time [s]."""
         return any(
-            (one.element, one.event) == (seen.of, seen.word) and one.time >= since
-            for one in self.events
+            (event.element, event.event) == (seen.of, seen.word) and event.time >= since
+            for event in self.events
         )
 
     def largest_slip(self, row: Floats) -> float:
-        """Return the largest magnitude of a slip since the last event [rad/s].
+        """Return the largest slip since the last event, as a magnitude [rad/s].
 
         Parameters
         ----------
         row : ndarray, shape (links,)
-            Slip by the speeds of the links.
+            Coefficients of the slip for the speeds of the links.
         """
         piece = self.pieces[-1]
         speeds_at = piece.margins.equations.speeds
@@ -130,11 +130,11 @@ class Record:
         return largest(np.array(speeds) @ row)
 
     def done(self, time: float, sequence: str, step: int) -> None:
-        """Note a step of a sequence that is done at a time [s]."""
+        """Record that a step of a sequence is done at a time [s]."""
         self.events.append(Event(time, sequence, "step", None, "step", step))
 
     def jumps(self, time: float, jump: Jump) -> None:
-        """Twists that changed at once."""
+        """Record twists that change at once, and add a message."""
         self.impact += jump.energy
         text = (
             f"link {jump.link} has no inertia: at {time:.6g} s the torques on it jump, and it "
@@ -143,7 +143,7 @@ class Record:
         self.messages.append(Message("W602", text))
 
     def sets(self, time: float, values: Mapping[str, float]) -> None:
-        """Note states that a step sets beyond their limits at a time [s], each once."""
+        """Warn once of each state that a step sets beyond the limits at a time [s]."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
             if beyond and state.name not in self.cut:
@@ -152,7 +152,7 @@ class Record:
                 self.messages.append(Message("N611", f"{text}; so it is that, then and later"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
-        """Note controls that are cut at a capacity of the case, each once."""
+        """Warn once of each control that exceeds a capacity of the case."""
         for device in system.may_slip:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
@@ -163,22 +163,22 @@ class Record:
                 self.messages.append(Message("N605", text))
 
     def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
-        """Note contacts that could break away as well as those that do, by their indices, once."""
+        """Warn once of each set of contacts that could break away instead."""
         if (both := frozenset([*broken, *others])) in self.open:
             return
         self.open.add(both)
-        taken, beside = (
+        shown, alternatives = (
             listed([self.system.contacts[index].name for index in sorted(indices)])
             for indices in (broken, others)
         )
         text = (
-            f"what breaks away is open (first at {time:.6g} s): {beside} could in place of "
-            f"{taken}, whose slip is shown"
+            f"what breaks away is open (first at {time:.6g} s): {alternatives} could in place of "
+            f"{shown}, whose slip is shown"
         )
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """A piece begins."""
+        """Begin a piece at a state."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
@@ -192,7 +192,7 @@ class Record:
         self._store(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
-        """A step, or the part of it up to an event."""
+        """Record a step up to a time: the end of the step or an event [s]."""
         if self.numbers > _MOST_NUMBERS:
             self._draw()
         piece = self.pieces[-1]
@@ -216,10 +216,10 @@ class Record:
         self.numbers += step.states.size + _OF_A_STEP
 
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
-        """Whether values will be larger than any was; what is large of them grows by that.
+        """Return whether a value is about to exceed the scale, and raise the scale.
 
-        Of a value that leaves 0 by what is only rounding, no step has a small part that is wrong:
-        it may be as wrong as a part of what it is soon.
+        A value that leaves 0 by rounding alone has no accurate step relative to itself, so its
+        error is measured against the magnitude that it soon reaches.
         """
         length = DISTANCES[-1] * equations.within
         later = equations.moved(time, state, length)
@@ -232,19 +232,19 @@ class Record:
         return False
 
     def _draw(self, *, hurried: bool = False) -> None:
-        """Keep of all pieces what draws them, in full only where they end."""
+        """Reduce all pieces to the instants that draw them, and begin a new piece."""
         self.drawn.add(self.pieces, hurried=hurried)
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
     def _store(self, equations: Equations, time: float, state: Floats) -> None:
-        """Note the energy that is stored, if it is larger than before."""
+        """Raise the largest stored energy."""
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
         elastic = self.system.elastic_energy(state[equations.twists])
         self.stored = max(self.stored, kinetic + elastic)
 
     def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
-        """Note when links reach speeds that are asked for."""
+        """Record the times at which links reach target speeds."""
         for link, speed in self.targets:
             if (link, speed) in self.reached:
                 continue
@@ -263,14 +263,14 @@ class Record:
                 self.reached[link, speed] = time, angle
 
     def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
-        """All of it; hurried where the clock, or somebody who waits, has stopped it."""
+        """Return the motion; hurried if a time limit or a user stopped the run."""
         self._draw(hurried=hurried)
         self._tell_backward()
         system, [last], table = self.system, self.pieces, self.drawn.table
         times, columns = self.drawn.times, self.drawn.columns
-        kept = _different(times, columns[: table.heat.start])
-        times, columns = times[kept], columns[:, kept]
-        speeds, slips, torques, *parts, heat = (columns[of].T.copy() for of in table.kinds)
+        distinct = _different(times, columns[: table.heat.start])
+        times, columns = times[distinct], columns[:, distinct]
+        speeds, slips, torques, *parts, heat = (columns[rows].T.copy() for rows in table.kinds)
         asked = {
             name: dict(zip(rows, part.T, strict=True))
             for (name, rows), part in zip(table.asked.items(), parts, strict=True)
@@ -279,7 +279,7 @@ class Record:
         return Motion(
             times,
             system.names,
-            tuple(one.name for one in system.case.shift_elements),
+            tuple(element.name for element in system.case.shift_elements),
             table.devices,
             speeds,
             slips,
@@ -299,11 +299,11 @@ class Record:
             stopped,
             asked,
             _damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
-            chosen(self.drawn.beside, kept),
+            chosen(self.drawn.picture_tables, distinct),
         )
 
     def _tell_backward(self) -> None:
-        """Note links that end in the direction opposite to a target, further away than at first."""
+        """Warn of links that end opposite to a target, further away than at the start."""
         last = self.pieces[-1]
         speeds = last.margins.equations.speeds(self.time, last.states[-1]).tolist()
         for link, target in self.targets:
@@ -318,13 +318,13 @@ class Record:
                 self.messages.append(Message("N613", text))
 
     def _tell_shared(self, equations: Equations) -> None:
-        """Tell what shares a torque that nothing determines, each set of elements once."""
+        """Warn once of each set of shift elements that share an indeterminate torque."""
         structure, contacts = equations.structure, equations.system.contacts
         sharing = tuple(
-            one.of
-            for row, one in enumerate(structure.multipliers)
-            if one.kind == "contact"
-            and contacts[one.of].element is not None
+            multiplier.of
+            for row, multiplier in enumerate(structure.multipliers)
+            if multiplier.kind == "contact"
+            and contacts[multiplier.of].element is not None
             and largest(structure.redundant[row]) > SHARED_TORQUE
         )
         if len(sharing) < 2 or sharing in self.sharing:
@@ -340,24 +340,22 @@ class Record:
     def _reached(self) -> list[Reached]:
         roads = roads_of(self.system.scenario).items()
         radii = {link: law.radius for link, law in roads if not law.wheel}
-        made = []
+        reached = []
         for link, speed in self.targets:
             time, angle = self.reached.get((link, speed), (math.nan, math.nan))
             distance = angle * radii.get(link + 1, math.nan)
-            made.append(Reached(self.system.names[link], speed, time, angle, distance))
-        return made
+            reached.append(Reached(self.system.names[link], speed, time, angle, distance))
+        return reached
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
-    """Which instants stand: an instant stands twice only where something jumps."""
-    kept = np.ones(len(times), dtype=bool)
+    """Return a mask without repeated instants at which no column jumps."""
+    distinct = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         before, after = columns[:, number - 1], columns[:, number]
-        kept[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
-    return kept
+        distinct[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
+    return distinct
 
 
 def _damages(case: Transmission, torques: Mapping[str, Floats]) -> Mapping[str, Damage]:
-    """Return the damage of devices with a fatigue strength, which another annex calculates."""
-    found: Mapping[str, Damage] = higher("damages")(case, torques) if case.fatigue else {}
-    return found
+    return higher("damages")(case, torques) if case.fatigue else {}

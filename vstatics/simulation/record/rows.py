@@ -1,8 +1,8 @@
-"""What the tables of a run have rows for, by name."""
+"""Names of the rows of a run's tables."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Literal
 
 from vstatics.core.model.transmission import Transmission
@@ -27,23 +27,26 @@ Kind = Literal[
     "device with fatigue",
     "number",
 ]
-"""What has a row; a number has none. Friction is that of shift elements, of links with a resistance
-or a road, of springs with a limit or friction; losses those of devices and of links with drag."""
+"""Kinds of rows; a number has a single row without a name.
+
+Friction acts in shift elements, at links with a resistance or a road, and in springs with a limit
+or friction. Losses occur in components and at links with drag.
+"""
 
 
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
-    """The names of the rows of tables of a kind."""
+    """Return the names of the rows of tables of a kind."""
     return tuple(_ROWS[kind](scenario))
 
 
 def roads_of(scenario: Scenario) -> dict[int, Road]:
-    """Number of each link with a road -> this."""
+    """Return the roads of a scenario by link number."""
     return {link: law for link, law in scenario.torques if isinstance(law, Road)}
 
 
 def friction_areas(case: Transmission) -> dict[str, float]:
-    """Of all surfaces of each shift element that tells them [m^2]."""
-    packs = ((one.name, one.pack) for one in case.shift_elements)
+    """Return the total friction area of each shift element that has a given area [m^2]."""
+    packs = ((element.name, element.pack) for element in case.shift_elements)
     return {name: pack.area * pack.surfaces for name, pack in packs if pack and pack.area}
 
 
@@ -53,12 +56,11 @@ def _links(scenario: Scenario) -> Sequence[str]:
 
 
 def _links_and_springs(scenario: Scenario) -> Iterable[str]:
-    """A name is that of a link first, as in formulas."""
+    """List the names of links and springs; as in formulas, a name denotes a link first."""
     return dict.fromkeys([*_links(scenario), *vocabulary(scenario.case).rows["twist"]])
 
 
 def _named(scenario: Scenario, links: Iterable[int]) -> list[str]:
-    """The names of links by their numbers."""
     return [scenario.case.link_names[link - 1] for link in links]
 
 
@@ -69,21 +71,22 @@ def _elements(scenario: Scenario) -> list[str]:
 def _friction(scenario: Scenario) -> list[str]:
     loaded = {link for link, law in scenario.torques if isinstance(law, Resistance | Road)}
     springs = [
-        one.name
-        for number, one in enumerate(scenario.case.springs, 1)
-        if one.limit is not None or one.friction or number in scenario.limits
+        spring.name
+        for number, spring in enumerate(scenario.case.springs, 1)
+        if spring.limit is not None or spring.friction or number in scenario.limits
     ]
     return [*_elements(scenario), *_named(scenario, sorted(loaded)), *springs]
 
 
 def _devices(scenario: Scenario) -> list[str]:
-    return [*scenario.case.devices, *(one.name for one in scenario.converters)]
+    return [*scenario.case.devices, *(converter.name for converter in scenario.converters)]
 
 
 def _converters(scenario: Scenario) -> list[str]:
-    """Also mechanisms that are converters, which are open in motion."""
-    moved = [one.name for one in scenario.case.mechanisms if one.kind == "converter"]
-    return [*dict.fromkeys([*(one.name for one in scenario.converters), *moved])]
+    """List the names of converters, including converters declared as mechanisms."""
+    names = [converter.name for converter in scenario.converters]
+    names += [part.name for part in scenario.case.mechanisms if part.kind == "converter"]
+    return [*dict.fromkeys(names)]
 
 
 def _losses(scenario: Scenario) -> list[str]:
@@ -92,20 +95,20 @@ def _losses(scenario: Scenario) -> list[str]:
 
 
 def _steps(scenario: Scenario) -> list[str]:
-    sequences = scenario.sequences
-    return [f"{one.name},{number}" for one in sequences for number, _ in enumerate(one.steps, 1)]
+    return [
+        f"{sequence.name},{number}"
+        for sequence in scenario.sequences
+        for number, _ in enumerate(sequence.steps, 1)
+    ]
 
 
 def _targets(scenario: Scenario) -> list[str]:
-    asked = scenario.targets.items()
-    speeds = [(link, speed) for link, speeds in asked for speed in speeds]
-    names = _named(scenario, (link for link, _ in speeds))
-    return [f"{name} {speed:.12g}" for name, (_, speed) in zip(names, speeds, strict=True)]
-
-
-def _of_formulas(word: str) -> Callable[[Scenario], Collection[str]]:
-    """Of what formulas may speak with a word."""
-    return lambda scenario: vocabulary(scenario.case).rows[word]
+    names = scenario.case.link_names
+    return [
+        f"{names[link - 1]} {speed:.12g}"
+        for link, speeds in scenario.targets.items()
+        for speed in speeds
+    ]
 
 
 _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
@@ -119,7 +122,7 @@ _ROWS: Mapping[Kind, Callable[[Scenario], Iterable[str]]] = {
     "friction": _friction,
     "loss": _losses,
     "link or spring": _links_and_springs,
-    "element with a heat_capacity": _of_formulas("temperature"),
+    "element with a heat_capacity": lambda scenario: vocabulary(scenario.case).rows["temperature"],
     "state": lambda scenario: [state.name for state in scenario.states],
     "link with a road": lambda scenario: _named(scenario, roads_of(scenario)),
     "step": _steps,

@@ -1,4 +1,4 @@
-"""The pieces of a run, and its columns at some instants."""
+"""Pieces of a run between events, and their columns at some instants."""
 
 from __future__ import annotations
 
@@ -21,36 +21,36 @@ from vstatics.simulation.system.matrices import MotionSystem, between
 
 
 class Piece:
-    """What is kept of a run while the same things stick and slip."""
+    """Piece of a run while no element changes between sticking and slipping."""
 
     def __init__(self, margins: Margins, time: float, state: Floats) -> None:
         self.margins = margins
         self.times = [time]
-        """Points of integration, multiples of a step. [s]"""
+        """Points of integration and multiples of a step. [s]"""
         self.states = [state]
         self.steps: list[tuple[TimeStep, float]] = []
-        """Each with the time up to which it holds."""
+        """Steps, each with the time up to which it is valid."""
 
     @property
     def motion(self) -> PieceMotion:
-        """What moves, from when till when."""
+        """Motion from the start to the end of the piece."""
         end = self.steps[-1][1] if self.steps else self.times[-1]
         return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
-        """Keep an instant."""
+        """Add an instant."""
         self.times.append(time)
         self.states.append(state)
 
 
 class MotionColumns:
-    """The columns of a motion, one behind the other.
+    """Layout and values of the columns of a motion.
 
     Parameters
     ----------
     system : MotionSystem
     asked : mapping of str to sequence of str
-        Rows of tables that somebody asks for.
+        Rows of additional tables.
     """
 
     def __init__(self, system: MotionSystem, asked: Mapping[str, Sequence[str]]) -> None:
@@ -58,15 +58,17 @@ class MotionColumns:
         elements = system.case.shift_elements
         links = len(system.names)
         self.devices = device_names(system)
-        self.rows = system.rows(between(one.first, one.second, links) for one in elements)
+        self.rows = system.rows(
+            between(element.first, element.second, links) for element in elements
+        )
         sizes = (links, len(elements), len(self.devices), *map(len, asked.values()), len(elements))
         ends = np.cumsum((0, *sizes)).tolist()
         self.kinds = [slice(*pair) for pair in pairwise(ends)]
-        """Speeds, slips, torques, tables that are asked for, heat."""
+        """Columns of speeds, slips, torques, each additional table, and heat."""
         self.speeds, self.slips, self.torques, *_, self.heat = self.kinds
 
     def at(self, piece: Piece, times: Floats, states: Floats) -> Floats:
-        """All at several times of a piece, shape (columns, times)."""
+        """Return all columns at some times of a piece, shape (columns, times)."""
         margins, equations = piece.margins, piece.margins.equations
         speeds = equations.speeds_at(times, states)
         slips = self.rows @ speeds
@@ -78,11 +80,11 @@ class MotionColumns:
         return np.vstack([speeds, slips, torques, *asked, element_heat(equations, states)])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
-        """The columns of the parts of steps; the last part goes to where the steps end."""
+        """Return the columns over the parts of steps; the last part ends where the steps end."""
         (first, _), (last, end) = steps[0], steps[-1]
         size = len(first.nodes)
-        times = np.concatenate([one.times for one, _ in steps]).reshape(-1, size)
-        states = np.hstack([first.first[:, None], *(one.states for one, _ in steps)])
+        times = np.concatenate([step.times for step, _ in steps]).reshape(-1, size)
+        states = np.hstack([first.first[:, None], *(step.states for step, _ in steps)])
         begins = np.append(first.start, times[:-1, -1])
         parts = max(1, int((begins < end).sum()))
         begins, times, states = begins[:parts], times[:parts], states[:, : parts * size + 1]
@@ -96,7 +98,7 @@ class MotionColumns:
 
 
 def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str, Peak]:
-    """The largest torque of each device, the first where several are as large."""
+    """Return the largest torque of each component, with the first time."""
     top = first_largest(np.abs(torques))
     return {
         name: Peak(float(torques[place, device]), float(times[place]))
@@ -105,47 +107,47 @@ def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str
 
 
 def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
-    """Torques of all devices, shape (devices, times) [N*m].
+    """Return the torques of all components, shape (components, times) [N*m].
 
     Parameters
     ----------
     equations : Equations
     ports, held : ndarray, shape (ports, times) and (multipliers, times)
-        Torques of ports, and those that follow from what holds. [N*m]
+        Torques of ports, and of the constraints. [N*m]
     """
     system, layout = equations.system, equations.layout
     count = len(system.case.devices)
-    made = np.zeros((len(device_names(system)), ports.shape[1]))
+    torques = np.zeros((len(device_names(system)), ports.shape[1]))
     row_of = {
-        one.of: row
-        for row, one in enumerate(equations.structure.multipliers)
-        if one.kind == "contact"
+        multiplier.of: row
+        for row, multiplier in enumerate(equations.structure.multipliers)
+        if multiplier.kind == "contact"
     }
     for index, contact in enumerate(system.contacts):
         if contact.device is not None:
             row = row_of.get(index)
-            made[contact.device] += ports[layout.contacts + index] if row is None else held[row]
+            torques[contact.device] += ports[layout.contacts + index] if row is None else held[row]
     structure = equations.structure
     by_planets = system.rows(mesh.planets for mesh in system.meshes)
     by_planets = by_planets @ structure.free @ structure.accelerations
     for index, mesh in enumerate(system.meshes):
-        made[mesh.device] = held[index] + by_planets[index] @ ports
+        torques[mesh.device] = held[index] + by_planets[index] @ ports
     for index, spring in enumerate(system.springs):
-        made[spring.device] += ports[layout.springs + index]
+        torques[spring.device] += ports[layout.springs + index]
     for index, variator in enumerate(system.variators):
-        torque = variator.reference * held[row_of[variator.contact]]
-        made[variator.device] = torque + ports[layout.variators + index]
+        variator_torque = variator.reference * held[row_of[variator.contact]]
+        torques[variator.device] = variator_torque + ports[layout.variators + index]
     pumped = count + len(system.converters)
     end = pumped + len(system.converters)
-    made[count:pumped] = ports[layout.pumps : layout.turbines]
-    made[pumped:end] = 0.0 - ports[layout.turbines : layout.sensors]
-    given = [index for index, one in enumerate(system.contacts) if one.is_given]
-    made[end:] = -held[[row_of[index] for index in given]]
-    return made
+    torques[count:pumped] = ports[layout.pumps : layout.turbines]
+    torques[pumped:end] = 0.0 - ports[layout.turbines : layout.sensors]
+    given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
+    torques[end:] = -held[given]
+    return torques
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:
-    """What has a torque: devices, converters, their turbines, links whose speeds are given."""
-    given = (one.name for one in system.contacts if one.is_given)
-    converters = [one.name for one in system.converters]
+    """Return the components with a torque, with turbines and links at given speeds."""
+    given = (contact.name for contact in system.contacts if contact.is_given)
+    converters = [converter.name for converter in system.converters]
     return (*system.case.devices, *converters, *map(turbine, converters), *given)

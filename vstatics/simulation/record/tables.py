@@ -1,6 +1,6 @@
-"""The course of a simulation as tables: events, energy, peaks, speeds that are reached.
+"""Tables of a simulation: events, energies, largest torques, and the times of target speeds.
 
-Devices without heat, loss or torque are left out, as JSON has them all.
+Components without heat, loss or torque are left out; the JSON document has them all.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
-    """All tables that have something to say."""
+    """Yield the tables of a motion that are not empty, and the table of events."""
     if motion.stopped is not None:
         why = [[motion.stopped.told]]
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
@@ -34,8 +34,8 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
 
 
 def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
-    """How numbers of a kind are shown: what is small beside the largest of some as 0."""
-    least = PRINTED * max((abs(one) for one in numbers if math.isfinite(one)), default=0.0)
+    """Return a writer of numbers that shows numbers negligible against the largest as 0."""
+    least = PRINTED * max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
 
     def shown(value: float | None) -> Cell:
         if value is not None and abs(value) < least:
@@ -46,7 +46,6 @@ def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
 
 
 def _energies(motion: Motion) -> Callable[[float | None], Cell]:
-    """How energies are shown."""
     energy = motion.energy
     parts = (*energy.heat.values(), *energy.losses.values())
     return _of_kind((energy.work, energy.kinetic, energy.elastic, energy.impact, *parts))
@@ -57,10 +56,10 @@ def _events(motion: Motion) -> Grid:
     rows: list[Row] = []
     shown = _energies(motion)
     for event in motion.events:
-        said = word(event.word or event.event)
+        event_cell = word(event.word or event.event)
         if event.step:
-            said = Cell(tr("step {number}", number=event.step))
-        cells: Row = [exact(event.time, digits=9), event.element, said]
+            event_cell = Cell(tr("step {number}", number=event.step))
+        cells: Row = [exact(event.time, digits=9), event.element, event_cell]
         cells.append(shown(event.energy if event.event == "impact" else None))
         rows.append(cells[: 3 + with_energy])
     columns = [Column("time [s]"), text("element"), text("event"), Column("energy [J]")]
@@ -69,7 +68,7 @@ def _events(motion: Motion) -> Grid:
 
 
 def _energy(motion: Motion) -> Grid:
-    """Where the work went; parts of a sum below it."""
+    """Return the table of the energy balance, with the parts of a sum below the sum."""
     energy = motion.energy
     per_area = energy.heat_per_area
     rows: list[Row] = []
@@ -103,9 +102,14 @@ def _energy(motion: Motion) -> Grid:
 
 def _targets(motion: Motion) -> Grid:
     rows = (
-        (one.link, one.speed, exact(one.time, digits=6), one.angle, one.distance)
-        for one in motion.reached
+        (
+            reached.link,
+            reached.speed,
+            exact(reached.time, digits=6),
+            reached.angle,
+            reached.distance,
+        )
+        for reached in motion.reached
     )
-    road = "distance [m]"
-    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", road
-    return grid_of("Speeds reached", headings, rows, key="targets", optional=[road])
+    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", "distance [m]"
+    return grid_of("Speeds reached", headings, rows, key="targets", optional=["distance [m]"])

@@ -1,4 +1,4 @@
-"""What people call the events of a run, by what they happen to."""
+"""Usual words for the events of a run, such as `overruns` of a freewheel."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ Device = Contact | Elastic | RigidMechanism
 
 
 def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
-    """An event of a device, with its word.
+    """Return an event of a component, with the usual word.
 
     Parameters
     ----------
     time : float
         [s]
     energy : float
-        Lost at once. [J]
+        Energy lost at once. [J]
     """
     return Event(time, device.name, kind, energy, _word(device, kind))
 
 
 def slid_back(event: Event) -> Event:
-    """Return the event of a freewheel whose capacity is exceeded: it does not overrun."""
+    """Return the event of a freewheel that slips backwards, beyond its capacity."""
     return event._replace(word="slips") if event.word == "overruns" else event
 
 
 def released(event: Event) -> Event:
-    """The same where nothing is overcome, but the control takes the capacity away."""
+    """Return the event of a shift element whose capacity is controlled to zero."""
     return event._replace(word="opens") if event.word == "slips" else event
 
 

@@ -212,7 +212,7 @@ def _table(panel: MotionPanel, line: MotionLine, motion: Motion) -> str:
     """The table of a run in which a line stands."""
     [name, *_] = line.names
     friction = motion.beside.get("heat", {motion.elements[0]: None} if motion.elements else {})
-    is_loss = panel.kind == "heat" and (bool(line.beside) or name not in friction)
+    is_loss = panel.kind == "heat" and (bool(line.distinction) or name not in friction)
     return "losses" if is_loss and motion.beside else _TABLES.get(panel.kind, panel.kind)
 
 
