@@ -1,4 +1,4 @@
-"""The course of a motion by the published method, as it is kept."""
+"""Record of a motion by the published method."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vstatics.simulation.tolerances import CLOSED_ENERGY
 
 
 class TarasikRecord:
-    """Instants, one after the other."""
+    """Instants of a motion in order."""
 
     def __init__(self, system: MotionSystem, speeds: Floats) -> None:
         self.system, self.first = system, speeds
         self.elements = [
-            (index, one.element)
-            for index, one in enumerate(system.contacts)
-            if one.element is not None
+            (index, contact.element)
+            for index, contact in enumerate(system.contacts)
+            if contact.element is not None
         ]
         count = len(system.case.shift_elements)
         self.column = dict(self.elements)
@@ -32,13 +32,13 @@ class TarasikRecord:
         self.heats: list[Floats] = []
         self.work = 0.0
         self.heat = np.zeros(count)
-        """Of elements, up to the last piece."""
+        """Heat of shift elements, up to the end of the last piece. [J]"""
         self.events: list[Event] = []
 
     def add(
         self, time: float, speeds: Floats, torque: float, clutch: int | None, state: Floats
     ) -> None:
-        """Keep an instant; nothing twice unless it jumps."""
+        """Add an instant; a repeated time is kept only if a torque jumps."""
         torques = np.full(len(self.heat), np.nan)
         for index, column in self.elements:
             capacity = self._open(index, time)
@@ -62,15 +62,15 @@ class TarasikRecord:
         return capacity_at(self.system.contacts[index], time) == 0
 
     def heat_of(self, clutch: int | None, heat: float) -> None:
-        """Of a piece that ends, of its clutch."""
+        """Add the heat of the clutch of a finished piece."""
         if clutch is not None:
             self.heat[self.column[clutch]] += heat
 
     def motion(self, problem: Problem | None) -> Motion:
-        """All of it."""
+        """Return the motion."""
         case = self.system.case
-        names = tuple(one.name for one in case.shift_elements)
-        devices = (*names, *(one.name for one in case.mechanisms))
+        names = tuple(element.name for element in case.shift_elements)
+        devices = (*names, *(mechanism.name for mechanism in case.mechanisms))
         speeds = np.array(self.speeds).reshape(len(self.times), case.links)
         rows = np.zeros((len(names), case.links))
         for index, column in self.elements:
@@ -103,13 +103,13 @@ class TarasikRecord:
         )
 
     def _peaks(self, names: tuple[str, ...], torques: Floats) -> list[tuple[str, Peak]]:
-        found = []
+        peaks = []
         for column, name in enumerate(names):
             sizes = np.nan_to_num(np.abs(torques[:, column]))
             if sizes.any():
                 row = int(sizes.argmax())
-                found.append((name, Peak(float(torques[row, column]), self.times[row])))
-        return found
+                peaks.append((name, Peak(float(torques[row, column]), self.times[row])))
+        return peaks
 
 
 def _same(one: Floats, other: Floats) -> bool:
