@@ -76,7 +76,9 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     ends = (scenario.case.input - 1, scenario.case.output - 1)
     if gear is not None:
         ends = (scenario.case.gear_input(gear) - 1, scenario.case.gear_output(gear) - 1)
-    problems += _elsewhere(system, ends)
+    names = {system.names[outside.link] for outside in system.outside if outside.link not in ends}
+    text = "(12) has torques on input and output alone: leave it out, or take the events"
+    problems += [Problem("E616", text, ("torques", name)) for name in sorted(names)]
     if problems:
         raise CaseError(problems)
     speeds = start_speeds(system, gear)
@@ -87,12 +89,6 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     stops = sorted(time for time in times if 0 < time < scenario.duration)
     problem = run.through([0.0, *stops, scenario.duration])
     return run.record.motion(problem)
-
-
-def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
-    names = {system.names[outside.link] for outside in system.outside if outside.link not in ends}
-    text = "(12) has torques on input and output alone: leave it out, or take the events"
-    return [Problem("E616", text, ("torques", name)) for name in sorted(names)]
 
 
 class _BoxEnds:
@@ -158,17 +154,15 @@ class _Run:
         if len(slipping) > 1:
             names = " and ".join(contacts[n].name for n in slipping)
             raise NotTwoError(f"{names} slip at once")
-        if slipping:
-            return self._slipping(slipping[0], math.copysign(1.0, slips[slipping[0]]))
-        return self._holding()
-
-    def _slipping(self, clutch: int, slip_sign: float) -> ClutchPhase:
+        if not slipping:
+            return self._holding()
+        [clutch] = slipping
         try:
             masses = two_masses(self.system, self.ends, self.stuck, clutch)
         except NotTwoError as error:
-            name = self.system.contacts[clutch].name
-            raise NotTwoError(f"{name} slips, and {error}") from None
-        direction = slip_sign * math.copysign(1.0, masses.slip)
+            raise NotTwoError(f"{contacts[clutch].name} slips, and {error}") from None
+        # Signs are multiplied separately, as a product of small numbers can be 0.
+        direction = math.copysign(1.0, slips[clutch]) * math.copysign(1.0, masses.slip)
         return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
@@ -283,6 +277,7 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
 
 
 def _of_contact(contact: Contact) -> Iterator[Problem]:
+    curve = contact.programme.curve
     if contact.switch:
         text = f"a torque on {contact.name} jumps, which (12) does not know: {_INSTEAD}"
         yield Problem("E621", text, ("torques", contact.name))
@@ -301,14 +296,9 @@ def _of_contact(contact: Contact) -> Iterator[Problem]:
     elif contact.programme.look is not None:
         text = f"{contact.name} goes by more than its slip and the time, which (12) does not know"
         yield Problem("E611", f"{text}: {_INSTEAD}", ("controls", contact.name))
-    elif contact.programme.is_dog and _changes(contact):
+    elif contact.programme.is_dog and isinstance(curve, Points) and len({*curve.y}) > 1:
         text = (
             f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "
             "not know: give it a `capacity` there"
         )
         yield Problem("E625", text, ("shifts",))
-
-
-def _changes(contact: Contact) -> bool:
-    curve = contact.programme.curve
-    return isinstance(curve, Points) and len(set(curve.y)) > 1
