@@ -10,7 +10,7 @@ from vstatics.core.errors import printable
 from vstatics.core.extras import missing
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
-from vstatics.core.tables.grid import Cell, Column, Grid, exact
+from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact
 from vstatics.core.tables.html import Markup, tables, tag
 from vstatics.core.tables.numbers import certain
 from vstatics.core.texts import tr
@@ -109,13 +109,11 @@ def marked_events(grid: Grid) -> Grid:
     """Return a table with marks on the times of events; other tables are unchanged."""
     if grid.key != "events":
         return grid
-    return grid._replace(rows=[_of_event(row) for row in grid.cells])
-
-
-def _of_event(row: Sequence[Cell]) -> list[Cell]:
-    time, element, event, *others = row
-    marked_time = with_mark(time, "events", row=f"{element.text} {event.text}".strip())
-    return [marked_time, element, event, *others]
+    rows: list[Row] = []
+    for time, element, event, *others in grid.cells:
+        marked_time = with_mark(time, "events", row=f"{element.text} {event.text}".strip())
+        rows.append([marked_time, element, event, *others])
+    return grid._replace(rows=rows)
 
 
 def in_figures(grid: Grid) -> Grid:
@@ -158,7 +156,6 @@ def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cel
 def _rounded(cell: Cell, scale: float, decimals: int) -> Cell:
     if cell.kind is not float or cell.value is None:
         return cell
+    value = cell.value * scale
     is_zero = "0" in cell.text and not cell.text.strip("-.0")
-    return exact(0.0 if is_zero else cell.value * scale, decimals)._replace(
-        value=cell.value * scale
-    )
+    return exact(0.0 if is_zero else value, decimals)._replace(value=value)

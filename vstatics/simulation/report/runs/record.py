@@ -160,9 +160,9 @@ def _packed(values: Floats) -> str:
 
 
 def _event(event: Event) -> dict[str, Any]:
-    what = event.word or event.event
-    what = tr("step {number}", number=event.step) if event.event == "step" else tr(what)
-    return {"time": event.time, "told": f"{event.element} {what}"}
+    is_step = event.event == "step"
+    text = tr("step {number}", number=event.step) if is_step else tr(event.word or event.event)
+    return {"time": event.time, "told": f"{event.element} {text}"}
 
 
 def _panel(

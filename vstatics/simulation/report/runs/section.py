@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from typing import Any
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup, tag
@@ -82,12 +80,13 @@ def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
         tag("p", tr(_KEYS), class_="note", id="run-keys"),
         class_=f"{SCREEN} run-moves",
         hidden=True,
-        data_record=_data(recorded(results, run.motion)),
+        data_record=json.dumps(
+            recorded(results, run.motion),
+            ensure_ascii=False,
+            allow_nan=False,
+            separators=(",", ":"),
+        ),
     )
-
-
-def _data(record: Mapping[str, Any]) -> str:
-    return json.dumps(record, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
 
 
 def _states(motion: Motion) -> Markup:
