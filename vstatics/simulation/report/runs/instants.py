@@ -46,7 +46,7 @@ def chosen_instants(
     --------
     >>> time = np.linspace(0.0, 1.0, 1001)
     >>> bent = np.column_stack([np.abs(time - 0.25), np.ones(1001)])
-    >>> time[chosen_instants(time, bent, 100).kept].tolist()
+    >>> time[chosen_instants(time, bent, 100).mask].tolist()
     [0.0, 0.25, 1.0]
     """
     is_finite = np.isfinite(columns)
