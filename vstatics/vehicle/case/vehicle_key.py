@@ -1,4 +1,4 @@
-"""The key `vehicle` of a case: its declaration, and its checks."""
+"""Declaration of the key `vehicle` of a case, with checks."""
 
 from __future__ import annotations
 
