@@ -125,11 +125,6 @@ def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
     return ""
 
 
-def vehicle_of(fuel: str = "", **values: Any) -> Vehicle:
-    """Return a vehicle from the keys of a case."""
-    return Vehicle(fuel=fuel, **values)
-
-
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     """Return the vehicle of a case as a mapping of keys."""
     vehicle = Vehicle.of(case)

@@ -21,9 +21,9 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         return
     for name in NUMBERS_OF_VEHICLE:
         value = getattr(vehicle, name)
-        least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
-        is_valid = 0 <= value < math.inf and (value > 0 or name not in ABOVE_NOTHING)
-        if not is_valid:
+        is_positive = name in ABOVE_NOTHING
+        if not 0 <= value < math.inf or (is_positive and value == 0):
+            least = "above 0" if is_positive else "of 0 or more"
             message = f"read {value:g}, expected a number {least}"
             yield Problem("E268", message, ("vehicle", name))
     for name, sign in (("engine", 1), ("overrun", -1)):
@@ -97,16 +97,14 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
     if total >= MASS_AGAIN * mass:
         given = sorted(inertias, key=lambda link: -inertias[link])
         names = spoken([case.link_name(link) for link in given])
-        reduced = "" if {*given} <= {*(case.outputs or (case.output,))} else REDUCED
+        has_others = not {*given} <= {*(case.outputs or (case.output,))}
+        reduced = " by the speed of the output" if has_others else ""
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
             "`vehicle` adds by itself: it counts twice; leave it out of `inertias`"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
-
-
-REDUCED = " by the speed of the output"
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from vstatics.core.errors import Problem, ReadError, quoted
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.records import RecordedColumns, read_record
+from vstatics.core.readers.records import read_record
 from vstatics.core.tables.names import written
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 
@@ -45,7 +45,9 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     both = [(name, way[name]) for name in case.fatigue for way in (plain, headings)]
     present = {name: head for name, head in both if head in record.columns}
     torques = {name: record.columns[head] for name, head in present.items()}
-    problems = list(_lacking(record, headings, present))
+    # Missing columns are errors only if no column is present.
+    id_ = "W880" if present else "E883"
+    problems = [record.lacks(id_, headings[name]) for name in headings if name not in present]
     damage = damages(case, torques)
     if not any(result.cycles for result in damage.values()):
         raise ReadError(problems or [record.problem("E884", _EVEN)])
@@ -57,12 +59,3 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
 
 
 _EVEN = "no torque of a device with `fatigue` changes, expected a record with extremes"
-
-
-def _lacking(
-    record: RecordedColumns, wanted: Mapping[str, str], present: Mapping[str, str]
-) -> Iterator[Problem]:
-    """Yield missing columns: warnings, or errors if no column is present."""
-    for name, heading in wanted.items():
-        if name not in present:
-            yield record.lacks("W880" if present else "E883", heading)

@@ -123,17 +123,13 @@ class CycleSteps(NamedTuple):
     @property
     def wheel_speeds(self) -> Floats:
         """Speeds of the output, without sign [rad/s]."""
-        speeds: Floats = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
-        return speeds
-
-    def _ends(self, kind: str) -> Integers:
-        link_of = self.case.gear_input if kind == "input" else self.case.gear_output
-        links = np.array([link_of(gear) - 1 for gear in self.case.gears])
-        return links[self.gears]
+        return self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
 
     def link_speeds(self, kind: str) -> Floats:
         """Return the speeds of the input or output links [rad/s]."""
-        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
+        link_of = self.case.gear_input if kind == "input" else self.case.gear_output
+        links = np.array([link_of(gear) - 1 for gear in self.case.gears])
+        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, links[self.gears]]
         return speeds
 
     @property
@@ -160,14 +156,6 @@ class CycleSteps(NamedTuple):
         torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
         return torque
 
-    def _at_output(self, case: Transmission, rows: Integers) -> Floats:
-        """Return inertia torques on the output links of a case, which cannot be given [N*m]."""
-        total = np.zeros(len(rows))
-        for number, gear in enumerate(case.gears):
-            torque = self._inertia_torque(rows, case.gear_output(gear))
-            total = np.where(self.gears[rows] == number, torque, total)
-        return total
-
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
         """Return inertia torques on all other links, by path [N*m]."""
         return {
@@ -178,8 +166,13 @@ class CycleSteps(NamedTuple):
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        torque: Floats = loads.taken(loads.results.lossy_output_torque_Nm)
-        return torque + self._at_output(case, rows)
+        """Return the torque that the outputs of a case give to their load [N*m]."""
+        torque = loads.taken(loads.results.lossy_output_torque_Nm)
+        # No torque can be given on an output, so its inertia is added here.
+        for number, gear in enumerate(case.gears):
+            added = self._inertia_torque(rows, case.gear_output(gear))
+            torque = torque + np.where(self.gears[rows] == number, added, 0.0)
+        return torque
 
     @property
     def inertia_energy(self) -> float:
@@ -232,8 +225,7 @@ class CycleSteps(NamedTuple):
         """Return engine torques with all losses, in the direction of the engine [N*m]."""
         loads = self._from_wheels(rows)
         given = self._given(self._turned, rows, loads)
-        engine: Floats = -given * np.sign(self.at(rows).link_speeds("input"))
-        return engine
+        return -given * np.sign(self.at(rows).link_speeds("input"))
 
     def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
         """Add the losses of rows without braking beyond the overrun."""

@@ -92,21 +92,25 @@ class Spectrum(NamedTuple):
         yield grid_of("Duty cycle", ["", quantity], rows, key="duty")
         members = [
             (
-                *(
-                    name,
-                    load.torque.largest,
-                    load.torque.row or math.nan,
-                    load.speed.largest,
-                    load.speed.row,
-                ),
-                *(load.revolutions, load.equivalent_torque),
+                name,
+                load.torque.largest,
+                load.torque.row or math.nan,
+                load.speed.largest,
+                load.speed.row,
+                load.revolutions,
+                load.equivalent_torque,
             )
             for name, load in self.members.items()
             if load.torque.largest
         ]
         headings = (
-            *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
-            *("turns" + " a second" * self.are_shares, f"equivalent, p = {self.exponent:.6g}, N*m"),
+            "member",
+            "torque, N*m",
+            "row of torque",
+            "speed, rpm",
+            "row of speed",
+            "turns a second" if self.are_shares else "turns",
+            f"equivalent, p = {self.exponent:.6g}, N*m",
         )
         yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
         if self.damage:

@@ -114,9 +114,7 @@ class PointLoads(NamedTuple):
     def port_powers(self) -> tuple[Floats, Floats]:
         """Return the power entering and leaving by all ports [W]."""
         results = self.results
-        both = results.input_power_kW, results.output_power_kW
-        entering, leaving = (1e3 * self.taken(powers) for powers in both)
-        return entering, leaving
+        return 1e3 * self.taken(results.input_power_kW), 1e3 * self.taken(results.output_power_kW)
 
     @property
     def speeds(self) -> Floats:

@@ -181,5 +181,4 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
 
 def _slopes(table: UnitTable) -> Floats:
     grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
-    slopes: Floats = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
-    return slopes
+    return np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))

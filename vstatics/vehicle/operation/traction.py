@@ -164,8 +164,7 @@ class Traction:
         results = self.results(np.maximum(speeds, self.first))
         output = self.case.gear_output(self.case.gears[gear]) - 1
         torque = results.lossy_output_torque_Nm[:, gear] * np.sign(results.speeds[:, gear, output])
-        force: Floats = torque * self.vehicle.final_drive / self.vehicle.radius
-        return force
+        return torque * self.vehicle.final_drive / self.vehicle.radius
 
     def top_speed(self, gear: int) -> float:
         """Return the speed at which force equals resistance, or the engine ends; else NaN [m/s]."""
