@@ -9,7 +9,6 @@ from typing import NamedTuple
 from vstatics.core.errors import printable
 from vstatics.core.extras import missing
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact
 from vstatics.core.tables.html import Markup, tables, tag
 from vstatics.core.tables.numbers import certain
@@ -85,24 +84,11 @@ def part(request: PartRequest) -> RunSection | None:
         return section
     course, plan = (request.draw(kind, motion=motion) for kind in ("shift", "plan"))
     moves = NOTHING
-    if request.has_marks and not missing("plot", "a run that moves"):
-        moves = moving_of(request.results, motion, bare_stick(request.draw, motion))
+    if request.has_marks and not missing("plot", "a run that moves") and len(motion.time) > 1:
+        from vstatics.simulation.report.runs.section import moving_run
+
+        moves = moving_run(request.results, motion, bare_stick(request.draw, motion))
     return section._replace(course=course, plan=plan, moves=moves)
-
-
-def moving_of(results: Results, motion: Motion, stick: Drawn) -> Markup:
-    """Return the interactive run, or nothing if the run has a single instant.
-
-    Parameters
-    ----------
-    stick : Drawn
-        Stick diagram that shows the states of the shift elements.
-    """
-    if len(motion.time) < 2:
-        return NOTHING
-    from vstatics.simulation.report.runs.section import moving_run
-
-    return moving_run(results, motion, stick)
 
 
 def marked_events(grid: Grid) -> Grid:

@@ -171,7 +171,7 @@ class CycleSteps(NamedTuple):
         # No torque can be given on an output, so its inertia is added here.
         for number, gear in enumerate(case.gears):
             added = self._inertia_torque(rows, case.gear_output(gear))
-            torque = torque + np.where(self.gears[rows] == number, added, 0.0)
+            torque = np.where(self.gears[rows] == number, torque + added, torque)
         return torque
 
     @property

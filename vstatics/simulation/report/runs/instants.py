@@ -53,7 +53,13 @@ def chosen_instants(
     values = np.where(is_finite, columns, 0.0)
     size = np.ptp(values, axis=0)
     size[size == 0] = np.inf
-    chosen = _needed(times, values, is_finite)
+    chosen = np.zeros(len(times), dtype=bool)
+    chosen[[0, -1]] = True
+    edges = (times[1:] == times[:-1]) | (is_finite[1:] != is_finite[:-1]).any(axis=1)
+    chosen[1:] |= edges
+    chosen[:-1] |= edges
+    chosen[values.argmax(axis=0)] = True
+    chosen[values.argmin(axis=0)] = True
     for required in must:
         chosen[np.flatnonzero(times == times[np.abs(times - required).argmin()])] = True
     parts = values / size
@@ -67,18 +73,6 @@ def chosen_instants(
         for gap in _gaps(np.array([first, place, last]), times, parts):
             heapq.heappush(gaps, gap)
     return ChosenInstants(chosen, -gaps[0][0] if gaps else 0.0)
-
-
-def _needed(times: Floats, values: Floats, is_finite: Booleans) -> Booleans:
-    """Return a mask of ends, jumps, extremes, and edges of undefined values."""
-    needed = np.zeros(len(times), dtype=bool)
-    needed[[0, -1]] = True
-    edges = (times[1:] == times[:-1]) | (is_finite[1:] != is_finite[:-1]).any(axis=1)
-    needed[1:] |= edges
-    needed[:-1] |= edges
-    needed[values.argmax(axis=0)] = True
-    needed[values.argmin(axis=0)] = True
-    return needed
 
 
 _Gap = tuple[float, int, int, int]

@@ -188,7 +188,10 @@ def _lines(
     numbers: Mapping[str, int],
     columns: _RunColumns,
 ) -> Iterator[dict[str, Any]]:
-    looks, table = line.looks(Style(), numbers), _table(panel, line, motion)
+    looks = line.looks(Style(), numbers)
+    friction = motion.beside.get("heat", {motion.elements[0]: None} if motion.elements else {})
+    is_loss = panel.kind == "heat" and (bool(line.distinction) or line.names[0] not in friction)
+    table = "losses" if is_loss and motion.beside else _TABLES.get(panel.kind, panel.kind)
     for name, label, look in zip(line.names, line.labels, looks, strict=True):
         values = line.values
         if panel.kind == "speed":
@@ -205,14 +208,6 @@ def _lines(
             data["capacity"] = columns.add("torques", signed)
             data["capacityHeading"] = _heading("capacities", name, motion)
         yield data
-
-
-def _table(panel: MotionPanel, line: MotionLine, motion: Motion) -> str:
-    """Return the table of a run that contains a line."""
-    [name, *_] = line.names
-    friction = motion.beside.get("heat", {motion.elements[0]: None} if motion.elements else {})
-    is_loss = panel.kind == "heat" and (bool(line.distinction) or name not in friction)
-    return "losses" if is_loss and motion.beside else _TABLES.get(panel.kind, panel.kind)
 
 
 def _heading(table: str, name: str, motion: Motion) -> str:
