@@ -1,7 +1,7 @@
-"""What the transmission does in a vehicle: driving cycles, traction, duty cycles, life.
+"""Transmission in a vehicle: driving cycles, traction, duty cycles, fatigue life.
 
-`case` is what a case says of it: the vehicle, the fatigue strengths of components. `damage` is the
-life of components under varying torque. `operation` is the vehicle on the road and over a duty
-cycle, which `duty` and `duty_file` read. `pictures` draws steps and traction, `cli` has the
-commands `cycle` and `damage`.
+`case` contains the vehicle and fatigue strengths of a case. `damage` calculates the life of
+components under varying torque. `operation` simulates the vehicle on the road and over duty cycles,
+which `duty` and `duty_file` read. `pictures` draws steps and traction, `cli` has the commands
+`cycle` and `damage`.
 """

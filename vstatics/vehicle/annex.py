@@ -1,4 +1,4 @@
-"""What the vehicle, its cycles and life provides to the program."""
+"""Declaration of the annex `vehicle`: commands, names, keys, pictures and schemas."""
 
 from vstatics.core.annexes import Annex, Command, PictureKind, Schema
 
@@ -42,7 +42,7 @@ ANNEX = Annex(
         "damage_grid": "vstatics.vehicle.damage.tables",
         "damages": "vstatics.vehicle.damage.devices",
         "duty_options": "vstatics.vehicle.cli.duty",
-        "expect_fatigue": "vstatics.vehicle.cli.strengths",
+        "expect_damage": "vstatics.vehicle.cli.strengths",
         "torque_life": "vstatics.vehicle.damage.rayleigh",
         "vehicle_section": "vstatics.vehicle.operation.traction",
     },

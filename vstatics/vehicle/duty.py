@@ -1,4 +1,4 @@
-"""Efficiency over a duty cycle: gears with their shares of energy or of time."""
+"""Mean efficiency over a duty cycle: gears with shares of energy or of time."""
 
 from __future__ import annotations
 
@@ -14,42 +14,42 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid, Values, grid_of, word
 
 Kind = Literal["energy", "time"]
-"""What the shares of a duty cycle are shares of."""
+"""Quantity that the shares of a duty cycle refer to."""
 
 
 class Duty(NamedTuple):
-    """A duty cycle."""
+    """Duty cycle: gears with shares of energy or of time."""
 
     kind: Kind
     shares: Mapping[str, float]
-    """Name of a gear -> its share of the input energy, or of the time; of any sum."""
+    """Shares by gear name; they can have any sum."""
 
 
 class Stage(NamedTuple):
-    """A gear in a duty cycle."""
+    """Gear of a duty cycle."""
 
     gear: str
     energy: float
-    """Share of the input energy; all together are 1. [-]"""
+    """Share of the input energy; the shares add up to 1. [-]"""
     efficiency: float
-    """0 where the gear is dragged and nothing leaves it."""
+    """Efficiency; 0 if the gear is back-driven and delivers no power. [-]"""
 
 
 class Cycle(NamedTuple):
-    """A duty cycle of a transmission."""
+    """Results of a duty cycle by gear."""
 
     stages: Sequence[Stage]
     efficiency: float
-    """Energy that leaves by energy that enters. [-]"""
+    """Output energy divided by input energy. [-]"""
 
     @property
     def damage(self) -> Mapping[str, object]:
-        """Damage, which shares by gear do not give."""
+        """Fatigue damage; always empty, as shares by gear have no torques."""
         return {}
 
     @property
     def messages(self) -> Sequence[Message]:
-        """Doubts, of which shares by gear have none."""
+        """Messages; always empty for shares by gear."""
         return ()
 
     def grids(self) -> Iterator[Grid]:
@@ -60,24 +60,24 @@ class Cycle(NamedTuple):
 
 
 def cycle(results: Results, duty: Duty) -> Cycle:
-    """Mean efficiency of one case: ``sum(E ETA)/sum(E)`` with the input energies E of its gears.
+    """Calculate the mean efficiency ``sum(E ETA)/sum(E)``, with the input energy E of each gear.
 
-    Shares of energy are the E themselves; shares of time are multiplied by the input power
-    of the gear, which needs a load.
+    Shares of energy are values of E. Shares of time are multiplied by the input power of the gear,
+    which requires an operating point.
 
     Raises
     ------
     CaseError
-        If a gear with a share is none of the case, has no efficiency, or no input power
-        though the shares are of time.
+        If a gear with a share is not in the case or has no efficiency, or if a share of time
+        refers to a gear without input power.
 
     Examples
     --------
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.98)], [Gear([2]), Gear([1])])
-    >>> made = cycle(solve(case), Duty("energy", {"1": 1, "2": 3}))
-    >>> [stage.energy for stage in made.stages], round(made.efficiency, 4)
+    >>> results = cycle(solve(case), Duty("energy", {"1": 1, "2": 3}))
+    >>> [stage.energy for stage in results.stages], round(results.efficiency, 4)
     ([0.25, 0.75], 0.9964)
     """
     shares = {gear: share for gear, share in duty.shares.items() if share > 0}
@@ -89,7 +89,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)
-    largest = max(shares.values())  # shares of any sum: also of one that overflows
+    largest = max(shares.values())  # the sum of the shares can overflow
     energies = {gear: share / largest * powers[gear] for gear, share in shares.items()}
     total = math.fsum(energies.values())
     stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
@@ -97,7 +97,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
 
 
 def _efficiency(results: Results, gear: str) -> float:
-    """What leaves a gear by what enters it, also where it is dragged, NaN where it has no power."""
+    """Return output by input power of a gear, also if back-driven; NaN without power."""
     number = results.case.gear_number(gear)
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])
@@ -110,7 +110,7 @@ def _efficiency(results: Results, gear: str) -> float:
 def _problems(
     shares: Mapping[str, float], efficiencies: Mapping[str, float], powers: Mapping[str, float]
 ) -> Iterator[Problem]:
-    """Why the mean efficiency does not exist; paths are those of the duty cycle."""
+    """Yield the reasons why a mean efficiency does not exist, with paths in the duty cycle."""
     for gear in shares:
         if gear not in efficiencies:
             yield Problem("E416", "there is no such gear in the case", (gear,))

@@ -1,4 +1,4 @@
-"""A duty cycle as a file: shares for each gear in YAML, or points in CSV."""
+"""Duty cycle files: shares by gear in YAML, or points in CSV."""
 
 from __future__ import annotations
 
@@ -26,23 +26,25 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """A duty cycle, and where its gears stand."""
+    """Duty cycle by gear, with positions in the file."""
 
     duty: Duty
     spots: Spots
 
     def of(self, results: Results) -> Cycle:
-        """The cycle of a case.
+        """Calculate the duty cycle for a case.
 
         Raises
         ------
         ReadError
-            As `cycle` does, with places.
+            If the duty cycle does not fit the case; problems have positions in the file.
         """
         try:
             return cycle(results, self.duty)
         except CaseError as error:
-            problems = [one._replace(path=(self.duty.kind, *one.path)) for one in error.problems]
+            problems = [
+                problem._replace(path=(self.duty.kind, *problem.path)) for problem in error.problems
+            ]
             raise ReadError([self.spots.locate(problem) for problem in problems]) from None
 
 
@@ -56,18 +58,18 @@ _COLUMNS = (
 
 
 class DutyTable(NamedTuple):
-    """A duty cycle by points, and where they stand."""
+    """Duty cycle by points, with positions in the file."""
 
     table: UnitTable
     exponent: float
 
     def of(self, results: Results) -> Spectrum:
-        """What it does to a case.
+        """Calculate the duty cycle for a case.
 
         Raises
         ------
         ReadError
-            With the lines of points that cannot be.
+            If a point cannot be calculated; problems have lines of the file.
         """
         table = self.table
         try:
@@ -75,28 +77,29 @@ class DutyTable(NamedTuple):
             return spectrum(results.case, points, self.exponent)
         except CaseError as error:
             raise ReadError(
-                Problem(one.id, one.message, (), table.place(_row(one))) for one in error.problems
+                Problem(problem.id, problem.message, (), table.place(_row(problem)))
+                for problem in error.problems
             ) from None
 
 
 def _row(problem: Problem) -> int:
-    """The row that a problem is of; the first where it is of all."""
+    """Return the row of a problem, or the first row for a problem of the whole table."""
     first = next(iter(problem.path), 0)
     return first if isinstance(first, int) else 0
 
 
 def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> DutyTable:
-    """Read a duty cycle by points: columns time or share, gear, speed, torque.
+    """Read a duty cycle by points, with columns time or share, gear, speed, torque.
 
     Parameters
     ----------
     exponent : float, optional
-        Of the equivalent torque; else 3. [-]
+        Exponent of the equivalent torque; 3 if omitted. [-]
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is in error, with every problem and its position.
     """
     table = read_unit_table(
         data, file, "a duty cycle: time or share, gear, speed, torque", _COLUMNS, "E121"
@@ -108,18 +111,18 @@ def read_duty_table(data: bytes, file: str, exponent: float | None = None) -> Du
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:
-    """Read a duty cycle.
+    """Read a duty cycle by gear.
 
     Parameters
     ----------
     data : bytes
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is in error, with every problem and its position.
 
     Examples
     --------

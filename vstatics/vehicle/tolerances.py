@@ -1,10 +1,10 @@
-"""Tolerances of a vehicle: when two numbers are equal, and when one is rounding."""
+"""Tolerances of vehicle calculations."""
 
 from __future__ import annotations
 
 SAME_SPEED = 1e-12
-"""Relative excess over the last speed of the engine up to which a speed is that speed."""
+"""Relative excess over the last speed of the engine that counts as rounding noise. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
-"""Difference up to which torques of the engine are equal. [N*m]"""
+"""Largest difference between equal engine torques. [N*m]"""
 NO_DRAG = 1e-9
-"""Sum of torques on a link, as a part of the largest, that is rounding."""
+"""Sum of torques on a link that counts as rounding noise, relative to the largest. [-]"""

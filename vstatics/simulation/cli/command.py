@@ -19,7 +19,7 @@ from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.extras import higher
 from vstatics.core.tables.suffixes import known
 from vstatics.simulation.cli.options import SimulateOptions, options
-from vstatics.simulation.cli.scenario_run import expect_fatigue, run_columns, run_problems
+from vstatics.simulation.cli.scenario_run import expect_damage, run_columns, run_problems
 from vstatics.simulation.cli.watched import watched
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def simulate(asked: SimulateOptions) -> int:
     read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
     if asked.damage:
-        expect_fatigue(read.reading)
+        expect_damage(read.reading)
     step, duration = asked.step, read.scenario.duration
     if step is not None and duration / step > MOST_INSTANTS:
         raise click.BadParameter(

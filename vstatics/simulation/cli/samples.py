@@ -21,7 +21,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.suffixes import format_of, known
 from vstatics.simulation.cli.documents import read_swept_document
 from vstatics.simulation.cli.options import SimulateOptions
-from vstatics.simulation.cli.scenario_run import expect_fatigue
+from vstatics.simulation.cli.scenario_run import expect_damage
 from vstatics.simulation.variants.samples import sample_plan
 from vstatics.simulation.variants.statistics import (
     columns_statistics,
@@ -64,7 +64,7 @@ def run_samples(asked: SimulateOptions) -> int:
     spare(varied, wanted.output)
     out = sampling.out
     if asked.damage:
-        expect_fatigue(varied.own.reading)
+        expect_damage(varied.own.reading)
         out = out and f"{out},damage"  # the default columns contain the damage
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
     try:

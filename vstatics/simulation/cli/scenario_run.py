@@ -25,7 +25,7 @@ INSTANTS = 400
 """Least number of instants of a run that is drawn."""
 
 
-def expect_fatigue(reading: Reading) -> None:
+def expect_damage(reading: Reading) -> None:
     """Refuse to report damage if no life can be calculated.
 
     Raises
@@ -35,9 +35,9 @@ def expect_fatigue(reading: Reading) -> None:
     ReadError
         If the case has no fatigue strength.
     """
-    if not module_of_method("expect_fatigue"):
+    if not module_of_method("expect_damage"):
         raise click.UsageError(not_installed("--damage", KEYS["fatigue"]))
-    higher("expect_fatigue")(reading)
+    higher("expect_damage")(reading)
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:

@@ -72,11 +72,17 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
                 break
         else:
             groups.append([link])
-    wanted = _wanted(case, motion)
+    # Links of interest by rank: input, output, links of elements with events.
+    happens = {event.element for event in motion.events}
+    wanted = [case.input, case.output]
+    for element in case.shift_elements:
+        if element.name in happens:
+            wanted += element.links
 
     def rank(group: list[int]) -> tuple[float, float]:
         peak = float(np.abs(motion.speeds[:, group[0]]).max())
-        return min(wanted.get(link + 1, len(wanted)) for link in group), -peak
+        ranks = (wanted.index(link + 1) for link in group if link + 1 in wanted)
+        return min(ranks, default=len(wanted)), -peak
 
     groups.sort(key=rank)
     return [
@@ -87,16 +93,6 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
         )
         for group in groups
     ]
-
-
-def _wanted(case: Transmission, motion: Motion) -> dict[int, int]:
-    """Return the rank of links of interest by link number."""
-    happens = {event.element for event in motion.events}
-    links = [case.input, case.output]
-    for element in case.shift_elements:
-        if element.name in happens:
-            links += element.links
-    return {link: rank for rank, link in reversed(list(enumerate(links)))}
 
 
 def _slips(motion: Motion) -> Iterator[MotionLine]:

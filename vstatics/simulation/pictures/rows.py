@@ -166,8 +166,8 @@ def _draw_row(pen: Pen, low: float, row: RunRow, numbers: Mapping[str, int]) -> 
     words = WORD_HEIGHT * bool(row.words)
     bar += (row.high - BAR_ROW_HEIGHT - words) / 2
     top = bar + BAR_HEIGHT
-    _name(pen, bar + BAR_HEIGHT / 2, row.label)
     middle = bar + BAR_HEIGHT / 2
+    _name(pen, middle, row.label)
     pen.line((0, middle), (pen.size[0], middle), color=style.faint, width=LEADER_WIDTH, zorder=0.4)
     if row.states:
         colour = thing_look(numbers[row.name], style)["color"]
@@ -180,8 +180,8 @@ def _draw_row(pen: Pen, low: float, row: RunRow, numbers: Mapping[str, int]) -> 
                 _box(pen, span, (bar, BAR_HEIGHT), title, _bar(colour, style, sticks=sticks))
     leaders = []
     for word in row.words:
-        title = f"{event_text(word.event, style)}, {number(word.event.time)}"
-        title = f"{title} {style.text('s')}"
+        text, time = event_text(word.event, style), number(word.event.time)
+        title = f"{text}, {time} {style.text('s')}"
         leaders.append(((word.at, middle if row.states is None else top), (word.at, top + 1.0)))
         leaders.append(((word.at, top + 1.0), (word.middle, top + 3.0)))
         pen.text(

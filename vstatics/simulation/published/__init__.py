@@ -1,6 +1,6 @@
-"""The published method of Tarasik, for boxes of two degrees of freedom, for comparison.
+"""Tarasik's published simulation of gearboxes with two degrees of freedom, for comparison.
 
-`two_masses` is a box as that method sees it, `phase_equations` has its equations (12) to (15) in
-one phase of a clutch, `record_of_phases` keeps the course. `tarasik` carries it out, and says what
-the method does not know.
+`two_masses` reduces a gearbox to two masses, `phase_equations` has equations (12) to (15) for one
+phase of a clutch, `record_of_phases` records the course. `tarasik` runs the method, and rejects
+scenarios that the method does not cover.
 """

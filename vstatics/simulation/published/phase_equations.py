@@ -1,4 +1,8 @@
-"""Equations (12) to (15) of the published method in one phase of a clutch."""
+"""Equations (12) to (15) of the published method for one phase of a clutch.
+
+The state is w_in, w_out [rad/s], their angles [rad], the work of outside torques [J] and the heat
+of the clutch [J].
+"""
 
 from __future__ import annotations
 
@@ -14,36 +18,36 @@ from vstatics.simulation.system.matrices import MotionSystem
 
 
 class ClutchPhase(NamedTuple):
-    """What the clutch does."""
+    """Phase of a clutch: slipping, locked, or without a clutch."""
 
     masses: TwoMasses
     clutch: int | None
     locked: bool
     direction: float = 0.0
-    """The sign of w_f while it slips."""
+    """Sign of w_f while the clutch slips."""
 
 
 class PublishedEquations:
-    """(12) in one phase; a state is speeds and angles of both ends, work, heat."""
+    """Equations of motion (12) for one phase."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], phase: ClutchPhase, end: float
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Before the laws may jump. [s]"""
+        """Last instant before a possible jump of the laws. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
-        self.laws = [(ends.index(one.link), one.law) for one in system.outside]
+        self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 
     def torques(self, time: float, state: Floats) -> tuple[float, float]:
-        """M_in and M_out."""
-        found, time = [0.0, 0.0], min(time, self.last)
+        """Return M_in and M_out [N*m]."""
+        torques, time = [0.0, 0.0], min(time, self.last)
         for end, law in self.laws:
-            found[end] += _torque(law, time, state[end], state[2 + end])
-        return found[0], -found[1]
+            torques[end] += _torque(law, time, state[end], state[2 + end])
+        return torques[0], -torques[1]
 
     def friction(self, time: float, state: Floats) -> float:
-        """M_f: the capacity of the clutch, reduced to the input."""
+        """Return M_f, the capacity of the clutch reduced to the input [N*m]."""
         if self.contact is None:
             return 0.0
         slip = self.masses.slip * (state[0] - self.masses.ratio * state[1])
@@ -52,43 +56,43 @@ class PublishedEquations:
         )
 
     def accelerations(self, time: float, state: Floats) -> tuple[float, float]:
-        """(12)."""
+        """Return the accelerations of input and output by (12) [rad/s^2]."""
         masses, (m_in, m_out) = self.masses, self.torques(time, state)
         u, eta = masses.ratio, masses.efficiency
         j_in, j_out = masses.input_inertia(state[0], state[1]), masses.output_inertia
         if self.phase.locked:
-            of_in = (m_in - m_out / (u * eta)) / (j_in + j_out / u**2)
-            return of_in, (m_in * u * eta - m_out) / (j_in * u**2 + j_out)
+            dw_in = (m_in - m_out / (u * eta)) / (j_in + j_out / u**2)
+            return dw_in, (m_in * u * eta - m_out) / (j_in * u**2 + j_out)
         friction = self.phase.direction * self.friction(time, state)
         return (m_in - friction) / j_in, (friction * u * eta - m_out) / j_out
 
     def rates(self, time: float, state: Floats) -> list[float]:
-        """The derivative of a state."""
+        """Return the time derivative of a state."""
         m_in, m_out = self.torques(time, state)
-        of_in, of_out = self.accelerations(time, state)
+        dw_in, dw_out = self.accelerations(time, state)
         heat = 0.0
         if self.contact is not None and not self.phase.locked:
             heat = self.friction(time, state) * abs(state[0] - self.masses.ratio * state[1])
         work = m_in * state[0] - m_out * state[1]
-        return [of_in, of_out, state[0], state[1], work, heat]
+        return [dw_in, dw_out, state[0], state[1], work, heat]
 
     def slip(self, _time: float, state: Floats) -> float:
-        """w_f, (13), by the sign that it has."""
+        """Return w_f by (13), positive in the direction of slip [rad/s]."""
         return float(self.phase.direction * (state[0] - self.masses.ratio * state[1]))
 
     def passed(self, time: float, state: Floats) -> float:
-        """The torque that a locked clutch passes, at the input."""
+        """Return the torque transmitted by a locked clutch, reduced to the input [N*m]."""
         _, m_out = self.torques(time, state)
-        _, of_out = self.accelerations(time, state)
-        through = m_out + self.masses.output_inertia * of_out
-        return through / (self.masses.ratio * self.masses.efficiency)
+        _, dw_out = self.accelerations(time, state)
+        m_through = m_out + self.masses.output_inertia * dw_out
+        return m_through / (self.masses.ratio * self.masses.efficiency)
 
     def margin(self, time: float, state: Floats) -> float:
-        """What is left of M_f, (15)."""
+        """Return the margin of M_f above the transmitted torque, (15) [N*m]."""
         return self.friction(time, state) - abs(self.passed(time, state))
 
     def torque(self, time: float, state: Floats) -> float:
-        """Of the clutch itself, given to it by its first link."""
+        """Return the torque that the first link gives to the clutch [N*m]."""
         if self.contact is None:
             return 0.0
         if self.phase.locked:

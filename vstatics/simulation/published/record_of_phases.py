@@ -1,4 +1,4 @@
-"""The course of a motion by the published method, as it is kept."""
+"""Record of a motion by the published method."""
 
 from __future__ import annotations
 
@@ -10,19 +10,20 @@ from vstatics.core.errors import Problem
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak
+from vstatics.simulation.system.curves import capacity_at
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CLOSED_ENERGY
 
 
 class TarasikRecord:
-    """Instants, one after the other."""
+    """Instants of a motion in order."""
 
     def __init__(self, system: MotionSystem, speeds: Floats) -> None:
         self.system, self.first = system, speeds
         self.elements = [
-            (index, one.element)
-            for index, one in enumerate(system.contacts)
-            if one.element is not None
+            (index, contact.element)
+            for index, contact in enumerate(system.contacts)
+            if contact.element is not None
         ]
         count = len(system.case.shift_elements)
         self.column = dict(self.elements)
@@ -32,45 +33,40 @@ class TarasikRecord:
         self.heats: list[Floats] = []
         self.work = 0.0
         self.heat = np.zeros(count)
-        """Of elements, up to the last piece."""
+        """Heat of shift elements, up to the end of the last piece. [J]"""
         self.events: list[Event] = []
 
     def add(
         self, time: float, speeds: Floats, torque: float, clutch: int | None, state: Floats
     ) -> None:
-        """Keep an instant; nothing twice unless it jumps."""
+        """Add an instant; a repeated time is kept only if a torque jumps."""
         torques = np.full(len(self.heat), np.nan)
         for index, column in self.elements:
-            capacity = self._open(index, time)
-            if capacity:
+            if capacity_at(self.system.contacts[index], time) == 0:
                 torques[column] = 0.0
         heat = self.heat.copy()
         if clutch is not None:
             torques[self.column[clutch]] = torque
             heat[self.column[clutch]] += state[5]
         self.work = float(state[4])
-        if self.times and self.times[-1] == time and _same(self.torques[-1], torques):
+        is_repeated = self.times and self.times[-1] == time
+        if is_repeated and np.array_equal(self.torques[-1], torques, equal_nan=True):
             return
         self.times.append(time)
         self.speeds.append(speeds)
         self.torques.append(torques)
         self.heats.append(heat)
 
-    def _open(self, index: int, time: float) -> bool:
-        from vstatics.simulation.system.curves import capacity_at
-
-        return capacity_at(self.system.contacts[index], time) == 0
-
     def heat_of(self, clutch: int | None, heat: float) -> None:
-        """Of a piece that ends, of its clutch."""
+        """Add the heat of the clutch of a finished piece."""
         if clutch is not None:
             self.heat[self.column[clutch]] += heat
 
     def motion(self, problem: Problem | None) -> Motion:
-        """All of it."""
+        """Return the motion."""
         case = self.system.case
-        names = tuple(one.name for one in case.shift_elements)
-        devices = (*names, *(one.name for one in case.mechanisms))
+        names = tuple(element.name for element in case.shift_elements)
+        devices = (*names, *(mechanism.name for mechanism in case.mechanisms))
         speeds = np.array(self.speeds).reshape(len(self.times), case.links)
         rows = np.zeros((len(names), case.links))
         for index, column in self.elements:
@@ -83,6 +79,12 @@ class TarasikRecord:
         heat = dict(zip(names, map(float, self.heat), strict=True))
         balance = self.work - math.fsum(self.heat) - kinetic
         energy = Energy(self.work, heat, {}, {}, kinetic, 0.0, 0.0, balance)
+        peaks = {}
+        for column, name in enumerate(names):
+            sizes = np.nan_to_num(np.abs(torques[:, column]))
+            if sizes.any():
+                row = int(sizes.argmax())
+                peaks[name] = Peak(float(torques[row, column]), self.times[row])
         text = f"the published equations leave {balance:.6g} J of the energy over"
         largest = max(abs(self.work), math.fsum(self.heat), abs(kinetic))
         closes = abs(balance) <= CLOSED_ENERGY * largest
@@ -97,20 +99,7 @@ class TarasikRecord:
             heat=np.array(self.heats).reshape(len(self.times), len(names)),
             events=tuple(self.events),
             energy=energy,
-            peaks=dict(self._peaks(names, torques)),
+            peaks=peaks,
             messages=(Message("N610" if closes else "W610", text),),
             stopped=problem,
         )
-
-    def _peaks(self, names: tuple[str, ...], torques: Floats) -> list[tuple[str, Peak]]:
-        found = []
-        for column, name in enumerate(names):
-            sizes = np.nan_to_num(np.abs(torques[:, column]))
-            if sizes.any():
-                row = int(sizes.argmax())
-                found.append((name, Peak(float(torques[row, column]), self.times[row])))
-        return found
-
-
-def _same(one: Floats, other: Floats) -> bool:
-    return bool(np.array_equal(one, other, equal_nan=True))

@@ -1,14 +1,14 @@
-"""The published equations of a box of two degrees of freedom, and what they do not know.
+"""Tarasik's published simulation of a gearbox with two degrees of freedom.
 
     dw_in/dt  = [M_in - M_f sign(w_f) (1 - L) - M_out L P/(u eta)]/(J_in + J_out L/u^2)
     dw_out/dt = {[M_in L P + M_f sign(w_f) (1 - L)] u eta - M_out}/(J_in L u^2 + J_out)     (12)
     w_f = w_in - u w_out                                                                    (13)
 
-L = 1 where the clutch has locked, P = 1 while it holds: M_f above the torque that it passes. J_in
-is `TwoMasses.input_inertia`. The rate of a lumped inertia and its share on the output are missing
-from (12), so its energy does not close; this is shown. Repaired is what would stop it at once:
-M_f is reduced to the input, (14) takes the magnitude of w_f and (15) that of u, and a clutch that
-does not hold slips.
+L = 1 after the clutch has locked, P = 1 while the clutch holds: M_f exceeds the transmitted torque.
+`TwoMasses.input_inertia` gives J_in. Equation (12) omits the rate of change of a lumped inertia and
+its share at the output, so the energy does not balance; a message reports the deviation. Errors
+that would stop the method at once are corrected: M_f is reduced to the input, (14) uses the
+magnitude of w_f and (15) the magnitude of u, and a clutch that does not hold slips.
 
 Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (12) to (15).
 """
@@ -41,33 +41,33 @@ from vstatics.simulation.system.matrices import Contact, MotionSystem
 from vstatics.simulation.tolerances import PUBLISHED_RTOL, RTOL, STANDING
 
 _FINER = 1e-2
-"""Tolerance of the integration by what is asked for."""
+"""Ratio of the integration tolerance to the requested tolerance."""
 _CHANGES = 1000
-"""Of the clutch between two stops, at most."""
+"""Largest number of changes of the clutch between two stops."""
 
 
 def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL) -> Motion:
-    """The motion of a scenario by the published equations.
+    """Simulate a scenario with the published equations.
 
     Parameters
     ----------
     scenario : Scenario
-        Of a box of two degrees of freedom with one clutch at a time.
+        Scenario of a gearbox with two degrees of freedom and one active clutch at a time.
     step : float, optional
-        Its multiples are among the instants. [s]
+        Spacing of additional instants. [s]
     rtol : float
-        As of `simulate`.
+        Tolerance as in `simulate`. [-]
 
     Returns
     -------
     Motion
-        Torques of what is locked beside the clutch, and of mechanisms, are NaN: the method has
-        none. It is `stopped` where the method has no equations for what comes.
+        Torques of mechanisms, and of locked elements other than the clutch, are NaN, as the
+        method does not give them. The motion is `stopped` where the equations do not apply.
 
     Raises
     ------
     CaseError
-        Of all that the method does not know.
+        If the scenario has parts that the method does not cover.
     """
     gear = start_gear(scenario)
     engaged = tuple(gear.engaged) if gear else scenario.start.engaged
@@ -76,7 +76,9 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     ends = (scenario.case.input - 1, scenario.case.output - 1)
     if gear is not None:
         ends = (scenario.case.gear_input(gear) - 1, scenario.case.gear_output(gear) - 1)
-    problems += _elsewhere(system, ends)
+    names = {system.names[outside.link] for outside in system.outside if outside.link not in ends}
+    text = "(12) has torques on input and output alone: leave it out, or take the events"
+    problems += [Problem("E616", text, ("torques", name)) for name in sorted(names)]
     if problems:
         raise CaseError(problems)
     speeds = start_speeds(system, gear)
@@ -89,14 +91,8 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     return run.record.motion(problem)
 
 
-def _elsewhere(system: MotionSystem, ends: tuple[int, int]) -> list[Problem]:
-    names = {system.names[one.link] for one in system.outside if one.link not in ends}
-    text = "(12) has torques on input and output alone: leave it out, or take the events"
-    return [Problem("E616", text, ("torques", name)) for name in sorted(names)]
-
-
 class _BoxEnds:
-    """A function that ends an integration where it falls through 0."""
+    """Event function that ends an integration at a falling zero."""
 
     terminal = True
     direction = -1.0
@@ -105,12 +101,12 @@ class _BoxEnds:
         self.function = function
 
     def __call__(self, time: float, state: Floats) -> float:
-        """Its value."""
+        """Return the value at a state."""
         return self.function(time, state)
 
 
 class _Run:
-    """A motion, from one change of the clutch to the next."""
+    """Motion integrated from one change of the clutch to the next."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
@@ -118,12 +114,12 @@ class _Run:
         self.system, self.ends, self.rtol = system, ends, rtol * _FINER
         self.record = TarasikRecord(system, speeds)
         self.state = np.array([speeds[ends[0]], speeds[ends[1]], 0.0, 0.0, 0.0, 0.0])
-        """Speeds of input and output, angles of both, work, heat of the clutch."""
+        """Speeds of input and output, their angles, work, heat of the clutch."""
         self.stuck: list[int] = []
         self.speeds = speeds
 
     def through(self, stops: list[float]) -> Problem | None:
-        """Go from stop to stop; why it ends before the last."""
+        """Integrate from stop to stop; return the problem that ends the run early."""
         for begin, end in pairwise(stops):
             time = begin
             try:
@@ -140,9 +136,9 @@ class _Run:
         return None
 
     def _begin(self, middle: float, time: float) -> ClutchPhase:
-        """What sticks and what slips, by the capacities on a piece of time."""
+        """Return the phase at the start of an interval, from the capacities in the middle."""
         contacts = self.system.contacts
-        active = [n for n, one in enumerate(contacts) if capacity_at(one, middle) > 0]
+        active = [n for n, contact in enumerate(contacts) if capacity_at(contact, middle) > 0]
         for n in self.stuck:
             if n not in active:
                 self._tell(time, n, "slips")
@@ -158,21 +154,19 @@ class _Run:
         if len(slipping) > 1:
             names = " and ".join(contacts[n].name for n in slipping)
             raise NotTwoError(f"{names} slip at once")
-        if slipping:
-            return self._slipping(slipping[0], math.copysign(1.0, slips[slipping[0]]))
-        return self._holding()
-
-    def _slipping(self, clutch: int, slip_sign: float) -> ClutchPhase:
+        if not slipping:
+            return self._holding()
+        [clutch] = slipping
         try:
             masses = two_masses(self.system, self.ends, self.stuck, clutch)
         except NotTwoError as error:
-            name = self.system.contacts[clutch].name
-            raise NotTwoError(f"{name} slips, and {error}") from None
-        direction = slip_sign * math.copysign(1.0, masses.slip)
+            raise NotTwoError(f"{contacts[clutch].name} slips, and {error}") from None
+        # Signs are multiplied separately, as a product of small numbers can be 0.
+        direction = math.copysign(1.0, slips[clutch]) * math.copysign(1.0, masses.slip)
         return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
-        """Nothing slips: the last of what sticks is the clutch that joins input and output."""
+        """Return a phase without slip: the last sticking contact joins input and output."""
         reason: NotTwoError | None = None
         for clutch in reversed(self.stuck):
             others = [n for n in self.stuck if n != clutch]
@@ -190,7 +184,7 @@ class _Run:
             raise (reason or NotTwoError("nothing joins input and output")) from None
 
     def _piece(self, phase: ClutchPhase, begin: float, end: float) -> tuple[float, ClutchPhase]:
-        """Integrate up to the next event or the end; how it goes on."""
+        """Integrate to the next event or the end; return the time and the next phase."""
         equations = PublishedEquations(self.system, self.ends, phase, end)
         self.state[5] = 0.0
         if phase.locked and equations.margin(begin, self.state) < 0:
@@ -222,8 +216,8 @@ class _Run:
         return time, self._meets(phase, time, end)
 
     def _meets(self, phase: ClutchPhase, time: float, end: float) -> ClutchPhase:
-        """w_f is 0: the clutch locks, (14), or does not hold, (15)."""
-        assert phase.clutch is not None  # noqa: S101 - for mypy: something was watched
+        """Return the phase after w_f = 0: locked by (14), or reversed if (15) fails."""
+        assert phase.clutch is not None  # noqa: S101 - for mypy: a clutch slipped
         self.state[0] = phase.masses.ratio * self.state[1]
         locked = phase._replace(locked=True)
         if PublishedEquations(self.system, self.ends, locked, end).margin(time, self.state) < 0:
@@ -236,7 +230,7 @@ class _Run:
     def _breaks_away(
         self, phase: ClutchPhase, equations: PublishedEquations, time: float
     ) -> ClutchPhase:
-        """P = 0: it slips the way that its torque drives it, or that it has gone."""
+        """Return the phase after P = 0: slip in the direction of the torque or of the drift."""
         assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
@@ -255,7 +249,7 @@ _INSTEAD = "take the events, the method by default"
 
 
 def refusals(system: MotionSystem) -> Iterator[Problem]:
-    """All that (12) to (15) have no place for, each where it stands in the scenario."""
+    """Yield problems for parts of a scenario that (12) to (15) do not cover."""
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for key in ("states", "sequences", "speeds", "speed_ratios"):
         if getattr(system.scenario, key):
@@ -266,9 +260,9 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
     for converter in system.converters:
         text = f"(12) has no converter: {_INSTEAD}"
         yield Problem("E619", text, ("converters", converter.name))
-    for one in system.outside:
-        if isinstance(one.law, Formula) and one.law.seen:
-            name = system.names[one.link]
+    for outside in system.outside:
+        if isinstance(outside.law, Formula) and outside.law.seen:
+            name = system.names[outside.link]
             text = (
                 f"the torque on {name} goes by more than its own motion, which (12) does not know"
             )
@@ -283,6 +277,7 @@ def refusals(system: MotionSystem) -> Iterator[Problem]:
 
 
 def _of_contact(contact: Contact) -> Iterator[Problem]:
+    curve = contact.programme.curve
     if contact.switch:
         text = f"a torque on {contact.name} jumps, which (12) does not know: {_INSTEAD}"
         yield Problem("E621", text, ("torques", contact.name))
@@ -301,14 +296,9 @@ def _of_contact(contact: Contact) -> Iterator[Problem]:
     elif contact.programme.look is not None:
         text = f"{contact.name} goes by more than its slip and the time, which (12) does not know"
         yield Problem("E611", f"{text}: {_INSTEAD}", ("controls", contact.name))
-    elif contact.programme.is_dog and _changes(contact):
+    elif contact.programme.is_dog and isinstance(curve, Points) and len({*curve.y}) > 1:
         text = (
             f"{contact.name} has no capacity in the case, so it joins at once, which (12) does "
             "not know: give it a `capacity` there"
         )
         yield Problem("E625", text, ("shifts",))
-
-
-def _changes(contact: Contact) -> bool:
-    curve = contact.programme.curve
-    return isinstance(curve, Points) and len(set(curve.y)) > 1

@@ -1,4 +1,4 @@
-"""A box of two degrees of freedom as the published method sees it: a mass at each end.
+"""Reduction of a gearbox with two degrees of freedom to a mass at each end.
 
 Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (1) to (11).
 """
@@ -20,27 +20,27 @@ from vstatics.simulation.tolerances import NO_COEFFICIENT
 
 
 class TwoMasses(NamedTuple):
-    """Input and output of a box, joined by a clutch that slips or has locked."""
+    """Input and output of a gearbox, joined by a clutch that slips or has locked."""
 
     speeds: Floats
-    """Of links, by those of input and output; shape (links, 2)."""
+    """Speeds of links per unit speed of input and output; shape (links, 2)."""
     slip: float
-    """Slip of the clutch by w_f = w_in - u w_out, (13); 0 without a clutch."""
+    """Slip of the clutch per unit of w_f = w_in - u w_out, (13); 0 without a clutch."""
     ratio: float
-    """u, where the clutch has locked."""
+    """Ratio u with the clutch locked."""
     efficiency: float
-    """eta, of that gear."""
+    """Efficiency eta with the clutch locked."""
     turning: Floats
-    """Speeds of the bodies that stand on the input, by those of both; shape (bodies, 2)."""
+    """Speeds of the bodies of the input per unit speed of both ends; shape (bodies, 2)."""
     inertias: Floats
-    """Of these. [kg*m^2]"""
+    """Inertias of the bodies of the input. [kg*m^2]"""
     output_inertia: float
-    """J_out. [kg*m^2]"""
+    """Inertia J_out. [kg*m^2]"""
 
     def input_inertia(self, speed_in: float, speed_out: float) -> float:
-        """J_in by the speeds, as (3), (5) and (11): the energy of its bodies as of the input.
+        """Return J_in by (3), (5) and (11): the kinetic energy referred to the input speed.
 
-        [kg*m^2]; infinite where the input stands and they do not.
+        [kg*m^2]; infinite if the input is at rest.
         """
         speeds = self.turning @ np.array([speed_in, speed_out])
         energy = float(self.inertias @ speeds**2)
@@ -50,13 +50,13 @@ class TwoMasses(NamedTuple):
 
 
 class NotTwoError(ValueError):
-    """Why a box can't be seen so."""
+    """Error for a gearbox that cannot be reduced to two masses."""
 
 
 def two_masses(
     system: MotionSystem, ends: tuple[int, int], held: Sequence[int], clutch: int | None
 ) -> TwoMasses:
-    """The two masses while some contacts stick and a clutch, another contact, joins them.
+    """Return the two masses while some contacts stick and a clutch joins the ends.
 
     Parameters
     ----------
@@ -64,14 +64,14 @@ def two_masses(
     ends : (int, int)
         Indices of the input and the output link.
     held : sequence of int
-        Indices of the contacts that stick, the clutch not among them.
+        Indices of the contacts that stick, except the clutch.
     clutch : int, optional
-        Index of the contact; none while nothing joins input and output.
+        Index of the clutch; None if input and output are not joined.
 
     Raises
     ------
     NotTwoError
-        Saying why the box has no such form.
+        If the gearbox has no form of two masses.
     """
     rows = [mesh.row for mesh in system.meshes] + [system.contacts[n].row for n in held]
     free = null(system.rows(rows))
@@ -88,10 +88,10 @@ def two_masses(
     slip, ratio, efficiency = 0.0, 1.0, 1.0
     if clutch is not None:
         contact = system.contacts[clutch]
-        of_in, of_out = map(float, contact.row @ speeds)
-        if abs(of_in) < NO_COEFFICIENT or abs(of_out) < NO_COEFFICIENT:
+        slip_in, slip_out = map(float, contact.row @ speeds)
+        if abs(slip_in) < NO_COEFFICIENT or abs(slip_out) < NO_COEFFICIENT:
             raise NotTwoError(f"{contact.name} does not join input and output")
-        slip, ratio = of_in, -of_out / of_in
+        slip, ratio = slip_in, -slip_out / slip_in
         efficiency = _efficiency(system, ends, (*held, clutch))
     bodies: Floats = system.heavy @ speeds
     on_output = np.abs(bodies[:, 0]) < NO_COEFFICIENT * np.abs(bodies).max(axis=1)
@@ -103,7 +103,7 @@ def two_masses(
 
 
 def _efficiency(system: MotionSystem, ends: tuple[int, int], engaged: Sequence[int]) -> float:
-    """Of the gear in which these contacts are engaged, by statics."""
+    """Return the efficiency of the gear in which some contacts are engaged."""
     if all(mesh.lossless for mesh in system.meshes):
         return 1.0
     from vstatics.core.statics.solve import solve

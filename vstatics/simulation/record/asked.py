@@ -61,17 +61,12 @@ def _powers(at: Moments, rows: Sequence[str]) -> Floats:
     """Return the powers of links and springs [W]."""
     system = at.system
     of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
-    springs = {spring.name: spring for spring in system.springs}
-
-    def power(name: str) -> Floats:
-        if name in system.names:
-            value: Floats = of_links[system.names.index(name)]
-        else:
-            spring = springs[name]
-            value = at.torques[spring.device] * (spring.row @ at.speeds)
-        return value
-
-    return np.array([power(name) for name in rows])
+    powers = {
+        spring.name: at.torques[spring.device] * (spring.row @ at.speeds)
+        for spring in system.springs
+    }
+    powers |= zip(system.names, of_links, strict=True)
+    return np.array([powers[name] for name in rows])
 
 
 def _of_links(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
@@ -80,14 +75,14 @@ def _of_links(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[s
 
 def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequence[str]) -> Floats:
     roads = roads_of(at.system.scenario)
-    driven_roads = [roads[at.system.names.index(name) + 1] for name in rows]
-    values_of_vehicles = np.array([road.radius for road in driven_roads])[:, None] * _of_links(
-        values, at, rows
-    )
-    for row, road in enumerate(driven_roads):
+    columns = []
+    for name, column in zip(rows, _of_links(values, at, rows), strict=True):
+        road = roads[at.system.names.index(name) + 1]
         if road.wheel:
-            values_of_vehicles[row] = _on_loaded_wheel(road.wheel, values, at, rows[row])
-    return values_of_vehicles
+            columns.append(_on_loaded_wheel(road.wheel, values, at, name))
+        else:
+            columns.append(road.radius * column)
+    return np.array(columns)
 
 
 def _on_loaded_wheel(

@@ -30,12 +30,12 @@ def columns(motion: Motion) -> dict[str, Floats]:
         ("slips", motion.elements, motion.slips),
         ("torques", motion.devices, motion.torques),
     ):
-        for index in range(len(names)):
-            named[f"{table}[{written(index, names)}]"] = values[:, index]
+        for index, column in enumerate(values.T):
+            named[f"{table}[{written(index, names)}]"] = column
     for table, rows in motion.asked.items():
         names = tuple(rows)
-        for n, name in enumerate(names):
-            named[f"{table}[{written(n, names)}]" if name else table] = rows[name]
+        for index, (name, column) in enumerate(rows.items()):
+            named[f"{table}[{written(index, names)}]" if name else table] = column
     if motion.stopped is not None:
         named["stopped"] = np.zeros(len(motion.time))
         named["stopped"][-1] = 1.0

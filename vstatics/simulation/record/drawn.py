@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Booleans, Floats, first_largest
+from vstatics.core.numerics.arrays import Floats, first_largest
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.record.beside import Tables, beside, chosen, joined
 from vstatics.simulation.record.curves import (
@@ -108,25 +108,21 @@ class DrawnRun:
 
     def _thin(self, most: int) -> None:
         """Remove instants evenly, down to a number, and keep all needed instants."""
-        remaining = self._needed()
+        # Needed are ends, extremes, both sides of jumps, and multiples of the step.
+        times, columns = self.times, self.columns.T
+        remaining = np.zeros(len(times), dtype=bool)
+        remaining[[0, -1]] = True
+        twice = np.flatnonzero(times[1:] == times[:-1])
+        remaining[twice] = remaining[twice + 1] = True
+        if self.every:
+            remaining |= times == np.rint(times / self.every) * self.every
+        remaining[first_largest(columns - np.fmin.reduce(columns))] = True
+        remaining[first_largest(np.fmax.reduce(columns) - columns)] = True
         others = np.flatnonzero(~remaining)
         room = max(1, most - int(remaining.sum()))
         remaining[others[:: -(-len(others) // room) or 1]] = True
         self.times, self.columns = self.times[remaining], self.columns[:, remaining]
         self.picture_tables = chosen(self.picture_tables, remaining)
-
-    def _needed(self) -> Booleans:
-        """Return a mask of ends, extremes, jumps, starts and multiples of the step."""
-        times, columns = self.times, self.columns.T
-        needed = np.zeros(len(times), dtype=bool)
-        needed[[0, -1]] = True
-        twice = np.flatnonzero(times[1:] == times[:-1])
-        needed[twice] = needed[twice + 1] = True
-        if self.every:
-            needed |= times == np.rint(times / self.every) * self.every
-        needed[first_largest(columns - np.fmin.reduce(columns))] = True
-        needed[first_largest(np.fmax.reduce(columns) - columns)] = True
-        return needed
 
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool

@@ -11,7 +11,6 @@ import numpy as np
 
 from vstatics.core.errors import Problem, listed, not_allowed
 from vstatics.core.extras import higher
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.impacts import kinetic_energy
@@ -276,6 +275,10 @@ class Record:
             for (name, rows), part in zip(table.asked.items(), parts, strict=True)
         }
         messages = [*self.messages, *empty_columns(asked)]
+        damages: Mapping[str, Damage] = {}
+        if system.case.fatigue:  # another annex calculates the damage
+            by_device = dict(zip(table.devices, torques.T, strict=True))
+            damages = higher("damages")(system.case, by_device)
         return Motion(
             times,
             system.names,
@@ -298,7 +301,7 @@ class Record:
             tuple(not_allowed(dict.fromkeys(messages), self.system.case.untold)),
             stopped,
             asked,
-            _damages(system.case, dict(zip(table.devices, torques.T, strict=True))),
+            damages,
             chosen(self.drawn.picture_tables, distinct),
         )
 
@@ -355,7 +358,3 @@ def _different(times: Floats, columns: Floats) -> Booleans:
         before, after = columns[:, number - 1], columns[:, number]
         distinct[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
     return distinct
-
-
-def _damages(case: Transmission, torques: Mapping[str, Floats]) -> Mapping[str, Damage]:
-    return higher("damages")(case, torques) if case.fatigue else {}

@@ -116,8 +116,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
         Torques of ports, and of the constraints. [N*m]
     """
     system, layout = equations.system, equations.layout
-    count = len(system.case.devices)
-    torques = np.zeros((len(device_names(system)), ports.shape[1]))
+    torques = np.zeros((len(system.case.devices), ports.shape[1]))
     row_of = {
         multiplier.of: row
         for row, multiplier in enumerate(equations.structure.multipliers)
@@ -137,13 +136,10 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     for index, variator in enumerate(system.variators):
         variator_torque = variator.reference * held[row_of[variator.contact]]
         torques[variator.device] = variator_torque + ports[layout.variators + index]
-    pumped = count + len(system.converters)
-    end = pumped + len(system.converters)
-    torques[count:pumped] = ports[layout.pumps : layout.turbines]
-    torques[pumped:end] = 0.0 - ports[layout.turbines : layout.sensors]
+    pumps = ports[layout.pumps : layout.turbines]
+    turbines = 0.0 - ports[layout.turbines : layout.sensors]
     given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
-    torques[end:] = -held[given]
-    return torques
+    return np.vstack([torques, pumps, turbines, -held[given]])
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:

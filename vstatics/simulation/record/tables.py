@@ -6,7 +6,7 @@ Components without heat, loss or torque are left out; the JSON document has them
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 
 from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact, grid_of, text, word
 from vstatics.core.texts import tr
@@ -30,7 +30,19 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
     if rows:
         yield grid_of("Largest torques", ["device", "torque [N*m]", "time [s]"], rows, key="peaks")
     if motion.reached:
-        yield _targets(motion)
+        targets = (
+            (
+                reached.link,
+                reached.speed,
+                exact(reached.time, digits=6),
+                reached.angle,
+                reached.distance,
+            )
+            for reached in motion.reached
+        )
+        headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", "distance [m]"
+        optional = ["distance [m]"]
+        yield grid_of("Speeds reached", headings, targets, key="targets", optional=optional)
 
 
 def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
@@ -82,15 +94,12 @@ def _energy(motion: Motion) -> Grid:
         rows.append(cells)
         levels.append(level)
 
-    def add_parts(name: str, parts: Mapping[str, float]) -> None:
+    add("work", energy.work)
+    for name, parts in (("heat", energy.heat), ("losses", energy.losses)):
         add(name, sum(parts.values()))
         for part, value in parts.items():
             if value:
                 add(part, value, 2)
-
-    add("work", energy.work)
-    add_parts("heat", energy.heat)
-    add_parts("losses", energy.losses)
     for name in ("kinetic", "elastic", "impact"):
         add(name, getattr(energy, name))
     add("balance", energy.balance)
@@ -98,18 +107,3 @@ def _energy(motion: Motion) -> Grid:
         rows[-1][1] = exact(0.0)._replace(value=energy.balance)
     columns = [text(""), Column("energy [J]")] + [Column("per area [J/m^2]")] * bool(per_area)
     return Grid("Energy", columns, rows, levels, key="energy")
-
-
-def _targets(motion: Motion) -> Grid:
-    rows = (
-        (
-            reached.link,
-            reached.speed,
-            exact(reached.time, digits=6),
-            reached.angle,
-            reached.distance,
-        )
-        for reached in motion.reached
-    )
-    headings = "link", "speed [rad/s]", "time [s]", "angle [rad]", "distance [m]"
-    return grid_of("Speeds reached", headings, rows, key="targets", optional=["distance [m]"])

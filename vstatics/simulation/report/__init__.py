@@ -1,5 +1,5 @@
-"""Sections of a page on a run of a scenario.
+"""Sections of a page about a run of a scenario.
 
-`motion` shows events, energies and pictures of a run. `runs` has the run that moves in a served
-page: panels, levers and the stick diagram at a time.
+`motion` shows events, energies and pictures of a run, `pair` two runs side by side. `runs` contains
+the interactive run of a served page: panels, levers and the stick diagram at a selected time.
 """

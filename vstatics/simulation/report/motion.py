@@ -1,4 +1,4 @@
-"""The run of a scenario, for its page: pictures, events, energy, largest torques."""
+"""Section of a run on a page: pictures, events, energy, largest torques."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from typing import NamedTuple
 from vstatics.core.errors import printable
 from vstatics.core.extras import missing
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.statics.results import Results
-from vstatics.core.tables.grid import Cell, Column, Grid, exact
+from vstatics.core.tables.grid import Cell, Column, Grid, Row, exact
 from vstatics.core.tables.html import Markup, tables, tag
 from vstatics.core.tables.numbers import certain
 from vstatics.core.texts import tr
@@ -20,35 +19,35 @@ from vstatics.pictures.paged.parts import PartRequest, figures, on_screen
 from vstatics.simulation.record.motion import Motion
 
 TIME, FIGURES = 4, 5
-"""Digits of a time in s after the point; significant ones of the largest in a column."""
+"""Decimals of a time in s, and significant digits of the largest number of a column."""
 KILO = 1e4
-"""Energies with one as large are told in kJ. [J]"""
+"""Largest energy of a column from which energies are shown in kJ. [J]"""
 NOTHING = Markup()
 
 
 class RunSection(NamedTuple):
-    """What the page shows of a run."""
+    """Content of the section of a run."""
 
     motion: Motion
     course: Drawn | None = None
-    """Over time; nothing where there are no pictures."""
+    """Picture over time; None without pictures."""
     plan: Drawn | None = None
-    """In the kinematic plan."""
+    """Picture in the speed plan."""
     moves: Markup = NOTHING
-    """What a script moves; it takes the place of `course` on a screen."""
+    """Interactive run, which replaces `course` on a screen."""
     in_full: bool = False
-    """Whether its plan is printed, too."""
+    """Print the plan, too."""
     has_marks: bool = False
-    """Whether times of events say what they are, for a script."""
+    """Mark times of events for a script."""
     without: str = ""
 
     @property
     def drawn(self) -> tuple[str, ...]:
-        """The plan, if it is drawn with the run in it."""
+        """Kinds of pictures drawn with the run."""
         return ("plan",) if self.plan and self.plan.sheets else ()
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """All of it; why the run stopped, if it did, comes first."""
+        """Yield the section; the reason of an early stop is first."""
         from vstatics.simulation.record.tables import motion_grids
 
         motion = self.motion
@@ -56,7 +55,9 @@ class RunSection(NamedTuple):
             why = printable(motion.stopped.told)
             yield tag("p", tr("The run stopped: {why}", why=why), class_="error")
         if motion.messages:
-            yield tag("ul", *(tag("li", str(one)) for one in motion.messages), class_="messages")
+            yield tag(
+                "ul", *(tag("li", str(message)) for message in motion.messages), class_="messages"
+            )
         yield self.moves
         if self.course:
             course = figures(self.course, tr("Run over time"))
@@ -69,12 +70,12 @@ class RunSection(NamedTuple):
 
 
 def has_part(case: Transmission, *, runs: bool) -> bool:  # noqa: ARG001
-    """Whether a page has a run."""
+    """Return whether a page has a section about a run."""
     return runs
 
 
 def part(request: PartRequest) -> RunSection | None:
-    """Return a run with its pictures; nothing if there is none."""
+    """Return the section of a run with pictures, or None without a run."""
     motion = request.motion
     if not isinstance(motion, Motion):
         return None
@@ -83,81 +84,64 @@ def part(request: PartRequest) -> RunSection | None:
         return section
     course, plan = (request.draw(kind, motion=motion) for kind in ("shift", "plan"))
     moves = NOTHING
-    if request.has_marks and not missing("plot", "a run that moves"):
-        moves = moving_of(request.results, motion, bare_stick(request.draw, motion))
+    if request.has_marks and not missing("plot", "a run that moves") and len(motion.time) > 1:
+        from vstatics.simulation.report.runs.section import moving_run
+
+        moves = moving_run(request.results, motion, bare_stick(request.draw, motion))
     return section._replace(course=course, plan=plan, moves=moves)
 
 
-def moving_of(results: Results, motion: Motion, stick: Drawn) -> Markup:
-    """What moves of a run; nothing where nothing moves.
-
-    Parameters
-    ----------
-    stick : Drawn
-        The diagram whose shift elements show what they do.
-    """
-    if len(motion.time) < 2:
-        return NOTHING
-    from vstatics.simulation.report.runs.section import moving_run
-
-    return moving_run(results, motion, stick)
-
-
 def marked_events(grid: Grid) -> Grid:
-    """Return a table of events with marks on their times; other tables as they are."""
+    """Return a table with marks on the times of events; other tables are unchanged."""
     if grid.key != "events":
         return grid
-    return grid._replace(rows=[_of_event(row) for row in grid.cells])
-
-
-def _of_event(row: Sequence[Cell]) -> list[Cell]:
-    """The time of what happens, by what it happens to."""
-    time, element, event, *others = row
-    named = with_mark(time, "events", row=f"{element.text} {event.text}".strip())
-    return [named, element, event, *others]
+    rows: list[Row] = []
+    for time, element, event, *others in grid.cells:
+        marked_time = with_mark(time, "events", row=f"{element.text} {event.text}".strip())
+        rows.append([marked_time, element, event, *others])
+    return grid._replace(rows=rows)
 
 
 def in_figures(grid: Grid) -> Grid:
-    """A table of a run with the digits that a reader needs, large energies in kJ.
+    """Return a table of a run rounded for readers, with large energies in kJ.
 
     Examples
     --------
     >>> from vstatics.core.tables.grid import text
     >>> columns = [Column("time [s]"), text("element"), Column("energy [J]")]
     >>> rows = [[exact(0.805359703), "B", exact(474894.33)], [exact(2), "C", exact(-30.7)]]
-    >>> made = in_figures(Grid("t", columns, rows))
-    >>> made.columns[2].heading, made.texts
+    >>> rounded = in_figures(Grid("t", columns, rows))
+    >>> rounded.columns[2].heading, rounded.texts
     ('energy [kJ]', [['.8054', 'B', '474.894'], ['2.0000', 'C', '-.03070']])
     """
     if not grid.rows:
         return grid
-    made = [
+    rounded = [
         _column(*pair) for pair in zip(grid.columns, zip(*grid.cells, strict=True), strict=True)
     ]
     if not grid.columns[0].heading:
-        made[0] = (grid.columns[0]._replace(heading="part"), made[0][1])
-    rows = [list(row) for row in zip(*(cells for _, cells in made), strict=True)]
-    return grid._replace(columns=[column for column, _ in made], rows=rows)
+        rounded[0] = (grid.columns[0]._replace(heading="part"), rounded[0][1])
+    rows = [list(row) for row in zip(*(cells for _, cells in rounded), strict=True)]
+    return grid._replace(columns=[column for column, _ in rounded], rows=rows)
 
 
 def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cell]]:
-    """A column with its cells; what is shown as 0 stays so."""
-    numbers = [one.value for one in cells if one.kind is float and one.value is not None]
-    largest = max((abs(one) for one in numbers if math.isfinite(one)), default=0.0)
+    """Round the cells of a column; a number shown as 0 remains 0."""
+    numbers = [cell.value for cell in cells if cell.kind is float and cell.value is not None]
+    largest = max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
     if not numbers:
         return column, cells
     if "[J" in column.heading and largest >= KILO:
         heading = column.heading.replace("[J", "[kJ")
-        return column._replace(heading=heading), [_rounded(one, 1e-3, 3) for one in cells]
+        return column._replace(heading=heading), [_rounded(cell, 1e-3, 3) for cell in cells]
     places = FIGURES - 1 - math.floor(math.log10(certain(largest))) if largest else 3
     decimals = TIME if "[s]" in column.heading else min(max(places, 1), TIME)
-    return column, [_rounded(one, 1.0, decimals) for one in cells]
+    return column, [_rounded(cell, 1.0, decimals) for cell in cells]
 
 
 def _rounded(cell: Cell, scale: float, decimals: int) -> Cell:
     if cell.kind is not float or cell.value is None:
         return cell
+    value = cell.value * scale
     is_zero = "0" in cell.text and not cell.text.strip("-.0")
-    return exact(0.0 if is_zero else cell.value * scale, decimals)._replace(
-        value=cell.value * scale
-    )
+    return exact(0.0 if is_zero else value, decimals)._replace(value=value)

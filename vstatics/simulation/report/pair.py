@@ -1,4 +1,4 @@
-"""The runs of two scenarios: over time side by side, then rows of one below those of the other."""
+"""Runs of two scenarios side by side over time, with their tables row by row."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.report.motion import in_figures, marked_events
 
 LabelledRun = tuple[str, Results, Motion | None]
-"""A letter, and a case with its run, if it has one."""
+"""Letter, results of a case, and the run of the case, if any."""
 
 
 def paired_runs(
     both: Sequence[LabelledRun],
 ) -> tuple[list[Markup], Iterator[list[Grid | None]]]:
-    """Return two runs over time, side by side, and each of their tables of both."""
+    """Return two runs side by side over time, and the tables of both."""
     return [*_shown(both)], run_grids([motion for _, _, motion in both])
 
 
@@ -36,59 +36,62 @@ def _shown(both: Sequence[LabelledRun]) -> Iterator[Markup]:
     ends = [f"{motion.time[-1]:.6g}" for _, _, motion in both if motion]
     if len({*ends}) > 1:
         first, second = ends
-        said = tr(
+        remark = tr(
             "The runs last {one} s and {other} s: their axes of time differ.",
             one=first,
             other=second,
         )
-        yield tag("p", said, class_="note")
-    yield tag("div", *(_course(one, both) for one in both if one[-1]), class_="two")
+        yield tag("p", remark, class_="note")
+    yield tag("div", *(_course(run, both) for run in both if run[-1]), class_="two")
 
 
-def _course(own: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
-    """The picture of a run over time, with the scales of both."""
-    label, results, motion = own
+def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
+    """Return the picture of a run over time, with scales for both runs."""
+    label, results, motion = labelled
     name = f"{label}: {tr('Run over time')}"
     others = [(case, run) for _, case, run in both if run and run is not motion]
     try:
-        made = pages(results, "shift", "svg", in_spoken(HALF), motion=motion, others=others)
+        sheets = pages(results, "shift", "svg", in_spoken(HALF), motion=motion, others=others)
     except CaseError as error:
         return tag("div", *figures(Drawn("shift", [], " ".join(str(error).split())), name))
-    sheets = [inline(svg, f"{label}-run-{n}", name) for n, svg in enumerate(made)]
-    return tag("div", *figures(Drawn("shift", sheets), name), data_case=label)
+    drawn = [inline(svg, f"{label}-run-{n}", name) for n, svg in enumerate(sheets)]
+    return tag("div", *figures(Drawn("shift", drawn), name), data_case=label)
 
 
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
-    """Each table that one of the runs has, of all of them.
+    """Yield each table that any run has, for all runs.
 
-    Events go by what happens, the first of a kind, the second and so on, whenever it is.
-    Numbers of a table are in one unit. Energies of which no digit is certain are 0.
+    Events are paired by kind and order, whatever their times. A table has common units. Energies
+    without a certain digit are 0.
     """
-    found = [
-        {grid.key: grid for grid in motion_grids(one) if grid.key != "stopped"} if one else {}
-        for one in motions
+    tables = [
+        {grid.key: grid for grid in motion_grids(motion) if grid.key != "stopped"} if motion else {}
+        for motion in motions
     ]
-    for key in {key: None for one in found for key in one}:
-        own = [one.get(key) for one in found]
-        shown = [in_figures(grid) if grid else None for grid in own]
+    for key in {key: None for grids in tables for key in grids}:
+        exact_grids = [grids.get(key) for grids in tables]
+        shown = [in_figures(grid) if grid else None for grid in exact_grids]
         heads = {tuple(column.heading for column in grid.columns[1:]) for grid in shown if grid}
-        same = shown if len(heads) == 1 else own
+        same = shown if len(heads) == 1 else exact_grids
         yield [_by_event(marked_events(_certain(grid))) if grid else None for grid in same]
 
 
 def _certain(grid: Grid) -> Grid:
-    """A table of energies in which what is shown as 0 is 0."""
+    """Return a table in which energies that are shown as 0 are 0."""
     if grid.key != "energy":
         return grid
     rows = [
-        [one._replace(value=0.0) if one.value and not one.text.strip("-.0") else one for one in row]
+        [
+            cell._replace(value=0.0) if cell.value and not cell.text.strip("-.0") else cell
+            for cell in row
+        ]
         for row in grid.cells
     ]
     return grid._replace(rows=rows)
 
 
 def _by_event(grid: Grid) -> Grid:
-    """A table of events with what happens before its time.
+    """Return a table of events with the event before the time.
 
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]
@@ -99,7 +102,7 @@ def _by_event(grid: Grid) -> Grid:
         return grid
     rows: list[Row] = []
     for time, element, event, *energy in grid.cells:
-        what = element._replace(text=f"{element.text} {event.text}")
-        rows.append([what, time, *energy])
+        event_cell = element._replace(text=f"{element.text} {event.text}")
+        rows.append([event_cell, time, *energy])
     columns = [text("event"), grid.columns[0], *grid.columns[3:]]
     return grid._replace(columns=columns, rows=rows)

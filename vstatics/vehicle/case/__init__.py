@@ -1,5 +1,5 @@
-"""What a case says of its vehicle and of the fatigue strength of its components.
+"""Vehicle of a case, and fatigue strengths of components.
 
-`vehicle` and `fatigue` are the values, `vehicle_checks` and `fatigue_checks` find what contradicts
-itself, and `vehicle_key` and `fatigue_key` declare their keys in a document for the core.
+`vehicle` and `fatigue` declare the values, `vehicle_checks` and `fatigue_checks` check them, and
+`vehicle_key` and `fatigue_key` declare the keys of a document.
 """

@@ -1,4 +1,4 @@
-"""What a device bears of cycles of torque: its line of fatigue strength, by Woehler and Miner."""
+"""Fatigue strength of a component under torque cycles, by Woehler and Miner."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ if TYPE_CHECKING:
 
 
 class Fatigue(NamedTuple):
-    """The fatigue strength of a device under torque.
+    """Fatigue strength of a component under torque.
 
     Parameters
     ----------
     endurance : float
-        Amplitude of stress that is borne for `cycles`. [Pa]
+        Stress amplitude that is endured for `cycles`. [Pa]
     exponent : float
-        Of the line of fatigue strength: stress^exponent by cycles is constant. [-]
+        Exponent m of the S-N curve: stress^m * cycles is constant. [-]
     cycles : float
-        At the endurance. [-]
+        Number of cycles at the endurance. [-]
     diameter : float, optional
-        Of a round shaft, whose section modulus is pi d^3/16. [m]
+        Diameter of a round shaft, whose section modulus is pi d^3/16. [m]
     section_modulus : float, optional
-        In its place: torque by the largest stress. [m^3]
+        Torque divided by the largest stress, instead of the diameter. [m^3]
     asymmetry : float
-        What of a mean stress counts as amplitude. [-]
+        Fraction of the mean stress that is added to the amplitude. [-]
     threshold : float
-        From this part of the endurance on a cycle does damage. [-]
+        Stress, relative to the endurance, below which a cycle does no damage. [-]
     sum : float
-        Of damages at which it fails. [-]
+        Sum of damages at which the component fails. [-]
 
     Examples
     --------
@@ -50,18 +50,20 @@ class Fatigue(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Fatigue]:
-        """Return the fatigue strengths of a case by the names of devices."""
-        given = ((name, as_type(one, cls)) for name, one in case.fatigue.items())
+        """Return the fatigue strengths of a case by component name."""
+        given = ((name, as_type(strength, cls)) for name, strength in case.fatigue.items())
         return {name: fatigue for name, fatigue in given if fatigue is not None}
 
     @property
     def modulus(self) -> float:
-        """The section modulus, whichever of the two is given [m^3]."""
+        """Section modulus, given directly or by the diameter [m^3]."""
         if self.diameter is None:
             return self.section_modulus or math.nan
         return math.pi * self.diameter**3 / 16
 
     def completed(self) -> Fatigue:
-        """A checked one with its numbers as floats."""
-        changed = {name: float(one) for name, one in self._asdict().items() if one is not None}
+        """Return the strength with all numbers as floats."""
+        changed = {
+            name: float(value) for name, value in self._asdict().items() if value is not None
+        }
         return self._replace(**changed)

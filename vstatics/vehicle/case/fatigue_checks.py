@@ -14,7 +14,7 @@ from vstatics.core.suggestions import nearest
 from vstatics.vehicle.case.fatigue import Fatigue
 
 THICKEST_SHAFT = 1.0
-"""Diameter; a thicker one was written in mm without the unit. [m]"""
+"""Diameter above which a value was probably written in mm without the unit. [m]"""
 _STRENGTHS = {
     "endurance": "an endurance",
     "exponent": "an exponent",
@@ -27,7 +27,7 @@ _PARTS = {"asymmetry": "an asymmetry", "threshold": "a threshold"}
 
 
 def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """What is wrong in the fatigue strengths of a case."""
+    """Yield errors in the fatigue strengths of a case."""
     names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
     names += spring_names(case.springs)
     for number, (name, fatigue) in enumerate(Fatigue.of(case).items(), 1):
@@ -48,6 +48,6 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """Yield warnings about diameters in mm without their unit."""
-    for name, one in Fatigue.of(case).items():
-        if one.diameter and one.diameter > THICKEST_SHAFT:
-            yield no_unit(one.diameter, "m", "a shaft", ("fatigue", name, "diameter"))
+    for name, fatigue in Fatigue.of(case).items():
+        if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
+            yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

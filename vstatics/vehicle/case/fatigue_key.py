@@ -1,4 +1,4 @@
-"""The key `fatigue` of a case: its declaration, and its checks."""
+"""Declaration of the key `fatigue` of a case, with checks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The vehicle that a box is in: its resistance on the road, its engine."""
+"""Vehicle of a transmission: resistance on the road, engine, fuel map."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ if TYPE_CHECKING:
 NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]
-"""Speed [rad/s] in ascending order, each with the torque [N*m]."""
+"""Points of engine speed [rad/s], in ascending order, and torque [N*m]."""
 
 
 class Vehicle(NamedTuple):
-    """A vehicle.
+    """Vehicle driven by a transmission.
 
     Parameters
     ----------
     mass : float
-        [kg]
+        Mass. [kg]
     radius : float
-        Of the wheels. [m]
+        Rolling radius of the wheels. [m]
     rolling : float
         Coefficient of the rolling resistance. [-]
     drag_area : float
-        Coefficient of air drag by frontal area. [m^2]
+        Drag coefficient times frontal area. [m^2]
     final_drive : float
-        Speed of the output by that of the wheels, without sign. [-]
+        Output speed divided by wheel speed, without sign. [-]
     engine : sequence of pairs
-        Full load: speed [rad/s], torque [N*m], straight between.
+        Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
     overrun : sequence of pairs
-        Torque with which the engine brakes, 0 or below; 0 where there are no points.
+        Braking torque of the engine, 0 or below, with points as in `engine`; 0 without points.
     fuel : str
-        The file of the fuel map; nothing if there is none.
+        File of the fuel map; empty without a map.
 
     Examples
     --------
@@ -65,7 +65,7 @@ class Vehicle(NamedTuple):
         return as_type(case.vehicle, cls)
 
     def resistance(self, speed: Any, slope: Any = 0.0) -> Any:
-        """Force against a speed that is not 0 [m/s], by rolling, ascent (its sine) and air [N].
+        """Return the force of rolling, ascent (sine of the slope) and air [N] at a speed [m/s].
 
         >>> round(Vehicle(1000.0, 0.3, rolling=0.01, drag_area=0.5).resistance(10.0), 9)
         128.1
@@ -74,9 +74,9 @@ class Vehicle(NamedTuple):
         return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
-        """Of the engine at full load at a speed [rad/s] [N*m].
+        """Return the torque of the engine at full load [N*m] at a speed [rad/s].
 
-        Below the first of its points that of the first; beyond the last there is none.
+        Below the first point the torque is constant; beyond the last point it is 0.
 
         >>> Vehicle(1000.0, 0.3, engine=[(100.0, 80.0), (600.0, 120.0)]).full_torque([0.0, 601.0])
         array([80.,  0.])
@@ -84,16 +84,16 @@ class Vehicle(NamedTuple):
         return np.where(self.may_turn(speed), _between(self.engine, speed), 0.0)
 
     def may_turn(self, speed: Any) -> Any:
-        """Whether the engine may turn as fast [rad/s]: no faster than at its last point."""
+        """Return whether the engine can reach a speed, up to the last point [rad/s]."""
         last = self.engine[-1][0] * (1 + SAME_SPEED) if self.engine else math.inf
         return np.asarray(speed) <= last
 
     def overrun_torque(self, speed: Any) -> Any:
-        """With which the engine brakes at a speed [rad/s]; below 0 [N*m]."""
+        """Return the torque of the overrunning engine, 0 or below [N*m], at a speed [rad/s]."""
         return _between(self.overrun, speed) if self.overrun else np.zeros_like(speed)
 
     def completed(self) -> Vehicle:
-        """A checked one with its numbers as floats."""
+        """Return the vehicle with all numbers as floats."""
         numbers: dict[str, Any] = {name: float(getattr(self, name)) for name in NUMBERS_OF_VEHICLE}
         for name in ("engine", "overrun"):
             numbers[name] = tuple((float(x), float(y)) for x, y in getattr(self, name))
@@ -101,35 +101,32 @@ class Vehicle(NamedTuple):
 
 
 def _between(points: EnginePoints, speed: Any) -> Any:
-    """Straight between points, constant outside."""
     speeds, torques = np.array(points).T
     return np.interp(speed, speeds, torques)
 
 
 def beside_engine(gear: Gear, name: Callable[[int], str]) -> str:
-    """What else gives power in a gear, or takes it: nothing where the engine alone drives.
+    """Return the powers other than the engine in a gear, as text, or an empty text.
 
-    Then a vehicle that drives in it needs to know what controls that, which no case tells.
+    A vehicle cannot be driven in such a gear, as a case does not describe the control of the other
+    machines.
 
     >>> beside_engine(Gear(speeds={2: 0.0, 3: 0.4}), "link {}".format)
     'a given speed of link 3'
     """
     if gear.balance:
         return "a balance"
-    for what, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
-        links = [link for link, one in numbers.items() if isinstance(one, SpeedOf) or one != 0]
+    for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
+        links = [
+            link for link, value in numbers.items() if isinstance(value, SpeedOf) or value != 0
+        ]
         if links:
-            return f"a given {what} {spoken([name(link) for link in links])}"
+            return f"a given {quantity} {spoken([name(link) for link in links])}"
     return ""
 
 
-def vehicle_of(fuel: str = "", **others: Any) -> Vehicle:
-    """The vehicle of what a case gives."""
-    return Vehicle(fuel=fuel, **others)
-
-
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """A vehicle by the keys of a case."""
+    """Return the vehicle of a case as a mapping of keys."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return None

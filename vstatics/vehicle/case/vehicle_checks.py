@@ -1,4 +1,4 @@
-"""What a vehicle must fulfil, and what is doubtful about it and the transmission that drives it."""
+"""Checks of a vehicle, and warnings about the combination of vehicle and transmission."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ ABOVE_NOTHING = ("mass", "radius", "final_drive")
 
 
 def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """What is wrong in the vehicle of a case."""
+    """Yield errors in the vehicle of a case."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
     for name in NUMBERS_OF_VEHICLE:
         value = getattr(vehicle, name)
-        least = "above 0" if name in ABOVE_NOTHING else "of 0 or more"
-        right = 0 <= value < math.inf and (value > 0 or name not in ABOVE_NOTHING)
-        if not right:
+        is_positive = name in ABOVE_NOTHING
+        if not 0 <= value < math.inf or (is_positive and value == 0):
+            least = "above 0" if is_positive else "of 0 or more"
             message = f"read {value:g}, expected a number {least}"
             yield Problem("E268", message, ("vehicle", name))
     for name, sign in (("engine", 1), ("overrun", -1)):
@@ -40,7 +40,7 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """What was meant otherwise, it seems."""
+    """Yield warnings about probable mistakes."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
@@ -49,9 +49,9 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     yield from _machines_beside(case)
     everywhere = set.intersection(*map(case.bypassed, case.gears)) if case.gears else set()
     converters = [
-        one.name
-        for place, one in enumerate(case.mechanisms)
-        if one.kind == "converter" and place not in everywhere
+        mechanism.name
+        for place, mechanism in enumerate(case.mechanisms)
+        if mechanism.kind == "converter" and place not in everywhere
     ]
     if converters:
         message = (
@@ -62,13 +62,13 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 LARGEST_TYRE = 2.5
-"""Radius of those of dumpers, with a margin. [m]"""
+"""Largest plausible radius of wheels, above tyres of dump trucks. [m]"""
 FASTEST_ENGINE = 3000.0
-"""No engine or motor of a vehicle turns as fast, 28,600 rpm. [rad/s]"""
+"""Largest plausible speed of an engine or motor, 28,600 rpm. [rad/s]"""
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Numbers in mm or rpm that were written without their unit."""
+    """Yield warnings about numbers probably written in mm or rpm without the unit."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
     fastest = max((speed for speed, _ in vehicle.engine), default=0.0)
@@ -77,7 +77,6 @@ def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
 
 
 def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
-    """Gears in which a vehicle is not driven."""
     for number, gear in enumerate(case.gears, 1):
         if why := beside_engine(gear, case.link_name):
             message = (
@@ -88,17 +87,18 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Wheels and shafts have some hundredths of the inertia of the vehicle; this part is its mass."""
+"""Inertia at the output, relative to the vehicle mass, from which the mass counts twice."""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Outputs, with what is geared to them, that have about the inertia of the vehicle."""
+    """Yield a warning if the inertias at the outputs probably include the vehicle."""
     mass, inertias = _at_output(case, vehicle)
     total = sum(inertias.values())
     if total >= MASS_AGAIN * mass:
         given = sorted(inertias, key=lambda link: -inertias[link])
         names = spoken([case.link_name(link) for link in given])
-        reduced = "" if {*given} <= {*(case.outputs or (case.output,))} else REDUCED
+        has_others = not {*given} <= {*(case.outputs or (case.output,))}
+        reduced = " by the speed of the output" if has_others else ""
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
@@ -107,11 +107,8 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
         yield Problem("W202", message, ("inertias", next(iter(given))))
 
 
-REDUCED = " by the speed of the output"
-
-
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """That runs and vibration leave the mass of a vehicle out, where inertias do not have it."""
+    """Yield a note that runs and vibration omit the vehicle mass, unless inertias include it."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
@@ -125,7 +122,7 @@ def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mapping[int, float]]:
-    """The mass of a vehicle, and inertias geared to the outputs, by the output's speed [kg*m^2]."""
+    """Return the vehicle mass, and inertias geared to the outputs, at output speed [kg*m^2]."""
     outputs = case.outputs or (case.output,)
     mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
     return mass, {
@@ -136,41 +133,46 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Speeds of outputs, and of what pairs of wheels and shafts join to them, by the output's.
+    """Return speeds of links geared to the outputs, relative to the output.
 
-    What pairs join to an input past the outputs is the side of the engine, as in a box of one
-    gear: a flywheel may have half of the mass of the vehicle there.
+    Links that are geared to an input before the outputs belong to the engine side, as in a gearbox
+    with one gear: a flywheel there can have half the inertia of the vehicle.
     """
     limits = {*outputs, 0}
     inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in limits]
     before = _geared(case, inputs, limits)
-    found = _geared(case, outputs, {0})
-    return {link: speed for link, speed in found.items() if link in outputs or link not in before}
+    speeds = _geared(case, outputs, {0})
+    return {link: speed for link, speed in speeds.items() if link in outputs or link not in before}
 
 
 def _geared(
     case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Speeds of what pairs join to some links, by theirs; the way there does not pass `limits`."""
-    found, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
+    """Return speeds of links geared to `starts`, relative to these, without passing `limits`."""
+    speeds, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()
-        for one, other, speed in pairs:
-            if one == link and other not in found and other not in limits:
-                found[other] = found[link] * speed
+        for first, other, ratio in pairs:
+            if first == link and other not in speeds and other not in limits:
+                speeds[other] = speeds[link] * ratio
                 new.append(other)
-    return found
+    return speeds
 
 
 def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
-    """Links that one mechanism joins at a fixed ratio, and the speed of the second by the first's.
+    """Yield links joined at a fixed ratio, with the second speed relative to the first.
 
-    So does a set whose third link is the housing, and so do springs as shafts, such as tyres.
+    These are gear pairs, sets with a link at the housing, and springs used as shafts, such as
+    tyres.
     """
-    for one in case.mechanisms:
-        parts = {one.first: 1.0, one.second: -one.ratio, one.third: one.ratio - 1}
+    for mechanism in case.mechanisms:
+        parts = {
+            mechanism.first: 1.0,
+            mechanism.second: -mechanism.ratio,
+            mechanism.third: mechanism.ratio - 1,
+        }
         turning = [(link, part) for link, part in parts.items() if link and part]
-        if not one.kind and len(turning) == 2:
+        if not mechanism.kind and len(turning) == 2:
             (first, of_first), (second, of_second) = turning
             yield first, second, -of_first / of_second
             yield second, first, -of_second / of_first

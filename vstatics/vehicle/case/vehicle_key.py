@@ -1,11 +1,11 @@
-"""The key `vehicle` of a case: its declaration, and its checks."""
+"""Declaration of the key `vehicle` of a case, with checks."""
 
 from __future__ import annotations
 
 from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
 from vstatics.core.model.torsional_keys import ABOVE_0
-from vstatics.vehicle.case.vehicle import Vehicle, vehicle_of, vehicle_record
+from vstatics.vehicle.case.vehicle import Vehicle, vehicle_record
 from vstatics.vehicle.case.vehicle_checks import doubts_of_vehicle, of_vehicle, without_vehicle
 
 _POINTS = ListOf(
@@ -73,7 +73,7 @@ VEHICLE = ByKey(
             "The fuel map of the engine.",
         ),
     ),
-    vehicle_of,
+    Vehicle,
 )
 KEY = CaseKey(
     KeyShape("vehicle", VEHICLE, "The vehicle that the box is in."),

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 def _speed(text: str) -> float:
-    """A speed of the engine in rad/s, with its unit as in a load."""
+    """Parse a speed of the engine with unit, in rad/s."""
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -137,27 +137,26 @@ def cycle(
 def _shown(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice, steps: str | None
 ) -> texts.CaseOutput:
-    """What a case takes for a cycle."""
-    made = _driven(outcome, results, trace, choice)
+    driven = _driven(outcome, results, trace, choice)
     if steps:
         with files.stream(steps) as write:
-            for part in _as_sweep(made):
+            for part in _as_sweep(driven):
                 write(part.encode())
 
     def tables() -> Iterator[Grid]:
-        energy = made.energy
+        energy = driven.energy
         parts = ("engine", "wheels", "inertias", "brakes")
         rows = [(name, getattr(energy, name)) for name in parts]
-        rows += [(f"lost: {name}", one) for name, one in energy.lost.items() if one]
+        rows += [(f"lost: {name}", loss) for name, loss in energy.lost.items() if loss]
         yield grid_of("Energy over the cycle", ["", "energy, J"], rows, key="energy")
-        row = made.duration, made.distance, made.fuel
+        row = driven.duration, driven.distance, driven.fuel
         headings = "duration, s", "distance, m", "fuel, g"
         yield grid_of("Cycle", headings, [row], key="cycle")
 
     def answer() -> CycleAnswer:
         from vstatics.vehicle.operation.drive_cycle import CycleAnswer
 
-        return CycleAnswer(results.case.name, made)
+        return CycleAnswer(results.case.name, driven)
 
     titles = [results.case.name or outcome.file]
     places = {note.id: note.place for note in trace.notes}
@@ -165,18 +164,18 @@ def _shown(
         of_file(message.id, outcome.file, message.text)
         if message.id not in places
         else Problem(message.id, message.text, (), places[message.id])
-        for message in made.messages
+        for message in driven.messages
     ]
     return texts.CaseOutput(titles, {}, tables, answer, problems=problems)
 
 
-def _as_sweep(made: DriveCycle) -> Iterator[str]:
+def _as_sweep(driven: DriveCycle) -> Iterator[str]:
     from vstatics.vehicle.operation.trace import blocks
 
-    time, *others = made.steps
+    time, *others = driven.steps
     yield csv.lines([["variant", time, "status", *others]])
-    for block in blocks(len(made.gears)):
-        numbers = [made.steps[name][block].tolist() for name in (time, *others)]
+    for block in blocks(len(driven.gears)):
+        numbers = [driven.steps[name][block].tolist() for name in (time, *others)]
         columns = [range(block.start, block.stop), numbers[0], repeat("ok"), *numbers[1:]]
         yield csv.lines((map(str, row) for row in zip(*columns, strict=False)), raw=True)
 
@@ -184,12 +183,12 @@ def _as_sweep(made: DriveCycle) -> Iterator[str]:
 def _driven(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
 ) -> DriveCycle:
-    """The cycle of a case.
+    """Drive a case through a trace.
 
     Raises
     ------
     ReadError
-        With places in the trace, where a row is in error, or in the fuel map.
+        If the case, the trace or the fuel map is in error, with positions.
     """
     from vstatics.vehicle.operation.drive_cycle import drive
 
@@ -201,11 +200,13 @@ def _driven(
     try:
         return drive(results.case, trace, choice, fuel)
     except CaseError as error:
-        raise ReadError(_located(one, trace, outcome.file) for one in error.problems) from None
+        raise ReadError(
+            _located(problem, trace, outcome.file) for problem in error.problems
+        ) from None
 
 
 def _located(problem: Problem, trace: Trace, file: str) -> Problem:
-    """A problem of a row at its place in the trace, any other at the case."""
+    """Return a problem with a position in the trace, or in the case."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))
@@ -213,7 +214,6 @@ def _located(problem: Problem, trace: Trace, file: str) -> Problem:
 
 
 def _fuel(case: str, name: str) -> FuelMap | None:
-    """The fuel map beside a case, if there is one."""
     from vstatics.vehicle.operation.fuel_map import read_fuel_map
 
     if not name:

@@ -17,18 +17,18 @@ if TYPE_CHECKING:
 
 
 class DutyOptions(NamedTuple):
-    """A file of shares or of points, and the exponent of equivalent torques."""
+    """Options of a duty cycle: a file of shares or points, and an exponent."""
 
     duty: str | None
     exponent: float | None
 
     @property
     def files(self) -> list[str]:
-        """The file, if there is one."""
+        """Input files: the duty cycle, if given."""
         return [] if self.duty is None else [self.duty]
 
     def read(self) -> DutyFile | DutyTable | None:
-        """The duty cycle, if there is one.
+        """Read the duty cycle, if given.
 
         Raises
         ------
@@ -58,9 +58,9 @@ duty_options = gathered(
     click.option(
         "--exponent",
         type=click.FloatRange(min=0, min_open=True, max=100),
-        callback=value(above_0),  # NaN is in every range
+        callback=value(above_0),  # FloatRange accepts NaN
         metavar="P",
         help="Of the equivalent torque over a CSV of points.  [default: 3]",
     ),
 )
-"""Both options; a command gets `duty`."""
+"""Decorator that adds both options; the command receives `duty`."""

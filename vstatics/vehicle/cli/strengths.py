@@ -1,4 +1,4 @@
-"""What is asked of a case whose damage is told."""
+"""Check of commands that report fatigue damage."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.reading import Reading
 
 
-def expect_fatigue(reading: Reading) -> None:
-    """Refuse a case that tells no fatigue strength.
+def expect_damage(reading: Reading) -> None:
+    """Raise an error for a case without fatigue strength.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What torques that vary do to devices: cycles of a record, their damage, life, resized shafts.
+"""Fatigue of components under varying torque: cycles, damage, life, resized shafts.
 
 >>> import numpy as np
 >>> from vstatics.vehicle.damage.devices import damages
@@ -8,11 +8,11 @@
 >>> shaft = Spring({1: 1, 2: -1}, stiffness=9000.0, name="shaft")
 >>> strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
 >>> case = Transmission(2, [], [], [], springs=[shaft], fatigue={"shaft": strength})
->>> made = damages(case, {"shaft": np.array([0.0, 500.0, -300.0, 0.0])})["shaft"]
->>> round(made.largest_stress / 1e6), [one.range for one in made.cycles]
+>>> damage = damages(case, {"shaft": np.array([0.0, 500.0, -300.0, 0.0])})["shaft"]
+>>> round(damage.largest_stress / 1e6), [cycle.range for cycle in damage.cycles]
 (100, [300.0, 500.0, 800.0])
 
-`rainflow` counts the cycles of a record, `devices` adds up what they do, `recorded` for a record
-in CSV. `rayleigh` is the life under random stresses in closed form, `resize` what a shaft needs
-under other torques; `tables` has the tables of all.
+`rainflow` counts the cycles of a record, `devices` adds up the damage, `recorded` reads a record in
+CSV. `rayleigh` calculates the life under random stresses in closed form, `resize` a shaft for other
+torques; `tables` writes tables.
 """

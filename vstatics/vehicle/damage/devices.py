@@ -1,4 +1,4 @@
-"""What a record of torques does to devices, by their fatigue strength: the linear sum of damages.
+"""Fatigue damage of components by a record of torques, by linear accumulation.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
 are those of the book.
@@ -24,53 +24,53 @@ if TYPE_CHECKING:
 
 
 class HasDamage(Protocol):
-    """Run that damages devices."""
+    """Run with fatigue damage of components."""
 
     @property
     def damage(self) -> Mapping[str, object]:
-        """Damage by names of devices."""
+        """Damage by component name."""
 
 
 class DeviceDamage(NamedTuple):
-    """What a record of torques does to a device."""
+    """Fatigue damage of a component by a record of torques."""
 
     damage: float
-    """A part of that of which it fails, which is `sum` of its fatigue strength. [-]"""
+    """Damage; the component fails at `sum` of the fatigue strength. [-]"""
     repeats: float | None
-    """How often it bears the record; None: for ever. [-]"""
+    """Number of repetitions of the record to failure; None for an unlimited number. [-]"""
     largest_stress: float
-    """Of all cycles, as it counts for damage. [Pa]"""
+    """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]
-    """Ranges and means in N*m."""
+    """Cycles, with ranges and means in N*m."""
 
     @classmethod
     def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
-        """Return the damage in a run by the names of devices."""
-        return {name: one for name, one in motion.damage.items() if isinstance(one, cls)}
+        """Return the damage in a run by component name."""
+        return {name: damage for name, damage in motion.damage.items() if isinstance(damage, cls)}
 
 
 Damages = Mapping[str, DeviceDamage]
-"""Damage by names of devices."""
+"""Damage by component name."""
 
 
 @document("vstatics-damage")
 class DamageAnswer(NamedTuple):
-    """What a record does to the devices of a case that have a fatigue strength."""
+    """Damage of the components of a case by a record of torques."""
 
     case: str
     damage: Mapping[str, DeviceDamage]
 
 
 def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
-    """The damage of a record of torques [N*m], by (4.33), (4.34) and (4.38).
+    """Return the damage of a record of torques [N*m], by (4.33), (4.34) and (4.38).
 
-    A cycle has the stress amplitude + asymmetry |mean|. From threshold times endurance on it
-    costs (stress/endurance)^exponent/cycles. Where a torque is open, or numbers are so large that
-    there is no damage, it is NaN.
+    The stress of a cycle is amplitude + asymmetry |mean|. From threshold * endurance, a cycle
+    causes the damage (stress/endurance)^exponent/cycles. The damage is NaN if a torque is
+    indeterminate or if the damage overflows.
 
     Examples
     --------
-    A quarter of 4e6 half cycles at the endurance:
+    Half a cycle at the endurance, of 4e6 cycles:
 
     >>> shaft = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
     >>> device_damage(shaft, np.array([400.0, -400.0])).damage
@@ -79,10 +79,12 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
     if not np.isfinite(torques).all():
         return DeviceDamage(math.nan, None, math.nan, [])
     counted = rainflow(torques)
-    parts = np.array([one.amplitude + fatigue.asymmetry * abs(one.mean) for one in counted])
-    stresses = parts / fatigue.modulus
+    amplitudes = np.array(
+        [cycle.amplitude + fatigue.asymmetry * abs(cycle.mean) for cycle in counted]
+    )
+    stresses = amplitudes / fatigue.modulus
     ratios = stresses / fatigue.endurance
-    counts = np.array([one.counted for one in counted]) * (ratios >= fatigue.threshold)
+    counts = np.array([cycle.counted for cycle in counted]) * (ratios >= fatigue.threshold)
     with np.errstate(all="ignore"):
         damage = float(counts @ ratios**fatigue.exponent) / fatigue.cycles
     if not math.isfinite(damage):
@@ -93,37 +95,38 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
 
 @refusing()
 def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, DeviceDamage]:
-    """What records of torques do to the devices of a case.
+    """Calculate the fatigue damage of the components of a case by records of torques.
 
     Parameters
     ----------
     case : Transmission
-        With `fatigue` of devices.
+        Case with `fatigue` of components.
     torques : mapping of str to array_like, shape (instants,)
-        The record of each device by its name. [N*m]
+        Record of each component by name. [N*m]
 
     Returns
     -------
     dict of str to DeviceDamage
-        Of each device that has both: damage [-], cycles [N*m], largest stress [Pa].
+        Damage [-], cycles [N*m] and largest stress [Pa] of each component with a fatigue strength
+        and a record.
 
     Raises
     ------
     CaseError
-        If a record is none of numbers.
+        If a record contains something other than numbers.
     ValueError
-        If it is no series of them.
+        If a record is not one-dimensional.
 
     Examples
     --------
-    Cycles of 300, 500 and 800 N*m, half of each counted; 400 N*m are 100 MPa:
+    Half a cycle each with ranges of 300, 500 and 800 N*m; 400 N*m correspond to 100 MPa:
 
     >>> from vstatics import Spring
     >>> strength = Fatigue(100e6, 3, 4e6, section_modulus=4e-6)
     >>> shaft = Spring({1: 1, 2: -1}, stiffness=9000.0, name="shaft")
     >>> case = Transmission(2, [], [], [], springs=[shaft], fatigue={"shaft": strength})
-    >>> made = damages(case, {"shaft": [0.0, 500.0, -300.0, 0.0]})["shaft"]
-    >>> round(made.largest_stress / 1e6), [one.range for one in made.cycles]
+    >>> damage = damages(case, {"shaft": [0.0, 500.0, -300.0, 0.0]})["shaft"]
+    >>> round(damage.largest_stress / 1e6), [cycle.range for cycle in damage.cycles]
     (100, [300.0, 500.0, 800.0])
     """
     return {

@@ -1,4 +1,4 @@
-"""Cycles of a record by rainflow counting, ASTM E1049-85, 5.4.4."""
+"""Rainflow counting of the cycles of a record, ASTM E1049-85, 5.4.4."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from vstatics.core.tables.answer import json_keys
 
 @json_keys("range", "mean", count="counted")
 class LoadCycle(NamedTuple):
-    """A cycle, or several that are alike."""
+    """Cycle of a record, with the number of equal cycles."""
 
     range: float
-    """The largest value less the least."""
+    """Largest minus least value."""
     mean: float
     counted: float
-    """How many there are; halves of what does not close."""
+    """Number of cycles; open ranges count half."""
 
     @property
     def amplitude(self) -> float:
@@ -29,9 +29,9 @@ class LoadCycle(NamedTuple):
 
 
 def extremes(values: Floats) -> Floats:
-    """The values at which a record turns, in order, and both of its ends.
+    """Return the turning points of a record, with both ends.
 
-    A record that never changes has none.
+    A constant record has no turning points.
 
     >>> extremes(np.array([0.0, 1, 1, 2, 2, -1, 0])).tolist()
     [0.0, 2.0, -1.0, 0.0]
@@ -45,13 +45,13 @@ def extremes(values: Floats) -> Floats:
 
 
 def rainflow(values: Floats) -> list[LoadCycle]:
-    """The cycles of a record, by rising range; those of one range and mean are one entry.
+    """Count the cycles of a record, sorted by range; equal cycles are one entry.
 
     Examples
     --------
     The example of the standard: ranges 3, 4, 6, 8, 9 are counted .5, 1.5, .5, 1, .5 times.
 
-    >>> [(one.range, one.counted) for one in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
+    >>> [(c.range, c.counted) for c in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
     [(3.0, 0.5), (4.0, 0.5), (4.0, 1.0), (6.0, 0.5), (8.0, 0.5), (8.0, 0.5), (9.0, 0.5)]
     """
     counts: dict[tuple[float, float], float] = {}
@@ -62,7 +62,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
 
 def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
-    """Both values of each range, and how often it counts."""
+    """Yield both values of each range, and the count."""
     open_: list[float] = []
     for value in turning:
         open_.append(value)
@@ -70,7 +70,7 @@ def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
             start, end, last = open_[-3:]
             if abs(last - end) < abs(end - start):
                 break
-            if len(open_) == 3:  # the starting point is in it
+            if len(open_) == 3:  # the range contains the starting point
                 yield start, end, 0.5
                 del open_[0]
             else:

@@ -1,4 +1,4 @@
-"""Life under random stresses of one frequency, whose amplitudes have Rayleigh's distribution.
+"""Life under narrow-band random stresses, whose amplitudes have a Rayleigh distribution.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
 are those of the book.
@@ -13,23 +13,23 @@ from vstatics.core.arguments import refusing
 from vstatics.core.tables.answer import document
 from vstatics.vehicle.case.fatigue import Fatigue
 
-LARGEST_LOGARITHM = 700.0
-"""Of a number."""
+LARGEST_LOG_OF_LIFE = 700.0
+"""Largest natural logarithm of a result, below the overflow of numbers."""
 
 
 @document("vstatics-rayleigh")
 class RayleighLife(NamedTuple):
-    """What is borne of amplitudes that have Rayleigh's distribution."""
+    """Life under stress amplitudes with a Rayleigh distribution."""
 
     integral: float
-    """int_x0^inf x^(m+1) exp(-x^2/2) dx of the exponent m. [-]"""
+    """Integral int_x0^inf x^(m+1) exp(-x^2/2) dx with the exponent m. [-]"""
     life: float | None
-    """In cycles, or km where their number a km is given; None: for ever."""
+    """Life in cycles, or in km if cycles per km are given; None for unlimited life."""
 
 
 @refusing()
 def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> RayleighLife:
-    """The life under a stress of a narrow band of frequencies, by (4.40).
+    """Return the life under a narrow-band random stress, by (4.40).
 
     Parameters
     ----------
@@ -37,24 +37,24 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     deviation : float
         Standard deviation of the stress. [Pa]
     per_unit : float
-        Cycles in a unit of life: of a km, of a second.
+        Cycles per unit of life, such as a km or a second.
 
     Returns
     -------
     RayleighLife
-        Its integral [-], and the life in cycles, or in what `per_unit` is of.
+        Integral [-], and life in cycles, or in the unit of `per_unit`.
 
     Raises
     ------
     ValueError
-        If a number would be too large.
+        If a result overflows.
 
     Examples
     --------
     The book prints 3.62 and 51 000 km; all digits are 3.6191919 and 51 167.55 km.
 
-    >>> made = rayleigh_life(Fatigue(100e6, 3, 4e6), 60e6, per_unit=100)
-    >>> round(made.integral, 6), round(made.life or 0.0)
+    >>> result = rayleigh_life(Fatigue(100e6, 3, 4e6), 60e6, per_unit=100)
+    >>> round(result.integral, 6), round(result.life or 0.0)
     (3.619192, 51168)
     """
     from scipy.special import gammaincc, gammaln
@@ -69,13 +69,13 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     logarithm = half * math.log(2) + float(gammaln(1 + half)) + math.log(above)
     life = fatigue.exponent * math.log(ratio) - logarithm
     life += math.log(fatigue.sum) + math.log(fatigue.cycles) - math.log(per_unit)
-    if max(logarithm, life) > LARGEST_LOGARITHM:
+    if max(logarithm, life) > LARGEST_LOG_OF_LIFE:
         raise ValueError("numbers so large give no life")
     return RayleighLife(math.exp(logarithm), math.exp(life))
 
 
 def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:
-    """Return the life under a random torque of a narrow band [s].
+    """Return the life under a narrow-band random torque [s].
 
     Parameters
     ----------

@@ -1,41 +1,41 @@
-"""A record of torques in CSV -> what it does to the devices of a case."""
+"""Damage of the components of a case by a record of torques in CSV."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from vstatics.core.errors import Problem, ReadError, quoted
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.records import RecordedColumns, read_record
+from vstatics.core.readers.records import read_record
 from vstatics.core.tables.names import written
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 
 
 class RecordedDamage(NamedTuple):
-    """What a record does, and what is doubtful about it."""
+    """Damage by a record, with warnings."""
 
     damage: Mapping[str, DeviceDamage]
     warnings: list[Problem]
 
 
 def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamage:
-    """What a record does to the devices that have a fatigue strength.
+    """Calculate the damage of the components with a fatigue strength by a record.
 
     Parameters
     ----------
     case : Transmission
     data : bytes
-        CSV with columns `torques[DEVICE]`, names in quotes as of `vstatics simulate`, or as they
-        are.
+        CSV with columns `torques[DEVICE]`; names are plain, or in quotes as `vstatics simulate`
+        writes them.
     file : str
-        Its name, for messages.
+        Name of the file, for messages.
 
     Raises
     ------
     ReadError
-        If it has no such column, or none that changes, or a cell is no number.
+        If there is no such column, if no torque changes, or if a cell is not a number.
     """
     names = case.devices
     headings = {name: f"torques[{written(names.index(name), names)}]" for name in case.fatigue}
@@ -43,26 +43,19 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     wanted = [*headings.values(), *plain.values()]
     record = read_record(data, file, dict.fromkeys(wanted, "si_torque"))
     both = [(name, way[name]) for name in case.fatigue for way in (plain, headings)]
-    found = {name: head for name, head in both if head in record.columns}
-    torques = {name: record.columns[head] for name, head in found.items()}
-    problems = list(_lacking(record, headings, found))
-    made = damages(case, torques)
-    if not any(one.cycles for one in made.values()):
+    present = {name: head for name, head in both if head in record.columns}
+    torques = {name: record.columns[head] for name, head in present.items()}
+    # Missing columns are errors only if no column is present.
+    id_ = "W880" if present else "E883"
+    problems = [record.lacks(id_, headings[name]) for name in headings if name not in present]
+    damage = damages(case, torques)
+    if not any(result.cycles for result in damage.values()):
         raise ReadError(problems or [record.problem("E884", _EVEN)])
-    for name, one in made.items():
-        if not math.isfinite(one.damage):
+    for name, result in damage.items():
+        if not math.isfinite(result.damage):
             message = f"torques of {quoted(name)} are so large that there is no damage"
             raise ReadError([record.problem("E885", message)])
-    return RecordedDamage(made, problems)
+    return RecordedDamage(damage, problems)
 
 
 _EVEN = "no torque of a device with `fatigue` changes, expected a record with extremes"
-
-
-def _lacking(
-    record: RecordedColumns, wanted: Mapping[str, str], found: Mapping[str, str]
-) -> Iterator[Problem]:
-    """What is missing: an error where there is nothing at all."""
-    for name, heading in wanted.items():
-        if name not in found:
-            yield record.lacks("W880" if found else "E883", heading)

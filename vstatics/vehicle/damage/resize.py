@@ -1,4 +1,4 @@
-"""A shaft of equal fatigue strength under other torques and other numbers of cycles.
+"""Shaft of equal fatigue life under other torques and other numbers of cycles.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), (2.3) to (2.8).
 """
@@ -11,96 +11,98 @@ from typing import NamedTuple
 from vstatics.core.arguments import refusing
 from vstatics.core.tables.answer import Sometimes, document
 
-EXPONENT = 6.0
-"""Of shafts, in the book."""
-LARGEST_LOGARITHM = 150.0
-"""By which a diameter may change."""
+SHAFT_EXPONENT = 6.0
+"""Exponent of the S-N curve of shafts, from the book. [-]"""
+LARGEST_LOG_OF_DIAMETER_RATIO = 150.0
+"""Largest natural logarithm of the change of a diameter."""
 
 
 @document("vstatics-resize")
 class ResizedShaft(NamedTuple):
-    """A shaft of equal life."""
+    """Shaft of equal life."""
 
     diameter: float
-    """In the unit of the one before."""
+    """Diameter, in the unit of the given diameter."""
     compliance: float
-    """By the one before. [-]"""
+    """Compliance, relative to the given shaft. [-]"""
     reduced_compliance: Sometimes[float]
-    """The same reduced to the faster shaft, where the torque is by a ratio. [-]"""
+    """Compliance reduced to the faster shaft of a reduction, relative to the given shaft. [-]"""
 
 
 @refusing()
 def resized(
-    diameter: float, torque: float, repeats: float, exponent: float = EXPONENT
+    diameter: float, torque: float, repeats: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """The diameter with which a shaft is borne as long: D (R N^(1/m))^(1/3).
+    """Return the diameter D (R N^(1/m))^(1/3) with which a shaft has the life of another.
 
     Parameters
     ----------
     diameter : float
-        Before, in any unit of length.
+        Given diameter, in any unit of length.
     torque, repeats : float
-        By those before. [-]
+        New values divided by old values. [-]
     exponent : float, optional
-        Of the line of fatigue. [-]
+        Exponent m of the S-N curve. [-]
 
     Returns
     -------
     ResizedShaft
-        Its diameter in that unit, its compliance by the one before [-].
+        Diameter in the same unit, and compliance relative to the given shaft [-].
 
     Raises
     ------
     ValueError
-        If there would be no such number.
+        If an argument is invalid, or the result overflows.
 
     Examples
     --------
-    Eight times the torque, as often, is borne by twice the diameter:
+    Eight times the torque for an equal number of cycles requires twice the diameter:
 
-    >>> made = resized(42.0, torque=8.0, repeats=1.0)
-    >>> round(made.diameter, 9), round(made.compliance, 9)
+    >>> shaft = resized(42.0, torque=8.0, repeats=1.0)
+    >>> round(shaft.diameter, 9), round(shaft.compliance, 9)
     (84.0, 0.0625)
     """
     for name, number in (("torque", torque), ("repeats", repeats)):
         if not number > 0:
             raise ValueError(f"{name} is {number:g}, expected a number above 0")
     factor = (math.log(torque) + math.log(repeats) / exponent) / 3
-    if abs(factor) > LARGEST_LOGARITHM:
+    if abs(factor) > LARGEST_LOG_OF_DIAMETER_RATIO:
         raise ValueError("numbers so large or so small give no diameter")
     return ResizedShaft(diameter * math.exp(factor), math.exp(-4 * factor), None)
 
 
 @refusing()
-def resized_by_ratio(diameter: float, ratio: float, exponent: float = EXPONENT) -> ResizedShaft:
-    """The same behind a reduction: torques by the ratio, so many times fewer cycles.
+def resized_by_ratio(
+    diameter: float, ratio: float, exponent: float = SHAFT_EXPONENT
+) -> ResizedShaft:
+    """Return the shaft behind a reduction: torques times the ratio, cycles over the ratio.
 
     Parameters
     ----------
     diameter : float
-        Before, in any unit of length.
+        Given diameter, in any unit of length.
     ratio : float
-        Of the reduction, above 0. [-]
+        Ratio of the reduction, above 0. [-]
     exponent : float, optional
-        Of the line of fatigue. [-]
+        Exponent m of the S-N curve. [-]
 
     Returns
     -------
     ResizedShaft
-        Its diameter in that unit; compliances by the one before [-].
+        Diameter in the same unit, and compliances relative to the given shaft [-].
 
     Raises
     ------
     ValueError
-        If there would be no such number.
+        If an argument is invalid, or the result overflows.
 
     Examples
     --------
     A half-shaft of 42 mm, ratio 2.9; the book prints 56.5 mm and 2.6.
 
-    >>> made = resized_by_ratio(42.0, 2.9)
-    >>> round(made.diameter, 3), round(made.reduced_compliance or 0.0, 4)
+    >>> shaft = resized_by_ratio(42.0, 2.9)
+    >>> round(shaft.diameter, 3), round(shaft.reduced_compliance or 0.0, 4)
     (56.454, 2.5764)
     """
-    made = resized(diameter, ratio, 1 / ratio, exponent)
-    return made._replace(reduced_compliance=made.compliance * ratio**2)
+    shaft = resized(diameter, ratio, 1 / ratio, exponent)
+    return shaft._replace(reduced_compliance=shaft.compliance * ratio**2)

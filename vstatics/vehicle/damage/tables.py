@@ -1,4 +1,4 @@
-"""Tables of what torques do to devices."""
+"""Tables of damage and life."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from vstatics.vehicle.damage.rayleigh import RayleighLife
 from vstatics.vehicle.damage.resize import ResizedShaft
 
 
-def damage_grid(found: Mapping[str, DeviceDamage], title: str = "Damage") -> Grid:
-    """A row for each device.
+def damage_grid(damages: Mapping[str, DeviceDamage], title: str = "Damage") -> Grid:
+    """Return a table with a row for each component.
 
     Examples
     --------
@@ -19,21 +19,21 @@ def damage_grid(found: Mapping[str, DeviceDamage], title: str = "Damage") -> Gri
     [['shaft', '.000002500', '400000.000', '90.000', '0']]
     """
     rows = []
-    for name, one in found.items():
-        cycles = sum(cycle.counted for cycle in one.cycles)
-        rows.append((name, one.damage, one.repeats, one.largest_stress / 1e6, cycles))
+    for name, damage in damages.items():
+        cycles = sum(cycle.counted for cycle in damage.cycles)
+        rows.append((name, damage.damage, damage.repeats, damage.largest_stress / 1e6, cycles))
     headings = "device", "damage", "repeats", "largest stress [MPa]", "cycles"
     return grid_of(title, headings, rows, key="damage")
 
 
-def rayleigh_grid(made: RayleighLife, unit: str) -> Grid:
-    """The life in a unit, km or cycles."""
+def rayleigh_grid(life: RayleighLife, unit: str) -> Grid:
+    """Return a table of the life in a unit, km or cycles."""
     headings = "integral", f"life [{unit}]"
-    return grid_of("Life under random stresses", headings, [made], key="rayleigh")
+    return grid_of("Life under random stresses", headings, [life], key="rayleigh")
 
 
-def resized_grid(made: ResizedShaft, unit: str) -> Grid:
-    """The diameter in a unit; nothing where it has none."""
+def resized_grid(shaft: ResizedShaft, unit: str) -> Grid:
+    """Return a table of a shaft, with the diameter in a unit, if given."""
     headings = f"diameter [{unit}]" if unit else "diameter", "compliance", "reduced compliance"
     title = "Shaft of equal fatigue strength"
-    return grid_of(title, headings, [made], key="resize", optional=headings[2:])
+    return grid_of(title, headings, [shaft], key="resize", optional=headings[2:])

@@ -1,9 +1,9 @@
-"""What a box does in operation: over points of load, in a vehicle, over a driving cycle.
+"""Transmission in operation: duty cycles, traction of a vehicle, driving cycles.
 
-`load_spectrum` has energies and what members carry over points of speed and torque, by
-`point_loads`; `traction` the force, top speeds and acceleration of a vehicle. `drive_cycle` goes
-through a `trace` in `cycle_steps`, whose gears `shifting` picks where it has none, with the
-`fuel_map` of its engine.
+`load_spectrum` calculates energies and loads of members over points of speed and torque, which
+`point_loads` solves; `traction` calculates the force, top speeds and acceleration of a vehicle.
+`drive_cycle` drives a `trace` in `cycle_steps`, with the `fuel_map` of the engine; `shifting`
+chooses the gears of a trace without gears.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.vehicle.case.vehicle import Vehicle

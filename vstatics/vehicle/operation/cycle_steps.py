@@ -1,4 +1,4 @@
-"""The steps of a driving cycle: their gears, speeds and forces, what is lost in each."""
+"""Steps of a driving cycle: gears, speeds, forces and losses."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ from vstatics.vehicle.operation.traction import engine_alone
 
 
 class GearChoice(NamedTuple):
-    """How gears are picked where the trace has none."""
+    """Rule for the gears of a trace without gears."""
 
     least_speed: float | None = None
-    """Of the engine. [rad/s]"""
+    """Least speed of the engine. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
 
 
 class CycleLosses(NamedTuple):
-    """What steps lose, and what is held meanwhile."""
+    """Losses over the steps, and torques of engaged shift elements."""
 
     energies: dict[str, float]
-    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH`` [J]."""
+    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``. [J]"""
     outside: dict[str, None]
-    """Laws that are asked outside their points."""
+    """Laws evaluated outside their points."""
 
     held_torques: Floats
-    """(steps, shift elements): what those carry that hold [N*m]."""
+    """Torques of engaged shift elements, shape (steps, shift elements). [N*m]"""
 
     def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
-        """Some steps, of durations [s]."""
+        """Add steps of some durations [s]."""
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.drag_losses()).items():
@@ -55,38 +55,38 @@ class CycleLosses(NamedTuple):
 
 
 class CycleSteps(NamedTuple):
-    """The steps of a trace, each in its gear."""
+    """Steps of a trace, each in a gear."""
 
     case: Transmission
     vehicle: Vehicle
     trace: Trace
     gears: Integers
     ratios: Floats
-    """(gears, links): speeds by that of the output, with its sign. [-]"""
+    """Speeds relative to the output, with the sign of the output, shape (gears, links). [-]"""
     guessed: Sequence[str] = ()
-    """Gears that are chosen from as forward, though nothing but their order tells that."""
+    """Gears taken as forward by order alone."""
 
     @classmethod
     def of(
         cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
     ) -> CycleSteps:
-        """The steps with their gears.
+        """Return the steps of a trace with gears.
 
         Raises
         ------
         CaseError
-            If a gear is none of the case.
+            If a gear is not in the case.
         """
-        still = solve(case)
+        results = solve(case)
         outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
         inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
-        own = np.arange(len(outputs))
+        indices = np.arange(len(outputs))
         with np.errstate(all="ignore"):
-            ratios = still.speeds / still.speeds[own, outputs][:, None]
-            ratios *= np.sign(ratios[own, inputs])[:, None]  # the engine turns forward
+            ratios = results.speeds / results.speeds[indices, outputs][:, None]
+            ratios *= np.sign(ratios[indices, inputs])[:, None]  # the engine turns forward
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
-        engine = EngineSpeeds(wheels, ratios[own, inputs], vehicle.may_turn)
-        driving = np.where(engine_alone(case), still.ratio, math.nan)
+        engine = EngineSpeeds(wheels, ratios[indices, inputs], vehicle.may_turn)
+        driving = np.where(engine_alone(case), results.ratio, math.nan)
         gears = _gears(case, trace, choice, engine, driving)
         lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
         if lacking.size:
@@ -103,47 +103,42 @@ class CycleSteps(NamedTuple):
         return cls(case, vehicle, trace, gears, ratios, guessed)
 
     def at(self, rows: Integers) -> CycleSteps:
-        """Some of the steps; the trace keeps its table."""
-        whole = self.trace
-        trace = whole._replace(
-            duration=whole.duration[rows],
-            speed=whole.speed[rows],
-            acceleration=whole.acceleration[rows],
-            slope=whole.slope[rows],
+        """Return some of the steps; the trace keeps the whole table."""
+        complete = self.trace
+        trace = complete._replace(
+            duration=complete.duration[rows],
+            speed=complete.speed[rows],
+            acceleration=complete.acceleration[rows],
+            slope=complete.slope[rows],
         )
         return self._replace(trace=trace, gears=self.gears[rows])
 
     @property
     def forces(self) -> Floats:
-        """At the wheels, of road and mass; 0 where it stands [N]."""
+        """Wheel forces of road and mass; 0 at standstill [N]."""
         trace, vehicle = self.trace, self.vehicle
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
     @property
     def wheel_speeds(self) -> Floats:
-        """Of the output, without sign [rad/s]."""
-        speeds: Floats = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
-        return speeds
-
-    def _ends(self, kind: str) -> Integers:
-        """Indices of the input or output links of all steps."""
-        of = self.case.gear_input if kind == "input" else self.case.gear_output
-        links = np.array([of(gear) - 1 for gear in self.case.gears])
-        return links[self.gears]
+        """Speeds of the output, without sign [rad/s]."""
+        return self.trace.speed / self.vehicle.radius * self.vehicle.final_drive
 
     def link_speeds(self, kind: str) -> Floats:
-        """Speeds of the input or output links [rad/s]."""
-        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, self._ends(kind)]
+        """Return the speeds of the input or output links [rad/s]."""
+        link_of = self.case.gear_input if kind == "input" else self.case.gear_output
+        links = np.array([link_of(gear) - 1 for gear in self.case.gears])
+        speeds: Floats = self.wheel_speeds * self.ratios[self.gears, links[self.gears]]
         return speeds
 
     @property
     def engine_speeds(self) -> Floats:
-        """Of the engine, forward [rad/s]."""
+        """Speeds of the engine, forward [rad/s]."""
         return np.abs(self.link_speeds("input"))
 
     def course(self, engine: Floats) -> dict[str, Floats]:
-        """What each step has in its middle, where speeds are their means, by heading."""
+        """Return the columns of the steps by heading, with values at mid-step."""
         starts = np.array(self.trace.table.numbers["time"][:-1])
         return {
             "time [s]": starts + self.trace.duration / 2,
@@ -155,22 +150,14 @@ class CycleSteps(NamedTuple):
         }
 
     def _inertia_torque(self, rows: Integers, link: int) -> Floats:
-        """``-J dw/dt`` on a link in some rows [N*m]."""
+        """Return ``-J dw/dt`` on a link in some rows [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
         inertia = self.case.heavy.get(link, 0.0)
         torque: Floats = -inertia * self.ratios[self.gears[rows], link - 1] * change
         return torque
 
-    def _at_output(self, case: Transmission, rows: Integers) -> Floats:
-        """That on the output links of a case, on which no torque can be given [N*m]."""
-        total = np.zeros(len(rows))
-        for number, gear in enumerate(case.gears):
-            own = self._inertia_torque(rows, case.gear_output(gear))
-            total = np.where(self.gears[rows] == number, own, total)
-        return total
-
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Those on all other links, by their paths."""
+        """Return inertia torques on all other links, by path [N*m]."""
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
@@ -179,13 +166,17 @@ class CycleSteps(NamedTuple):
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        """What the output of a case gives to its load [N*m]."""
-        torque: Floats = loads.taken(loads.results.lossy_output_torque_Nm)
-        return torque + self._at_output(case, rows)
+        """Return the torque that the outputs of a case give to their load [N*m]."""
+        torque = loads.taken(loads.results.lossy_output_torque_Nm)
+        # No torque can be given on an output, so its inertia is added here.
+        for number, gear in enumerate(case.gears):
+            added = self._inertia_torque(rows, case.gear_output(gear))
+            torque = np.where(self.gears[rows] == number, torque + added, torque)
+        return torque
 
     @property
     def inertia_energy(self) -> float:
-        """What turning links have more at the end of steps than before, over all steps [J]."""
+        """Increase of the kinetic energy of links during all steps [J]."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         total = 0.0
@@ -196,7 +187,7 @@ class CycleSteps(NamedTuple):
         return total
 
     def _from_wheels(self, rows: Integers) -> PointLoads:
-        """The box with its output as input."""
+        """Solve the transmission with output and input exchanged."""
         here = self.at(rows)
         speeds = here.link_speeds("output")
         torques = -here.forces * self.vehicle.radius / self.vehicle.final_drive
@@ -205,7 +196,6 @@ class CycleSteps(NamedTuple):
 
     @property
     def _turned(self) -> Transmission:
-        """The case with outputs as inputs."""
         gears = [
             gear._replace(input=self.case.gear_output(gear), output=self.case.gear_input(gear))
             for gear in self.case.gears
@@ -213,35 +203,36 @@ class CycleSteps(NamedTuple):
         return self.case.replace(gears=gears, outputs=())
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Points of some rows.
+        """Solve points of some rows.
 
         Raises
         ------
         CaseError
-            If one has no torques.
+            If a point has no torques.
         """
         try:
             return PointLoads.of(case, points, self._elsewhere(case, rows))
         except CaseError as error:
             problems = [
-                one._replace(path=tuple(int(rows[row]) for row in one.path if isinstance(row, int)))
-                for one in error.problems
+                problem._replace(
+                    path=tuple(int(rows[row]) for row in problem.path if isinstance(row, int))
+                )
+                for problem in error.problems
             ]
             raise CaseError(problems) from None
 
     def engine_torques(self, rows: Integers) -> Floats:
-        """Of the engine, with all losses, in its direction [N*m]."""
+        """Return engine torques with all losses, in the direction of the engine [N*m]."""
         loads = self._from_wheels(rows)
         given = self._given(self._turned, rows, loads)
-        engine: Floats = -given * np.sign(self.at(rows).link_speeds("input"))
-        return engine
+        return -given * np.sign(self.at(rows).link_speeds("input"))
 
     def add_losses(self, rows: Integers, lost: CycleLosses) -> None:
-        """What rows lose that the engine drives, or that brake no more than its overrun."""
+        """Add the losses of rows without braking beyond the overrun."""
         lost.add(self._from_wheels(rows), rows, self.trace.duration[rows])
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """The energy of brakes where the engine brakes at its overrun [J]."""
+        """Add the losses of rows at overrun, and return the energy of the brakes [J]."""
         here = self.at(rows)
         speeds = here.link_speeds("input")
         points = DutyPoints(self.gears[rows], speeds, engine[rows], np.ones(len(rows)))
@@ -256,17 +247,17 @@ class CycleSteps(NamedTuple):
 def _gears(
     case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
 ) -> Integers:
-    """The gear of each step: of the trace, by shift speeds, or the highest that fits.
+    """Return the gear of each step: from the trace, by shift speeds, or the highest possible.
 
     Parameters
     ----------
     ratios : ndarray, shape (gears,)
-        Of the case; NaN where the engine alone does not drive. [-]
+        Ratios of the case; NaN if other machines drive, too. [-]
 
     Raises
     ------
     CaseError
-        If a gear is not in the case, nothing gives it, or shifts do not go up.
+        If a gear is not in the case, if no gear is given, or if shifts are not in ascending order.
     """
     names = [gear.name for gear in case.gears]
     ways = {

@@ -1,10 +1,10 @@
-"""A driving cycle: what the engine gives, where it goes, what fuel it takes.
+"""Driving cycle: engine torque, energies and fuel over a trace.
 
-Between two rows of a trace speed is the mean, acceleration constant, gear and slope those of the
-first. The force at the wheels follows; the box is solved from there: its output is the input of
-the calculation, so that the torque of the engine comes out of it with all losses, and inertias
-act as ``-J dw/dt`` on their links. Where the engine would have to brake more than its overrun
-does, brakes take the rest. Standing nothing has a torque.
+Between two rows of a trace, the acceleration is constant, the speed is the mean, and gear and slope
+are those of the first row. The wheel force follows from these. The transmission is solved
+backwards, with its output as the input of the calculation, which gives the engine torque with all
+losses; inertias act as ``-J dw/dt`` on their links. If the engine would have to brake more than its
+overrun, the brakes take the rest. At standstill all torques are zero.
 """
 
 from __future__ import annotations
@@ -32,37 +32,37 @@ from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE
 
 
 class CycleEnergy(NamedTuple):
-    """Energies of a cycle [J]; that of the engine is the sum of all others."""
+    """Energies of a cycle [J]; `engine` is the sum of all others."""
 
     engine: float
     wheels: float
-    """Of road and mass."""
+    """Energy of road resistance and vehicle mass."""
     inertias: float
-    """With what goes, or comes, where shifts change a speed at once."""
+    """Energy of rotating parts, including sudden changes of speed in shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("duration", "distance", "fuel", "energy", "messages")
 class DriveCycle(NamedTuple):
-    """What a driving cycle takes."""
+    """Results of a driving cycle."""
 
     duration: float
     """[s]"""
     distance: float
     """[m]"""
     fuel: float
-    """[g]; NaN without a fuel map."""
+    """Fuel; NaN without a fuel map. [g]"""
     energy: CycleEnergy
     gears: Sequence[str]
-    """Of each step."""
+    """Gear of each step."""
     beyond: int
-    """Steps in which the engine would have to give more than at full load."""
+    """Number of steps with an engine torque above full load."""
     messages: Sequence[Message] = ()
-    """That, and what else is doubtful."""
+    """Warnings and notes."""
     steps: Mapping[str, Floats] = MappingProxyType({})
-    """By heading, with units: what each step has in its middle."""
+    """Columns of the steps by heading with unit, with values at mid-step."""
 
 
 def drive(
@@ -73,11 +73,11 @@ def drive(
     Raises
     ------
     CaseError
-        If a gear is none of the case, or has no torques; paths of problems are rows of the trace.
+        If a gear is not in the case, or has no torques; paths of problems are rows of the trace.
 
     Examples
     --------
-    1000 kg from rest to 10 m/s in 10 s through a pair of .8: 50 kJ at the wheels.
+    1000 kg from rest to 10 m/s in 10 s, with a gear pair of efficiency 0.8: 50 kJ at the wheels.
 
     >>> from vstatics import Gear, Mechanism
     >>> from vstatics.vehicle.case.vehicle import Vehicle
@@ -85,12 +85,12 @@ def drive(
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0, 0.8, name="pair")], [Gear(name="1")],
     ...                     vehicle=Vehicle(1000, 0.5))
     >>> trace = read_trace(b"time [s],speed [km/h],gear\\n0,0,1\\n10,36,1\\n", "t.csv")
-    >>> made = drive(case, trace, GearChoice())
-    >>> round(made.energy.engine, 6), round(made.energy.lost["pair"], 6), made.distance
+    >>> driven = drive(case, trace, GearChoice())
+    >>> round(driven.energy.engine, 6), round(driven.energy.lost["pair"], 6), driven.distance
     (62500.0, 12500.0, 50.0)
     """
     vehicle = Vehicle.of(case)
-    assert vehicle is not None  # noqa: S101 - who asks knows
+    assert vehicle is not None  # noqa: S101 - callers check
     steps = CycleSteps.of(bare(case), vehicle, trace, choice)
     engine, speeds = np.zeros(len(trace.speed)), steps.engine_speeds
     lost = CycleLosses({}, {}, np.zeros((len(trace.speed), len(case.shift_elements))))
@@ -139,7 +139,7 @@ def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
 
 
 def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
-    """What the engine can't, and which gears may be the wrong ones."""
+    """Yield warnings about guessed gears, engine speeds and engine torques."""
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
         yield Message(
@@ -148,7 +148,7 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
     vehicle, speeds = steps.vehicle, steps.engine_speeds
     too_fast = ~vehicle.may_turn(speeds)
     if too_fast.any():
-        last, fastest = (one * 30 / math.pi for one in (vehicle.engine[-1][0], speeds.max()))
+        last, fastest = (speed * 30 / math.pi for speed in (vehicle.engine[-1][0], speeds.max()))
         text = (
             f"in {int(too_fast.sum())} of {len(speeds)} steps the engine would turn at up to "
             f"{fastest:.6g} rpm, faster than at its last point, {last:.6g} rpm"
@@ -160,7 +160,7 @@ def _doubts(steps: CycleSteps, beyond: int) -> Iterator[Message]:
 
 
 def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:
-    """What shift elements can't carry, by (steps, elements) torques [N*m]."""
+    """Yield warnings about overloaded shift elements, by (steps, elements) torques [N*m]."""
 
     def where(row: int) -> str:
         start = steps.trace.table.numbers["time"][row]
@@ -171,7 +171,7 @@ def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterat
 
 @document("vstatics-cycle")
 class CycleAnswer(NamedTuple):
-    """What `vstatics cycle` answers."""
+    """JSON document of `vstatics cycle`."""
 
     name: str
     cycle: DriveCycle

@@ -1,4 +1,4 @@
-"""`cycle` in Python: a case with a vehicle through a cycle of speeds that a file holds."""
+"""Python function `cycle`: a case with a vehicle in a driving cycle."""
 
 from __future__ import annotations
 
@@ -37,24 +37,24 @@ def cycle(
         Table with columns time [s], speed [km/h], and optionally gear, and slope, a sine [-], or
         grade, the rise over the horizontal distance [-].
     least_speed : float, optional
-        The highest gear in which the engine turns as fast, else the lowest in which it turns no
-        faster than at its last point. [rad/s]
+        Least engine speed: choose the highest gear that reaches it, otherwise the lowest gear that
+        does not exceed the last engine speed. [rad/s]
     shifts : str, optional
         Shift speeds of the vehicle, up and down: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     fuel : path-like or FuelMap, optional
-        CSV with columns speed, torque, fuel; a case in Python knows no file beside it.
+        CSV with columns speed, torque, fuel; the file named in a case is not used.
 
     Returns
     -------
     DriveCycle
-        Energies [J], losses [J], fuel [g], the steps, and messages: what the engine can't.
+        Energies [J], losses [J], fuel [g], steps, and messages.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle, or a gear is none of it or has no torques.
+        If the case has no vehicle, or a gear is not in the case or has no torques.
     ReadError
-        If a file is in error, with every problem and its place.
+        If a file is in error, with every problem and its position.
     OSError
         If a file cannot be opened.
 
@@ -71,10 +71,10 @@ def cycle(
     if case.vehicle is None:
         message = "the case has no `vehicle`, expected `vehicle: {mass: ..., radius: ...}`"
         raise CaseError("E427", message)
-    driven = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
-    burnt = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
+    trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
+    fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
     choice = GearChoice(least_speed, read_shifts(shifts) if shifts else ())
-    return drive(case, driven, choice, burnt)
+    return drive(case, trace_read, choice, fuel_map)
 
 
 def _read(path: str | os.PathLike[str]) -> tuple[bytes, str]:

@@ -1,4 +1,4 @@
-"""What an engine takes over speed and torque: a grid in CSV, bilinear between its points."""
+"""Fuel map of an engine over speed and torque: a grid in CSV, interpolated bilinearly."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ COLUMNS = (
 
 
 class FuelMap(NamedTuple):
-    """A grid of fuel over speed and torque; at its edges it goes on as there.
+    """Grid of fuel rates over speed and torque, constant outside.
 
     Examples
     --------
@@ -40,10 +40,10 @@ class FuelMap(NamedTuple):
     torques: Floats
     """[N*m]"""
     fuel: Floats
-    """(speeds, torques) [g/s]"""
+    """Fuel rates, shape (speeds, torques). [g/s]"""
 
     def at(self, speeds: Floats, torques: Floats) -> Floats:
-        """Fuel at points [g/s]; a torque below 0 counts as 0."""
+        """Return the fuel rates at points [g/s]; negative torques count as 0."""
         grid = LookupTable(
             tuple(self.speeds.tolist()),
             tuple(map(tuple, self.fuel.tolist())),
@@ -52,14 +52,14 @@ class FuelMap(NamedTuple):
         return grid.along(speeds, np.maximum(torques, 0.0))
 
     def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
-        """Whether points are above the largest speed or torque of the grid.
+        """Return whether points exceed the largest speed or torque of the grid.
 
         >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
         ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))
         array([False,  True])
         """
-        far = 1 + SAME_SPEED
-        beyond: Booleans = (speeds > self.speeds[-1] * far) | (torques > self.torques[-1] * far)
+        limit = 1 + SAME_SPEED
+        beyond: Booleans = (speeds > self.speeds[-1] * limit) | (torques > self.torques[-1] * limit)
         return beyond
 
 
@@ -69,7 +69,7 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is in error, with every problem and its position.
 
     Examples
     --------

@@ -1,6 +1,6 @@
-"""A duty cycle by points: gear, speed and torque of the input, each with its time or share.
+"""Duty cycle by points: gear, speed and torque of the input, with times or shares.
 
-Energies of all ports and losses, and what each link, member and clutch carries over the cycle.
+Results are the energies of ports and losses, and the loads of links, members and clutches.
 """
 
 from __future__ import annotations
@@ -26,86 +26,91 @@ from vstatics.vehicle.duty import Cycle
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads
 
 EXPONENT = 3.0
-"""Of the equivalent torque, as of tooth roots and roller bearings (10/3), about."""
+"""Exponent of equivalent torques, typical of tooth roots and roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
-"""Largest number of a point in SI, above which energies and their sums may not be finite."""
+"""Largest number of a point in SI units, which keeps energies and sums finite."""
 
 
 class LargestValue(NamedTuple):
-    """The value that is largest without its sign, and the row that has it, from 1."""
+    """Value with the largest magnitude, and its row, from 1."""
 
     largest: float
     row: int
 
 
 class MemberLoad(NamedTuple):
-    """What a link, a member of a mechanism, or a shift element carries over a duty cycle."""
+    """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """[N*m]; of a link the sum of the torques above 0 on it; NaN of a planet."""
+    """Largest torque; for a link, of the sum of positive torques; NaN for a planet. [N*m]"""
     speed: LargestValue
-    """[rpm]; of a member or planet against the third link, of a shift element its slip."""
+    """Largest speed; of a member or planet relative to the third link, of a shift element the slip.
+    [rpm]"""
     revolutions: float
-    """Of that speed; of shares in a second."""
+    """Revolutions at the given speed; per second with shares. [-]"""
     equivalent_torque: float
-    """``(sum |T|^p n t / sum n t)^(1/p)`` with that speed n [N*m]; NaN where nothing turns."""
+    """``(sum |T|^p n t / sum n t)^(1/p)`` with speeds n; NaN without rotation. [N*m]"""
 
 
 @json_keys(in_="in_", out="out", lost="lost")
 class DutyEnergy(NamedTuple):
-    """Energies of a duty cycle [J]; of shares mean powers [W]."""
+    """Energies of a duty cycle [J]; with shares, mean powers [W]."""
 
     in_: float
     out: float
     lost: Mapping[str, float]
-    """By mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
+    """Losses by mechanism, ``drag.LINK`` and ``drag.CLUTCH``."""
 
 
 @json_keys("energy", "efficiency", "exponent", "members")
 class Spectrum(NamedTuple):
-    """What a duty cycle by points does."""
+    """Results of a duty cycle by points."""
 
     energy: DutyEnergy
     efficiency: float
     members: Mapping[str, MemberLoad]
     messages: Sequence[Message] = ()
-    """What is doubtful: laws asked outside their points, shift elements that carry too much."""
+    """Warnings about laws outside their points, and overloaded shift elements."""
     are_shares: bool = False
-    """Then energies are mean powers, and revolutions those of a second."""
+    """Points have shares: energies are mean powers, revolutions are per second."""
     damage: Mapping[str, DeviceDamage] = MappingProxyType({})
-    """Of devices with a fatigue strength, whose torques are those of the points in their order."""
+    """Damage of components with a fatigue strength, with the points in order as a record."""
     exponent: float = EXPONENT
-    """Of the equivalent torques. [-]"""
+    """Exponent of the equivalent torques. [-]"""
 
     def grids(self) -> Iterator[Grid]:
         """Yield tables of a summary: energies, loads of links, members and clutches, damage."""
-        what, energy = ("mean power, W" if self.are_shares else "energy, J"), self.energy
-        lost = [(word(f"lost: {name}"), one) for name, one in energy.lost.items() if one]
+        quantity, energy = ("mean power, W" if self.are_shares else "energy, J"), self.energy
+        lost = [(word(f"lost: {name}"), loss) for name, loss in energy.lost.items() if loss]
         rows = [
             (word("in"), energy.in_),
             (word("out"), energy.out),
             *lost,
             (word("efficiency"), self.efficiency),
         ]
-        yield grid_of("Duty cycle", ["", what], rows, key="duty")
+        yield grid_of("Duty cycle", ["", quantity], rows, key="duty")
         members = [
             (
-                *(
-                    name,
-                    one.torque.largest,
-                    one.torque.row or math.nan,
-                    one.speed.largest,
-                    one.speed.row,
-                ),
-                *(one.revolutions, one.equivalent_torque),
+                name,
+                load.torque.largest,
+                load.torque.row or math.nan,
+                load.speed.largest,
+                load.speed.row,
+                load.revolutions,
+                load.equivalent_torque,
             )
-            for name, one in self.members.items()
-            if one.torque.largest
+            for name, load in self.members.items()
+            if load.torque.largest
         ]
         headings = (
-            *("member", "torque, N*m", "row of torque", "speed, rpm", "row of speed"),
-            *("turns" + " a second" * self.are_shares, f"equivalent, p = {self.exponent:.6g}, N*m"),
+            "member",
+            "torque, N*m",
+            "row of torque",
+            "speed, rpm",
+            "row of speed",
+            "turns a second" if self.are_shares else "turns",
+            f"equivalent, p = {self.exponent:.6g}, N*m",
         )
         yield grid_of("Largest over the duty cycle", headings, members, key="duty members")
         if self.damage:
@@ -123,10 +128,10 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
     Parameters
     ----------
     case : Transmission
-        Loads of its own do not count.
+        Case, whose own operating points are ignored.
     points : DutyPoints
     exponent : float
-        Of the equivalent torque. [-]
+        Exponent of the equivalent torque. [-]
 
     Raises
     ------
@@ -135,15 +140,16 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
 
     Examples
     --------
-    A pair of .9 and ratio 2 for 10 s at 100 rad/s and 20 N*m: 20 kJ, of which 2 are lost.
+    A gear pair of efficiency 0.9 and ratio 2 for 10 s at 100 rad/s and 20 N*m: 20 kJ, of which
+    2 kJ are lost.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0, 0.9, name="pair")], [Gear()])
-    >>> one = np.ones(1)
-    >>> made = spectrum(case, DutyPoints(np.zeros(1, int), 100 * one, 20 * one, 10 * one))
-    >>> round(made.energy.in_, 6), round(made.energy.lost["pair"], 6), round(made.efficiency, 9)
+    >>> points = DutyPoints(*(np.array([number]) for number in (0, 100.0, 20.0, 10.0)))
+    >>> loads = spectrum(case, points)
+    >>> round(loads.energy.in_, 6), round(loads.energy.lost["pair"], 6), round(loads.efficiency, 9)
     (20000.0, 2000.0, 0.9)
-    >>> round(made.members["2"].torque.largest, 6), round(made.members["2"].revolutions, 3)
+    >>> round(loads.members["2"].torque.largest, 6), round(loads.members["2"].revolutions, 3)
     (36.0, 79.577)
     """
     loads = PointLoads.of(case, points)
@@ -163,8 +169,6 @@ def spectrum(case: Transmission, points: DutyPoints, exponent: float = EXPONENT)
 
 
 def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
-    """What is doubtful about points of a case, whose load tells capacities."""
-
     def where(row: int) -> str:
         return f"in row {row + 1}, gear {case.gears[int(loads.points.gears[row])].name}"
 
@@ -174,19 +178,19 @@ def _doubts(case: Transmission, loads: PointLoads) -> Iterator[Message]:
 
 
 def _member(torques: Floats, speeds: Floats, weights: Floats, exponent: float) -> MemberLoad:
-    """What one of them carries; torques [N*m], speeds [rad/s]."""
+    """Return the load of a member, from torques [N*m] and speeds [rad/s]."""
     sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
-    whole = float(turned.sum())
+    total = float(turned.sum())
     top = float(np.nanmax(sizes, initial=0.0))
     with np.errstate(all="ignore"):
-        mean = float(((sizes / top) ** exponent) @ turned / whole) if top and whole else math.nan
-    if top == 0 and whole:
+        mean = float(((sizes / top) ** exponent) @ turned / total) if top and total else math.nan
+    if top == 0 and total:
         mean = math.nan if np.isnan(torques).all() else 0.0
     return MemberLoad(
         _largest(torques),
         _largest(speeds * 30 / math.pi),
-        whole / (2 * math.pi),
+        total / (2 * math.pi),
         top * mean ** (1 / exponent),
     )
 
@@ -201,12 +205,12 @@ def _largest(values: Floats) -> LargestValue:
 def points_of(
     case: Transmission, gears: Sequence[str], numbers: Mapping[str, Sequence[float]]
 ) -> DutyPoints:
-    """The points of columns by name: speed, torque, and time or share.
+    """Return points from columns by name: speed, torque, and time or share.
 
     Raises
     ------
     CaseError
-        If a gear is none of the case, or a duration is below 0.
+        If a gear is not in the case, or a number is out of range.
     """
     names = [gear.name for gear in case.gears]
     problems = [
@@ -235,6 +239,6 @@ def points_of(
         problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]
     if problems:
         raise CaseError(problems)
-    speeds, torques, weights = (np.array(numbers[one]) for one in ("speed", "torque", kind))
+    speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
     indices = np.array([names.index(gear) for gear in gears])
     return DutyPoints(indices, speeds, torques, weights, kind == "share")

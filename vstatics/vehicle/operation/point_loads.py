@@ -1,4 +1,4 @@
-"""What a case carries at points of speed and torque: of each link, member and shift element."""
+"""Loads of links, members and shift elements at points of speed and torque."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ from vstatics.core.statics.solve import solve
 from vstatics.vehicle.tolerances import NO_DRAG
 
 MOST_REASONS = 20
-"""Of so many points without torques it is told why, as each is calculated again."""
+"""Largest number of points without torques whose reason is given; each is solved again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
 )
-"""Messages on what keeps a gear from having speeds, or torques, the first reason first."""
+"""Ids of messages about gears without speeds or torques, most important first."""
 
 
 class DutyPoints(NamedTuple):
-    """Points of a duty cycle; arrays of one length."""
+    """Points of a duty cycle, as arrays of equal length."""
 
     gears: Integers
-    """Index of each point's gear."""
+    """Index of the gear of each point."""
     speeds: Floats
-    """Of the input. [rad/s]"""
+    """Speeds of the input. [rad/s]"""
     torques: Floats
-    """Of the input. [N*m]"""
+    """Torques of the input. [N*m]"""
     weights: Floats
     """Durations [s], or shares of any sum."""
     are_shares: bool = False
 
 
 class PointLoads(NamedTuple):
-    """The results of all points, each in its gear; arrays of shape (points, ...)."""
+    """Results of all points, in the gear of each point; arrays of shape (points, ...)."""
 
     case: Transmission
     points: DutyPoints
@@ -53,79 +53,77 @@ class PointLoads(NamedTuple):
     def of(
         cls, case: Transmission, points: DutyPoints, further: Mapping[str, Floats] | None = None
     ) -> PointLoads:
-        """Solve all points in all gears; further numbers vary by their paths, as in `solve`.
+        """Solve all points in all gears; `further` are other numbers by path, as in `solve`.
 
         Raises
         ------
         CaseError
-            If a point has no torques; the paths of problems are the indices of points.
+            If a point has no torques; the paths of problems are indices of points.
         """
         gears = [gear._replace(load=None) for gear in case.gears]
         bare = replace(case, gears=gears, load=Load(1000.0, 1.0))
         vary = {"load.speed": points.speeds, "load.torque": points.torques}
         vary |= further or {}
-        made = cls(bare, points, solve(bare, vary=vary))
-        lacking = ~np.isfinite(made.taken(made.results.lossy_output_torque_Nm))
-        most = 0 if further else MOST_REASONS  # alone a point has no torques of inertia
+        loads = cls(bare, points, solve(bare, vary=vary))
+        lacking = ~np.isfinite(loads.taken(loads.results.lossy_output_torque_Nm))
+        most = 0 if further else MOST_REASONS  # a single point has no inertia torques
         problems = [
-            Problem("E424", made._lacking(row, has_reason=place < most), (row,))
+            Problem("E424", loads._lacking(row, has_reason=place < most), (row,))
             for place, row in enumerate(np.flatnonzero(lacking).tolist())
         ]
         if problems:
             raise CaseError(problems)
-        return made
+        return loads
 
     def _lacking(self, row: int, *, has_reason: bool) -> str:
-        """That a point has no torques; why, as calculating it alone says."""
+        """Return the message about a point without torques, with a reason if requested."""
         gear = self.case.gears[int(self.points.gears[row])]
-        said = f"gear {gear.name} has no torques with losses at this speed and torque"
+        text = f"gear {gear.name} has no torques with losses at this speed and torque"
         if not has_reason:
-            return said
+            return text
         load = Load(float(self.points.speeds[row]) * 30 / math.pi, float(self.points.torques[row]))
         alone = solve(replace(self.case, gears=[gear], load=load))
-        said_alone = {one.id: one.text for one in reversed(alone.messages)}
-        reasons = [said_alone[one] for one in REASONS if one in said_alone]
-        return ": ".join((said, *reasons[:1]))
+        texts = {message.id: message.text for message in reversed(alone.messages)}
+        reasons = [texts[id_] for id_ in REASONS if id_ in texts]
+        return ": ".join((text, *reasons[:1]))
 
     def taken(self, array: Any) -> Floats:
-        """An array of results by point, in the gear of each."""
-        own: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
-        return own
+        """Return an array of results by point, in the gear of each point."""
+        values: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
+        return values
 
     @property
     def input_torques(self) -> Floats:
-        """Of the input at each point, as `coast` of the case turns it [N*m]."""
+        """Input torque at each point, with the direction of power of the case [N*m]."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         units = self.taken(self.results.points.scales["Nm"])
         return np.where(self.points.torques == 0, 0.0, units)
 
     @property
     def outside(self) -> list[str]:
-        """Laws that are asked outside their points, in the gears of these."""
+        """Laws evaluated outside their points, in the gears of the points."""
         assert self.results.points is not None  # noqa: S101 - loads vary
-        return [one for one, at in self.results.points.outside.items() if self.taken(at).any()]
+        return [law for law, at in self.results.points.outside.items() if self.taken(at).any()]
 
     def losses(self) -> dict[str, Floats]:
-        """By mechanism or element: power lost at each point [W]."""
+        """Return the power loss at each point, by gear set [W]."""
         powers = 1e3 * self.taken(self.results.losses_kW)
         names = [device.name for device in self.case.own_devices]
         return {name: np.nan_to_num(column) for name, column in zip(names, powers.T, strict=True)}
 
     def port_powers(self) -> tuple[Floats, Floats]:
-        """What enters by all ports, and what leaves [W]."""
+        """Return the power entering and leaving by all ports [W]."""
         results = self.results
-        both = results.input_power_kW, results.output_power_kW
-        entering, leaving = (1e3 * self.taken(powers) for powers in both)
-        return entering, leaving
+        return 1e3 * self.taken(results.input_power_kW), 1e3 * self.taken(results.output_power_kW)
 
     @property
     def speeds(self) -> Floats:
-        """(points, links), the housing first [rad/s]."""
-        own = self.taken(self.results.speeds_rpm) * math.pi / 30
-        return np.concatenate([np.zeros((len(own), 1)), own], axis=1)
+        """Speeds of links, with the housing first, shape (points, links) [rad/s]."""
+        speeds = self.taken(self.results.speeds_rpm) * math.pi / 30
+        return np.concatenate([np.zeros((len(speeds), 1)), speeds], axis=1)
 
     def elements(self) -> Iterator[tuple[str, Floats, Floats]]:
-        """Of each shift element: torque on its first link [N*m], slip [rad/s]."""
+        """Yield each shift element with the torque on the first link [N*m], and slip [rad/s]."""
         torques = self.taken(self.results.lossy_torques_Nm)
         slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
         for place, element in enumerate(self.case.shift_elements):
@@ -133,26 +131,27 @@ class PointLoads(NamedTuple):
 
     @property
     def held_torques(self) -> Floats:
-        """(points, shift elements): what those carry that hold, without sign; else 0 [N*m]."""
+        """Magnitudes of torques of engaged shift elements, (points, shift elements) [N*m]."""
         holds, results = self.taken(self.results.holds), self.results
         sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
         return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
-        """By shift element, mechanism and spring: the torque on its first link [N*m].
+        """Return the torque on the first link of each shift element, mechanism and spring [N*m].
 
-        An element is its mechanism, or the mechanisms of its meshes, as in motion.
+        A gear set is represented by its mechanism, or by the mechanisms of its meshes, as in
+        simulations.
         """
         rows, results = all_row_names(self.case), self.results
         torques, meshes = results.lossy_torques_Nm, results.lossy_mesh_torques_Nm
-        found = dict(zip(rows["torques"], self.taken(torques).T, strict=True))
-        found |= dict(zip(rows["meshes"], self.taken(meshes).T, strict=True))
+        by_name = dict(zip(rows["torques"], self.taken(torques).T, strict=True))
+        by_name |= dict(zip(rows["meshes"], self.taken(meshes).T, strict=True))
         for index, row in first_rows(self.case).items():
-            found[self.case.mechanisms[index].name] = found[row]
-        return found
+            by_name[self.case.mechanisms[index].name] = by_name[row]
+        return by_name
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
-        """Device and member -> torque that its link gives to it [N*m]."""
+        """Return the torque that a link gives to a member [N*m], by device index and member."""
         torques = self.taken(self.results.lossy_torques_Nm)
         first = len(self.case.shift_elements)
         places = [
@@ -162,22 +161,22 @@ class PointLoads(NamedTuple):
         ]
         if self.case.drawing is not None:
             return {place: torques[:, first + n] for n, place in enumerate(places)}
-        found = {}
+        by_member = {}
         for number, mechanism in enumerate(self.case.mechanisms):
             on_first = torques[:, first + number]
             first_part, second_part, _ = column_of(mechanism, self._ratios(number))
             with np.errstate(all="ignore"):
                 second = second_part / first_part * on_first
-            if mechanism.kind != "converter":  # whose torque ratio has its losses
+            if mechanism.kind != "converter":  # the torque ratio of a converter includes losses
                 second = second * self._loss_factor(number, on_first)
             by_name = {"first": on_first, "second": second, "third": -on_first - second}
             for device, name in places:
                 if device == number:
-                    found[device, name] = by_name[name]
-        return found
+                    by_member[device, name] = by_name[name]
+        return by_member
 
     def _ratios(self, number: int) -> Floats:
-        """Of a mechanism at each point: that of its gear, or the speed ratio that it has there."""
+        """Return the ratio of a mechanism at each point: of the gear, or by the speeds."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
         given = np.array(by_gear, dtype=float)[self.points.gears]
@@ -188,7 +187,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
-        """``n**x`` of a mechanism, from what it loses of the power by its first link; else 1."""
+        """Return ``n**x`` of a mechanism, from the loss and the power at the first link; else 1."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
         lost = list(self.losses().values())[number]
@@ -197,62 +196,62 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(factor), factor, 1.0)
 
     def link_torques(self) -> tuple[dict[int, list[Floats]], dict[int, Floats]]:
-        """Link -> torques on it by devices and from outside, and link -> its own drag [N*m]."""
+        """Return torques on links by components and from outside, and drag of links [N*m]."""
         case, results, count = self.case, self.results, len(self.points.gears)
-        found: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
+        on_link: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
         for place, (_, torque, _) in enumerate(self.elements()):
             element = case.shift_elements[place]
-            found[element.first].append(-torque)
-            found[element.second].append(torque)
+            on_link[element.first].append(-torque)
+            on_link[element.second].append(torque)
         for (device, name), torque in self.member_torques().items():
-            links = {one.name: one.link for one in case.own_devices[device].members}
-            found[links[name]].append(-torque)
+            links = {member.name: member.link for member in case.own_devices[device].members}
+            on_link[links[name]].append(-torque)
         torques = self.taken(results.lossy_torques_Nm)
         for place, spring in enumerate(case.springs, torques.shape[1] - 1 - len(case.springs)):
             for link, part in spring.form.items():
-                found[link].append(-part * torques[:, place])
+                on_link[link].append(-part * torques[:, place])
         held = np.nan_to_num(self.taken(results.lossy_holding_torques_Nm))
         assert results.points is not None  # noqa: S101 - loads vary
         points, units = results.points, self.taken(results.points.scales["Nm"])
         for index, gear in enumerate(case.gears):
             here = self.points.gears == index
             unit = np.where(here, self.input_torques, 0.0)
-            found[case.gear_input(gear)].append(unit)
-            found[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
+            on_link[case.gear_input(gear)].append(unit)
+            on_link[case.gear_output(gear)].append(np.where(here, -torques[:, -1], 0.0))
             for link, given in points.gears[index].torques.items():
-                found[link].append(np.where(here, given * units, 0.0))
+                on_link[link].append(np.where(here, given * units, 0.0))
             for link in held_links(case, gear):
-                found[link].append(np.where(here, held[:, link - 1], 0.0))
+                on_link[link].append(np.where(here, held[:, link - 1], 0.0))
         drags = {}
         for link in range(1, case.own_links + 1):
-            known = [np.nan_to_num(one) for one in found[link]] or [np.zeros(count)]
-            left = -np.sum(known, axis=0)
+            known = [np.nan_to_num(torque) for torque in on_link[link]] or [np.zeros(count)]
+            balance = -np.sum(known, axis=0)
             size = np.max(np.abs(known), axis=0)
-            drags[link] = np.where(np.abs(left) > NO_DRAG * size, left, 0.0)
-            found[link] = [*known, drags[link]]
-        return found, drags
+            drags[link] = np.where(np.abs(balance) > NO_DRAG * size, balance, 0.0)
+            on_link[link] = [*known, drags[link]]
+        return on_link, drags
 
     def drag_losses(self) -> dict[str, Floats]:
-        """By ``drag.NAME``: power that links and open elements with drag take [W]."""
+        """Return the drag power of links and disengaged elements, by ``drag.NAME`` [W]."""
         _, drags = self.link_torques()
-        has = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
-        found = {
+        dragged = {link for gear in self.case.gears for link in self.case.gear_drag(gear)}
+        losses = {
             f"drag.{self.case.link_name(link)}": np.abs(drags[link] * self.speeds[:, link])
-            for link in sorted(has)
+            for link in sorted(dragged)
         }
         holds = self.taken(self.results.holds)
         for place, (name, torque, slip) in enumerate(self.elements()):
             powers = np.where(holds[:, place], 0.0, np.abs(np.nan_to_num(torque * slip)))
             if powers.any():
-                found[f"drag.{name}"] = powers
-        return found
+                losses[f"drag.{name}"] = powers
+        return losses
 
     def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Names with torques [N*m] and speeds [rad/s]: links, members, shift elements."""
+        """Yield names of links, members and shift elements, torques [N*m] and speeds [rad/s]."""
         case, speeds = self.case, self.speeds
-        found, _ = self.link_torques()
+        on_link, _ = self.link_torques()
         for link in range(1, case.own_links + 1):
-            through = np.sum([np.maximum(one, 0.0) for one in found[link]], axis=0)
+            through = np.sum([np.maximum(torque, 0.0) for torque in on_link[link]], axis=0)
             yield case.link_name(link), (through, speeds[:, link])
         torques: dict[tuple[int, str], Any] = self.member_torques()
         for number, device in enumerate(case.own_devices):
@@ -260,7 +259,7 @@ class PointLoads(NamedTuple):
             for member in device.members:
                 relative = speeds[:, member.link] - speeds[:, third]
                 yield f"{device.name}.{member.name}", (torques[number, member.name], relative)
-        planets = [one.name for device in case.own_devices for one in device.planets]
+        planets = [planet.name for device in case.own_devices for planet in device.planets]
         turning = self.taken(self.results.planet_speeds_rpm) * math.pi / 30
         for name, column in zip(planets, turning.T, strict=True):
             if not np.isnan(column).all():

@@ -1,6 +1,6 @@
-"""Which gear a driving cycle is driven in: by shift speeds, or the highest that fits.
+"""Choice of gears in a driving cycle: by shift speeds, or the highest possible gear.
 
-No rule takes a gear in which the engine would turn faster than it may, if another one holds.
+No rule chooses a gear above the last engine speed if another gear can avoid this.
 """
 
 from __future__ import annotations
@@ -21,32 +21,32 @@ from vstatics.vehicle.operation.trace import blocks
 
 
 class ShiftSpeed(NamedTuple):
-    """A shift between two neighbours."""
+    """Shift speeds between two neighbouring gears."""
 
     low: str
     high: str
     up: float
-    """At this mean speed and above the higher gear is taken. [m/s]"""
+    """Mean speed from which the higher gear is engaged. [m/s]"""
     down: float
-    """Below this mean speed the lower one is. [m/s]"""
+    """Mean speed below which the lower gear is engaged. [m/s]"""
 
 
 def read_shifts(text: str) -> list[ShiftSpeed]:
-    """Shift speeds of a text, from the lowest pair of gears on.
+    """Parse shift speeds, from the lowest pair of gears upwards.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        If the text is invalid, with the expected form.
 
     Examples
     --------
-    >>> [one.low for one in read_shifts("1-2: 18 km/h/14.4 km/h, 2-3: 36 km/h/27 km/h")]
+    >>> [shift.low for shift in read_shifts("1-2: 18 km/h/14.4 km/h, 2-3: 36 km/h/27 km/h")]
     ['1', '2']
     >>> read_shifts("1-2: 18 km/h/14.4 km/h")[0].down.__round__(9)
     4.0
     """
-    found: list[ShiftSpeed] = []
+    shifts: list[ShiftSpeed] = []
     for item in text.split(","):
         gears, colon, speeds = item.partition(":")
         low, dash, high = (part.strip() for part in gears.partition("-"))
@@ -56,14 +56,14 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
             raise ValueError(f"read {item.strip()!r}, expected {example}")
         if down > up:
             raise ValueError(f"read {item.strip()!r}, expected the shift down below that up")
-        if found and found[-1].high != low:
-            raise ValueError(f"read {item.strip()!r}, expected the shift from {found[-1].high} on")
-        found.append(ShiftSpeed(low, high, up, down))
-    return found
+        if shifts and shifts[-1].high != low:
+            raise ValueError(f"read {item.strip()!r}, expected the shift from {shifts[-1].high} on")
+        shifts.append(ShiftSpeed(low, high, up, down))
+    return shifts
 
 
 def _two_speeds(text: str) -> tuple[float | None, float | None]:
-    """The speeds on both sides of a stroke, which units have too [m/s]."""
+    """Parse two speeds with units, separated by a slash, which units can contain [m/s]."""
     for at, letter in enumerate(text):
         if letter == "/":
             try:
@@ -77,7 +77,7 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
 
 
 def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
-    """The gears of each direction, the lower ones first; forward is the first one.
+    """Return the gears of each direction, lowest first; the first direction is forward.
 
     >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]), ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -89,14 +89,14 @@ class EngineSpeeds(NamedTuple):
     """Speeds of the engine in each gear at the steps of a cycle."""
 
     output: Floats
-    """(steps,): speed of the output [rad/s]."""
+    """Speeds of the output, shape (steps,). [rad/s]"""
     ratios: Floats
-    """(gears,): speed of the engine by that of the output [-]."""
+    """Speeds of the engine relative to the output, shape (gears,). [-]"""
     may_turn: Callable[[Floats], Booleans]
-    """Whether the engine may turn as fast [rad/s]."""
+    """Function that returns whether the engine can reach a speed. [rad/s]"""
 
     def of(self, gear: int, rows: slice = slice(None)) -> Floats:
-        """Speeds in a gear at some steps [rad/s]."""
+        """Return the speeds in a gear at some steps [rad/s]."""
         speeds: Floats = self.output[rows] * self.ratios[gear]
         return speeds
 
@@ -108,25 +108,25 @@ def by_shift_speeds(
     engine: EngineSpeeds,
     ratios: Floats,
 ) -> Integers:
-    """Return the indices of gears at mean speeds [m/s], from the first gear on.
+    """Return the indices of gears at mean speeds [m/s], starting in the first gear.
 
-    A shift up comes at the latest where the engine may not turn as fast as it would.
+    The upshift is at the latest at the last engine speed.
 
     Parameters
     ----------
     case : Transmission
     shifts : sequence of ShiftSpeed
     speeds : ndarray, shape (steps,)
-        Of the vehicle. [m/s]
+        Speeds of the vehicle. [m/s]
     engine : EngineSpeeds
     ratios : ndarray, shape (gears,)
-        Of the case; NaN where the engine alone does not drive. [-]
+        Ratios of the case; NaN if other machines drive, too. [-]
 
     Raises
     ------
     ValueError
-        If there is no such gear, or a shift up goes to a gear of a larger ratio, of another
-        direction, or of none.
+        If a gear does not exist, or if an upshift leads to a larger ratio, another direction, or a
+        gear without ratio.
 
     Examples
     --------
@@ -159,10 +159,12 @@ def by_shift_speeds(
     for rows in blocks(len(speeds)):
         columns = [engine.may_turn(engine.of(gear, rows)).tolist() for gear in numbers]
         places = []
-        for speed, held in zip(speeds[rows].tolist(), zip(*columns, strict=True), strict=True):
-            while place < len(shifts) and (speed >= shifts[place].up or not held[place]):
+        for speed, is_allowed in zip(
+            speeds[rows].tolist(), zip(*columns, strict=True), strict=True
+        ):
+            while place < len(shifts) and (speed >= shifts[place].up or not is_allowed[place]):
                 place += 1
-            while place and speed < shifts[place - 1].down and held[place - 1]:
+            while place and speed < shifts[place - 1].down and is_allowed[place - 1]:
                 place -= 1
             places.append(place)
         chosen[rows] = np.array(numbers)[places]
@@ -170,32 +172,33 @@ def by_shift_speeds(
 
 
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
-    """Return the highest gears in which the engine turns fast enough and no faster than it may.
+    """Return the highest gears in which the engine reaches a least speed.
 
-    Where there is none, the first of those in which it turns no faster; of none the highest.
+    Otherwise the lowest gear below the last engine speed is returned, otherwise the highest gear.
 
     Parameters
     ----------
     engine : EngineSpeeds
     least : float
-        As fast as it shall turn. [rad/s]
+        Least speed of the engine. [rad/s]
     ahead : sequence of int
-        Indices of gears that are taken.
+        Indices of the forward gears.
 
     Examples
     --------
-    Of 100 to 600 rad/s: in the first gear too fast, in the second too slow; too fast in both.
+    Between 100 and 600 rad/s: the first gear is too fast and the second too slow; then both gears
+    are too fast.
 
     >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
     >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)
     >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
-    order = sorted(ahead, key=lambda gear: float(engine.ratios[gear]))
-    chosen = np.full(len(engine.output), order[0] if order else 0)
-    for gear in order:
+    ascending = sorted(ahead, key=lambda gear: float(engine.ratios[gear]))
+    chosen = np.full(len(engine.output), ascending[0] if ascending else 0)
+    for gear in ascending:
         chosen[engine.may_turn(engine.of(gear))] = gear
-    for gear in reversed(order):
+    for gear in reversed(ascending):
         speeds = engine.of(gear)
         chosen[engine.may_turn(speeds) & (speeds >= least)] = gear
     return chosen

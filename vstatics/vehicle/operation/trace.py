@@ -1,6 +1,6 @@
-"""A driving cycle in CSV: time, speed, and optionally the gear and the slope of the road.
+"""Driving cycle in CSV: time, speed, and optionally gear and slope of the road.
 
-The slope is the sine of the angle of ascent. Published cycles have a grade instead, the rise over
+The slope is the sine of the angle of ascent. Published cycles have a grade instead: the rise over
 the horizontal distance.
 """
 
@@ -60,13 +60,13 @@ COLUMNS = (
     ),
 )
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
-"""Largest time [s], speed [m/s] and acceleration [m/s^2] of a trace: no vehicle comes near them,
-and energies by them are finite."""
+"""Largest time [s], speed [m/s] and acceleration [m/s^2] of a trace, far above any vehicle, which
+keep energies finite."""
 
 BLOCK_ROWS = 20_000
-"""Number of steps that are calculated together, which bounds the memory of long cycles."""
+"""Number of steps calculated together, which bounds the memory of long cycles."""
 MOST_SHOWN_FAULTS = 20
-"""Number of rows of which a fault is shown."""
+"""Largest number of rows with a reported fault."""
 
 
 def blocks(count: int) -> Iterator[slice]:
@@ -80,29 +80,29 @@ def blocks(count: int) -> Iterator[slice]:
 
 
 class Trace(NamedTuple):
-    """A driving cycle, from row to row."""
+    """Driving cycle as steps between rows."""
 
     duration: Floats
     """[s]"""
     speed: Floats
-    """The mean of two rows. [m/s]"""
+    """Mean speed of both rows. [m/s]"""
     acceleration: Floats
     """[m/s^2]"""
     slope: Floats
-    """Sine of the ascent, of the first row. [-]"""
+    """Sine of the ascent in the first row. [-]"""
     gears: list[str]
-    """Of the first row; nothing where the trace has none."""
+    """Gears in the first rows; empty without a column of gears."""
     table: UnitTable
 
     @property
     def ends(self) -> tuple[Floats, Floats]:
-        """Speeds of both rows [m/s]."""
+        """Speeds in both rows [m/s]."""
         change = self.acceleration * self.duration / 2
         return self.speed - change, self.speed + change
 
     @property
     def notes(self) -> list[Problem]:
-        """What is worth knowing of the file, with its place."""
+        """Notes about skipped columns, with position."""
         skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
         if not skipped:
             return []
@@ -112,7 +112,7 @@ class Trace(NamedTuple):
 
     @property
     def place(self) -> Place:
-        """The line of the headings."""
+        """Position of the headings."""
         return self.table.head_place
 
 
@@ -122,7 +122,7 @@ def read_trace(data: bytes, file: str) -> Trace:
     Raises
     ------
     ReadError
-        With every problem and its place.
+        If the file is in error, with every problem and its position.
 
     Examples
     --------
@@ -132,8 +132,8 @@ def read_trace(data: bytes, file: str) -> Trace:
     >>> read_trace(b"cycSecs,cycMps,cycGrade\\n0,5,.75\\n2,5,0\\n", "t.csv").slope.round(9)
     array([0.6])
     """
-    what = "a driving cycle: time, speed"
-    table = read_unit_table(data, file, what, COLUMNS, "E122", skips=True)
+    expected = "a driving cycle: time, speed"
+    table = read_unit_table(data, file, expected, COLUMNS, "E122", skips=True)
     times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
     problems = list(_problems(table, times, speeds))
     if problems:
@@ -180,7 +180,5 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
 
 
 def _slopes(table: UnitTable) -> Floats:
-    """Sines of the ascent, by a column of these or of grades [-]."""
     grades = np.array(table.numbers.get("grade", np.zeros(len(table.lines))))
-    slopes: Floats = np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))
-    return slopes
+    return np.array(table.numbers.get("slope", grades / np.hypot(1.0, grades)))

@@ -1,8 +1,8 @@
-"""What a vehicle can: force at the wheels in each gear, top speed, slope, acceleration.
+"""Traction of a vehicle: wheel force in each gear, top speed, slope, acceleration.
 
-``F = Mx final_drive/radius`` with the output torque at full load, with losses; resistance as of
-a road. The largest acceleration of all gears is ``(F - R)/(m + sum J k^2)``, ``k = w/v`` of each
-link with an inertia.
+The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load with
+losses. The acceleration is the largest of all gears of ``(F - R)/(m + sum J k^2)``, with the
+resistance R of the road, and ``k = w/v`` of each link with an inertia.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ if TYPE_CHECKING:
     from vstatics.core.summary import Summary
 
 KMH = 3.6
-"""1 m/s."""
+"""Factor from m/s to km/h."""
 HUNDRED = 100 / KMH
-"""100 km/h. [m/s]"""
+"""Speed of 100 km/h. [m/s]"""
 SPEEDS_OF_ENGINE = 256
-"""Between the first and the last point; a place between two is found by as many again."""
+"""Number of intervals of the engine speed, in each narrowing."""
 NARROWINGS = 5
-"""So often: then it is known to 1e-12."""
+"""Number of narrowings, which give a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
-"""Of the integral of time, besides the points of the engine in each gear."""
+"""Number of intervals of the integral of time, in addition to points of the engine."""
 
 
 class GearPerformance(NamedTuple):
-    """What a vehicle can in a gear; NaN where it cannot."""
+    """Performance of a vehicle in a gear; NaN if undefined."""
 
     top_speed: float
-    """On the level. [km/h]"""
+    """Top speed on a level road. [km/h]"""
     slope: float
-    """Sine of the steepest ascent; 1 where the force is enough for any. [-]"""
+    """Sine of the steepest ascent; 1 if the force exceeds the weight. [-]"""
 
 
 class Performance(NamedTuple):
@@ -54,18 +54,18 @@ class Performance(NamedTuple):
 
     gears: Mapping[str, GearPerformance]
     top_speed: float
-    """Forward. [km/h]"""
+    """Top speed of all forward gears. [km/h]"""
     time_to_100: float
-    """From rest to 100 km/h at full load, without time for shifts; NaN if it is not reached [s]."""
+    """Time from rest to 100 km/h at full load, without shift times; NaN if unreachable. [s]"""
 
     @classmethod
     def of(cls, summary: Summary) -> Performance | None:
-        """Return the performance in a summary, if the case has a vehicle with an engine."""
+        """Return the performance of a summary, if the case has a vehicle with an engine."""
         return as_type(summary.vehicle, cls)
 
     def grids(self) -> Iterator[Grid]:
-        """Yield tables for a summary: of each gear, and of all gears."""
-        rows = [(name, one.top_speed, one.slope) for name, one in self.gears.items()]
+        """Yield tables for a summary: by gear, and of the vehicle."""
+        rows = [(name, gear.top_speed, gear.slope) for name, gear in self.gears.items()]
         headings = "gear", "top speed, km/h", "slope"
         yield grid_of("Vehicle at full load", headings, rows, key="vehicle gears")
         row = self.top_speed, self.time_to_100
@@ -73,13 +73,13 @@ class Performance(NamedTuple):
 
 
 def bare(case: Transmission) -> Transmission:
-    """The case without loads and directions of its own, for points of any load."""
+    """Return the case without operating points and coasting, for calculations at any point."""
     gears = [gear._replace(load=None, coast=None) for gear in case.gears]
     return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
 
 
 def engine_alone(case: Transmission) -> Booleans:
-    """In which gears the engine alone drives: of the others nothing is told."""
+    """Return whether the engine is the only machine, for each gear."""
     return np.array([not beside_engine(gear, case.link_name) for gear in case.gears])
 
 
@@ -90,34 +90,36 @@ def vehicle_section(case: Transmission) -> Performance | None:
 
 
 def performance(case: Transmission) -> Performance:
-    """Top speeds, slopes, and the time to 100 km/h of a case with a vehicle and its engine.
+    """Calculate top speeds, slopes and the time to 100 km/h of a vehicle with an engine.
 
     Examples
     --------
-    A force of 1000 N at any speed up to 100 rad/s at the wheels of .5 m, without resistance: the
-    engine ends it at 180 km/h, and 1000 kg reach 100 km/h in 27.8 s.
+    A force of 1000 N up to 100 rad/s of wheels of 0.5 m, without resistance: the last engine speed
+    limits 1000 kg to 180 km/h, and 100 km/h are reached in 27.8 s.
 
     >>> from vstatics import Gear, Mechanism
     >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear(name="1")], vehicle=car)
-    >>> made = performance(case)
-    >>> round(made.top_speed, 6), round(made.time_to_100, 6), round(made.gears["1"].slope, 6)
-    (180.0, 27.777778, 0.101937)
+    >>> car_performance = performance(case)
+    >>> round(car_performance.top_speed, 6), round(car_performance.time_to_100, 6)
+    (180.0, 27.777778)
+    >>> round(car_performance.gears["1"].slope, 6)
+    0.101937
     """
     vehicle = Vehicle.of(case)
-    assert vehicle is not None and vehicle.engine  # noqa: PT018, S101 - who asks knows
+    assert vehicle is not None and vehicle.engine  # noqa: PT018, S101 - callers check
     pull = Traction(bare(case), vehicle)
     gears = {
         gear.name: GearPerformance(KMH * pull.top_speed(number), pull.slope(number))
         for number, gear in enumerate(case.gears)
     }
     ahead = [case.gears[index].name for index in pull.ahead]
-    known = [gears[one].top_speed for one in ahead if math.isfinite(gears[one].top_speed)]
+    known = [gears[name].top_speed for name in ahead if math.isfinite(gears[name].top_speed)]
     return Performance(gears, max(known, default=math.nan), pull.time_to(HUNDRED))
 
 
 class Traction:
-    """Force and resistance over the speed of the vehicle.
+    """Wheel force and resistance over the speed of a vehicle.
 
     >>> from vstatics import Gear, Mechanism
     >>> car = Vehicle(1000, 0.5, engine=[(0.0, 125.0), (400.0, 125.0)])
@@ -127,53 +129,52 @@ class Traction:
     """
 
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
-        """A case without loads of its own, `bare`, in a vehicle with its engine."""
+        """Solve the speeds of a case made by `bare`, for a vehicle with an engine."""
         self.case = case
         self.vehicle = vehicle
         self.first, self.last = vehicle.engine[0][0], vehicle.engine[-1][0]
-        still = solve(case)
+        results = solve(case)
         outputs = [case.gear_output(gear) - 1 for gear in case.gears]
-        speeds = still.speeds
+        speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
         output = np.where(engine_alone(case), output, math.nan)
-        """Of the output, by that of the engine."""
+        """Output speed per unit of engine speed, by gear."""
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turned = np.where(links > 0, links * (speeds / self.per_engine[:, None]) ** 2, 0.0)
             self.mass = vehicle.mass + turned.sum(axis=1)
-        """By gear, with what turns. [kg]"""
+        """Mass by gear, including rotating parts. [kg]"""
         with np.errstate(divide="ignore"):
-            own = directions(1 / output, [gear.name for gear in case.gears])
-        self.ahead = next(iter(own), [])
-        """Indices of the gears that are forward."""
+            ranges = directions(1 / output, [gear.name for gear in case.gears])
+        self.ahead = next(iter(ranges), [])
+        """Indices of the forward gears."""
 
     def results(self, speeds: Floats) -> Results:
-        """At full load, at speeds of the engine [rad/s]."""
+        """Solve the case at full load, at speeds of the engine [rad/s]."""
         least = np.maximum(speeds, np.finfo(float).tiny ** 0.25)
         torques = self.vehicle.full_torque(speeds)
         return solve(self.case, vary={"load.speed": least, "load.torque": torques})
 
     def forces(self, gear: int, speeds: Floats) -> Floats:
-        """At the wheels, in the direction of the output, at speeds of the engine [N].
+        """Return wheel forces in the direction of the output, at speeds of the engine [N].
 
-        Below the first point of the engine that of the first point.
+        Below the first point of the engine, the force is as at the first point.
         """
-        found = self.results(np.maximum(speeds, self.first))
+        results = self.results(np.maximum(speeds, self.first))
         output = self.case.gear_output(self.case.gears[gear]) - 1
-        torque = found.lossy_output_torque_Nm[:, gear] * np.sign(found.speeds[:, gear, output])
-        force: Floats = torque * self.vehicle.final_drive / self.vehicle.radius
-        return force
+        torque = results.lossy_output_torque_Nm[:, gear] * np.sign(results.speeds[:, gear, output])
+        return torque * self.vehicle.final_drive / self.vehicle.radius
 
     def top_speed(self, gear: int) -> float:
-        """Where the force is the resistance, or the engine ends; NaN if it is nowhere so [m/s]."""
+        """Return the speed at which force equals resistance, or the engine ends; else NaN [m/s]."""
         ratio = self.per_engine[gear]
         if not (math.isfinite(ratio) and ratio > 0):
             return math.nan
 
         def surplus(speeds: Floats) -> Floats:
-            left: Floats = self.forces(gear, speeds) - self.vehicle.resistance(speeds * ratio)
-            return left
+            difference: Floats = self.forces(gear, speeds) - self.vehicle.resistance(speeds * ratio)
+            return difference
 
         low, high = self.first, self.last
         for _ in range(NARROWINGS):
@@ -189,22 +190,22 @@ class Traction:
         return float(ratio * (low + high) / 2)
 
     def largest_force(self, gear: int) -> float:
-        """At the wheels in a gear; NaN without any [N]."""
+        """Return the largest wheel force in a gear; NaN if undefined [N]."""
         return _largest(lambda speeds: self.forces(gear, speeds), self.first, self.last)
 
     @property
     def largest_power(self) -> float:
-        """Of the engine [W]."""
+        """Largest power of the engine [W]."""
         return _largest(
             lambda speeds: self.vehicle.full_torque(speeds) * speeds, self.first, self.last
         )
 
     def largest_speed(self, gear: int) -> float:
-        """Of the vehicle in a gear, where the engine ends [m/s]."""
+        """Return the speed of the vehicle at the last engine speed [m/s]."""
         return float(self.per_engine[gear] * self.last)
 
     def slope(self, gear: int) -> float:
-        """The largest ``(F - R at 0)/(m g)``, at most 1; NaN where it drives nothing."""
+        """Return the largest ``(F - R at 0)/(m g)``, at most 1; NaN in a gear without drive."""
         weight = self.vehicle.mass * GRAVITY
         if not math.isfinite(self.per_engine[gear]):
             return math.nan
@@ -212,21 +213,23 @@ class Traction:
         return part if math.isnan(part) else min(1.0, part)
 
     def accelerations(self, speeds: Floats) -> Floats:
-        """The largest of all gears ahead at speeds of the vehicle; NaN beyond all [m/s^2]."""
-        found = np.full(speeds.shape, -math.inf)
+        """Return the largest acceleration of all forward gears, at vehicle speeds [m/s^2]."""
+        largest = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
             engine = speeds / self.per_engine[gear]
             force = self.forces(gear, np.minimum(engine, self.last))
-            own = (force - self.vehicle.resistance(speeds)) / self.mass[gear]
-            found = np.fmax(found, np.where(self.vehicle.may_turn(engine), own, -math.inf))
-        return found
+            acceleration = (force - self.vehicle.resistance(speeds)) / self.mass[gear]
+            largest = np.fmax(
+                largest, np.where(self.vehicle.may_turn(engine), acceleration, -math.inf)
+            )
+        return largest
 
     def time_to(self, speed: float) -> float:
-        """From rest, by Gauss' rule between points of the engine in each gear [s]."""
+        """Return the time from rest to a speed, by Gaussian quadrature [s]."""
         ends = {0.0, speed, *np.linspace(0.0, speed, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
-            ends |= {float(self.per_engine[gear] * one) for one, _ in self.vehicle.engine}
-        edges = np.array(sorted(one for one in ends if 0 <= one <= speed))
+            ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.engine}
+        edges = np.array(sorted(end for end in ends if 0 <= end <= speed))
         places, weights = np.polynomial.legendre.leggauss(4)
         half = np.diff(edges) / 2
         middles = (edges[:-1] + edges[1:]) / 2
@@ -238,7 +241,7 @@ class Traction:
 
 
 def _largest(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """The largest value of a function between two places; NaN if it has none."""
+    """Return the largest value of a function in an interval; NaN if undefined."""
     best = math.nan
     for _ in range(NARROWINGS):
         places = np.linspace(low, high, SPEEDS_OF_ENGINE + 1)

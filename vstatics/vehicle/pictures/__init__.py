@@ -1,6 +1,6 @@
-"""What a box gives a vehicle, gear by gear: wheel force, engine speed, steps.
+"""Pictures of a transmission in a vehicle: wheel force, engine speed, steps between gears.
 
-`driven` has the gears that drive a vehicle, and the panel that they are drawn in; `traction` is
-force over road speed against resistance, `sawtooth` engine speed over road speed, `steps` the
-forward gears on a logarithmic line, which `laws` compares.
+`driven` lists the gears that drive a vehicle, and draws their panel; `traction` draws wheel force
+and resistance over road speed, `sawtooth` engine speed over road speed, `steps` the forward gears
+on a logarithmic line, compared with `laws`.
 """

@@ -1,4 +1,4 @@
-"""The gears that drive a vehicle, and the panel over its speed that they are drawn in."""
+"""Gears that drive a vehicle, and a panel over road speed."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import KMH, Traction, bare
 
 DRIVE_PANEL_HEIGHT = 250.0
-"""[pt]"""
+"""Height of the panel. [pt]"""
 BELOW_SPEEDS = 24.0
-"""From the panel to the name of its scale. [pt]"""
+"""Distance from the panel to the title of the speed scale. [pt]"""
 ROOM_OVER_LINES = 0.04
-"""Beyond what is drawn, as a part of it."""
+"""Margin above the highest value, relative to the value."""
 NAME_CLEARANCE = 3.0
-"""Around the name of a gear on its line. [pt]"""
+"""Clearance around the name of a gear on a line. [pt]"""
 
 
 class DrivenGear(NamedTuple):
-    """A gear that drives a vehicle."""
+    """Gear that drives a vehicle."""
 
     place: int
-    """Among the gears of the case, from 0."""
+    """Index of the gear in the case."""
     name: str
     look: Look
     largest_speed: float
-    """Where the engine ends. [m/s]"""
+    """Road speed at the last engine speed. [m/s]"""
 
 
 class DrivenVehicle(NamedTuple):
-    """A vehicle with the gears that are drawn."""
+    """Vehicle with the gears to be drawn."""
 
     vehicle: Vehicle
     pull: Traction
@@ -47,17 +47,18 @@ class DrivenVehicle(NamedTuple):
 
     @property
     def fastest(self) -> float:
-        """The largest speed of all gears [m/s]."""
-        return max(one.largest_speed for one in self.gears)
+        """Largest speed of all gears [m/s]."""
+        return max(gear.largest_speed for gear in self.gears)
 
 
 def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
-    """The gears of a case that drive its vehicle: all, or those of some numbers.
+    """Return the vehicle of a case with the driving gears: all, or some by number.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle, this no engine, or the engine alone drives no gear.
+        If the case has no vehicle, if the vehicle has no engine, or if no gear is driven by the
+        engine alone.
     """
     case, vehicle = results.case, Vehicle.of(results.case)
     if vehicle is None:
@@ -87,23 +88,23 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
     fastest: float,
     up: AxisScale,
     names: tuple[str, str],
-    beside: float,
+    right: float,
     above: float,
     style: Style,
 ) -> Pen:
-    """A panel over road speed up to the fastest [m/s], as wide as the page.
+    """Draw a panel over road speed up to the fastest [m/s], as wide as the page.
 
     Parameters
     ----------
     names : tuple of str
-        Of the scales across and upward.
+        Titles of the horizontal and vertical scales.
     beside, above : float
-        Room for what stands at the right and on top of it. [pt]
+        Space for labels at the right and above. [pt]
     """
     numbers = ticks(up.low, up.high, 8)
     left = widest(tick_texts(numbers)) + 2 * SIZE + MARGIN
     low = BELOW_SPEEDS + MARGIN + SIZE / 2
-    wide, high = style.width - left - beside - MARGIN, DRIVE_PANEL_HEIGHT
+    wide, high = style.width - left - right - MARGIN, DRIVE_PANEL_HEIGHT
     pen = headed(title, "", meanings, (style.width, low + high + above + SIZE), style)
     across = AxisScale(0.0, KMH * fastest * (1 + ROOM_OVER_LINES))
     pen = pen.panel((left, low), (wide, high), across, up)
@@ -116,8 +117,8 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
 
 
 def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
-    """A name at the first of some places of its line where it covers no other."""
+    """Write a name at the first of some places that covers no other name."""
     long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
-    found = first_free(places, long, tall, pen.size, taken)
-    if found:
-        pen.text(*found, name, over=True, ha="center", va="center_baseline")
+    place = first_free(places, long, tall, pen.size, taken)
+    if place:
+        pen.text(*place, name, over=True, ha="center", va="center_baseline")

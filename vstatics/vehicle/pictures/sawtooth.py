@@ -1,4 +1,4 @@
-"""Engine speed over road speed: a ray for each gear, and the teeth of shifts at the last speed."""
+"""Engine speed over road speed: a ray for each gear, and upshifts at the last engine speed."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ from vstatics.vehicle.pictures.driven import DrivenGear, DrivenVehicle, driven, 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
 ) -> list[Figure]:
-    """Draw the engine speed of all gears, or of some.
+    """Draw the engine speed over road speed in all gears, or in some.
 
     Parameters
     ----------
     alike : sequence of Results
-        Of further cases, with which the scales are common.
+        Further cases with common scales.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle with an engine, or no gear drives it.
+        If the case has no vehicle with an engine, or if no gear is driven by the engine alone.
     """
-    made = driven(results, gears, style)
-    every = [made, *(driven(one, gears, style) for one in alike)]
-    said = style.text("engine speed over road speed")
+    vehicle = driven(results, gears, style)
+    vehicles = [vehicle, *(driven(other, gears, style) for other in alike)]
+    name = style.text("engine speed over road speed")
     names = (
         style.text("road speed, km/h"),
         style.text("engine speed, rpm"),
@@ -47,20 +47,22 @@ def draw(
         (True, "shifts at the last speed of the engine", _tooth(style)),
         (True, "first speed of the engine", _first(style)),
     ]
-    up = AxisScale(0.0, max(one.pull.last for one in every) / RAD_PER_RPM)
-    fastest = max(one.fastest for one in every)
+    up = AxisScale(0.0, max(other.pull.last for other in vehicles) / RAD_PER_RPM)
+    fastest = max(other.fastest for other in vehicles)
     above = LEADER + LINE_HEIGHT * SIZE
-    pen = speed_panel(title(results.case, said), key, fastest, up, names, SIZE, above, style)
-    least = pen.up(made.pull.first / RAD_PER_RPM)
+    pen = speed_panel(title(results.case, name), key, fastest, up, names, SIZE, above, style)
+    least = pen.up(vehicle.pull.first / RAD_PER_RPM)
     pen.line((0.0, least), (pen.size[0], least), **_first(style))
-    for gear in made.gears:
-        _draw_gear(pen, made, gear)
-    teeth = list(_teeth(pen, _forward(results, made), made))
+    for gear in vehicle.gears:
+        _draw_gear(pen, vehicle, gear)
+    teeth = list(_teeth(pen, _forward(results, vehicle), vehicle))
     if len(teeth) > 2:
         pen.line(*teeth, kind="saw", **_tooth(style))
         _name_drops(pen, teeth[1:])
-    last = pen.up(made.pull.last / RAD_PER_RPM)
-    ends = [Label(pen.across(KMH * one.largest_speed), one.name, style.ink) for one in made.gears]
+    last = pen.up(vehicle.pull.last / RAD_PER_RPM)
+    ends = [
+        Label(pen.across(KMH * gear.largest_speed), gear.name, style.ink) for gear in vehicle.gears
+    ]
     along(pen.panel(pen.corner, (pen.size[0], last)), "top", ends, upright=False)
     return [pen.figure]
 
@@ -73,44 +75,45 @@ def _first(style: Style) -> Look:
     return {"color": style.soft, "width": 0.8, "linestyle": (0, (2, 2))}
 
 
-def _draw_gear(pen: Pen, made: DrivenVehicle, gear: DrivenGear) -> None:
-    per_speed = made.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
-    own = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
-    end = pen.across(KMH * gear.largest_speed), pen.up(made.pull.last / RAD_PER_RPM)
+def _draw_gear(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear) -> None:
+    per_speed = vehicle.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
+    group = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
+    end = pen.across(KMH * gear.largest_speed), pen.up(vehicle.pull.last / RAD_PER_RPM)
     unit = pen.style.text("rpm per km/h")
-    said = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
-    own.line((0.0, 0.0), end, title=said, **gear.look)
+    line_title = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
+    group.line((0.0, 0.0), end, title=line_title, **gear.look)
 
 
-def _forward(results: Results, made: DrivenVehicle) -> list[DrivenGear]:
-    """The gears that follow one another as the vehicle goes faster."""
+def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
     order = next(iter(ranges(results)), [])
-    own = {one.place: one for one in made.gears}
-    return sorted((own[at] for at in order if at in own), key=lambda one: one.largest_speed)
+    by_place = {gear.place: gear for gear in vehicle.gears}
+    return sorted(
+        (by_place[at] for at in order if at in by_place), key=lambda gear: gear.largest_speed
+    )
 
 
-def _teeth(pen: Pen, gears: Sequence[DrivenGear], made: DrivenVehicle) -> Iterator[Point]:
-    """Up in a gear to the last speed of the engine, down to what it is in the next one."""
+def _teeth(pen: Pen, gears: Sequence[DrivenGear], vehicle: DrivenVehicle) -> Iterator[Point]:
+    """Yield the points of the sawtooth: up to the last engine speed, down to the next gear."""
     if gears:
         yield 0.0, 0.0
-    last = pen.up(made.pull.last / RAD_PER_RPM)
-    for one, other in pairwise(gears):
-        x = pen.across(KMH * one.largest_speed)
+    last = pen.up(vehicle.pull.last / RAD_PER_RPM)
+    for gear, following in pairwise(gears):
+        x = pen.across(KMH * gear.largest_speed)
         yield x, last
-        yield x, last * one.largest_speed / other.largest_speed
+        yield x, last * gear.largest_speed / following.largest_speed
     if gears:
         yield pen.across(KMH * gears[-1].largest_speed), last
 
 
 def _name_drops(pen: Pen, teeth: Sequence[Point]) -> None:
-    """The engine speed behind each shift, where it has room."""
+    """Write the engine speed after each shift, if there is space."""
     taken: Taken = []
     high = pen.y.high / pen.size[1]
     for x, y in teeth[1::2]:
         text = f"{y * high:.0f}"
         wide, tall = width(text, SMALL_NUMBER) + 3, LINE_HEIGHT * SMALL_NUMBER
         places = [(x + wide / 2 + 2, y - tall / 2), (x + wide / 2 + 2, y - 1.5 * tall)]
-        found = first_free(places, wide, tall, pen.size, taken)
-        if found:
+        place = first_free(places, wide, tall, pen.size, taken)
+        if place:
             look: Look = {"ha": "center", "va": "center_baseline"}
-            pen.text(*found, text, size=SMALL_NUMBER, over=True, **look)
+            pen.text(*place, text, size=SMALL_NUMBER, over=True, **look)

@@ -1,4 +1,4 @@
-"""Forward gears on a logarithmic line of ratios, against geometric and progressive steps."""
+"""Forward gears on a logarithmic line of ratios, compared with geometric and progressive steps."""
 
 from __future__ import annotations
 
@@ -22,62 +22,62 @@ from vstatics.pictures.drawing.words import gear_title, title
 from vstatics.vehicle.pictures.laws import StepLaw, geometric, progressive
 
 STEP_ROW_HEIGHT = 24.0
-"""[pt]"""
+"""Height of a row. [pt]"""
 BETWEEN_LAWS = 8.0
-"""Rows of laws. [pt]"""
+"""Distance between rows of laws. [pt]"""
 UPRIGHT_IN_CELL: Look = {"rotation": 90, "ha": "center", "va": "center"}
 
 
 class ForwardGears(NamedTuple):
-    """The gears of a case with steps between them, from the largest ratio on."""
+    """Forward gears of a case, from the largest ratio downwards."""
 
     names: Sequence[str]
     ratios: Sequence[float]
-    """Without sign. [-]"""
+    """Ratios without sign. [-]"""
     sign: float
-    """Of all ratios: 1, or -1 where a final drive turns it."""
+    """Sign of all ratios; -1 if a final drive reverses the direction."""
 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), alike: Sequence[Results] = ()
 ) -> list[Figure]:
-    """Draw the steps between all forward gears, or those of some.
+    """Draw the steps between all forward gears, or between some.
 
     Parameters
     ----------
     alike : sequence of Results
-        Of further cases, with which the line of ratios is common.
+        Further cases with a common line of ratios.
 
     Raises
     ------
     CaseError
         If the forward gears have fewer than two ratios.
     """
-    own = _forward(results, gears)
-    every = [own, *(_forward(one, gears) for one in alike)]
+    forward = _forward(results, gears)
+    every = [forward, *(_forward(other, gears) for other in alike)]
     line = AxisScale(
-        max(one.ratios[0] for one in every), min(one.ratios[-1] for one in every), is_log=True
+        max(case.ratios[0] for case in every), min(case.ratios[-1] for case in every), is_log=True
     )
-    laws = _laws(own, style)
+    laws = _laws(forward, style)
     names = [style.text("gears"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
-    is_stacked = _narrowest(every) * wide < SIZE  # an upright number is so wide
+    is_stacked = _narrowest(every) * wide < SIZE  # width of an upright number
     if is_stacked:
         left, wide = 2 * MARGIN, style.width - 4 * MARGIN
     between = BETWEEN_LAWS + is_stacked * LINE_HEIGHT * SIZE
-    numbers = [number(own.sign * ratio) for ratio in own.ratios]
+    numbers = [number(forward.sign * ratio) for ratio in forward.ratios]
     upright = sum(map(across_size, numbers)) > wide + 2 * MARGIN
     ends = LEADER + (widest(numbers) + SIZE / 2 if upright else LINE_HEIGHT * SIZE)
     low = MARGIN + len(laws) * (STEP_ROW_HEIGHT + between) + ends
-    said = style.text("steps between gears")
+    name_of_picture = style.text("steps between gears")
     spread = style.text("spread")
-    note = f"{spread} {number(own.ratios[0] / own.ratios[-1])}"
+    note = f"{spread} {number(forward.ratios[0] / forward.ratios[-1])}"
     high = low + STEP_ROW_HEIGHT + LEADER + LINE_HEIGHT * SIZE
-    pen = headed(title(results.case, said), note, [], (style.width, high), style)
+    pen = headed(title(results.case, name_of_picture), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
-    _draw_gears(row, own, upright=upright)
-    if not is_stacked:  # else names of gears stand there
+    _draw_gears(row, forward, upright=upright)
+    if not is_stacked:  # otherwise the names of gears are there
         _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
         below = low - ends - place * STEP_ROW_HEIGHT - (place - 1 + is_stacked) * between
@@ -88,83 +88,75 @@ def draw(
 
 
 def _narrowest(every: Sequence[ForwardGears]) -> float:
-    """The narrowest of all cells, as a part of the line of ratios.
+    """Return the width of the narrowest cell, relative to the line of ratios.
 
     >>> round(_narrowest([ForwardGears("123", [4.0, 2.0, 1.0], 1.0)]), 3)
     0.5
     """
-    spread = max(one.ratios[0] for one in every) / min(one.ratios[-1] for one in every)
-    steps = [high / low for one in every for high, low in pairwise(one.ratios)]
+    spread = max(case.ratios[0] for case in every) / min(case.ratios[-1] for case in every)
+    steps = [high / low for case in every for high, low in pairwise(case.ratios)]
     return math.log(min(step for step in steps if step > 1)) / math.log(spread)
 
 
 def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
-    """The forward gears of a case, or those of some numbers.
-
-    Raises
-    ------
-    CaseError
-        If they have fewer than two ratios.
-    """
-    made: Design = design(results)
-    asked = {results.case.gears[number - 1].name for number in shown} or {*made.forward}
-    lines = {line.gear: line for line in made.gears}
-    own = [lines[name] for name in made.forward if name in asked]
-    if len({f"{line.ratio:.9g}" for line in own}) < 2:
+    table: Design = design(results)
+    asked = {results.case.gears[number - 1].name for number in shown} or {*table.forward}
+    lines = {line.gear: line for line in table.gears}
+    chosen = [lines[name] for name in table.forward if name in asked]
+    if len({f"{line.ratio:.9g}" for line in chosen}) < 2:
         message = "a picture of steps needs forward gears of two different ratios, or more"
         raise CaseError("E444", message)
     return ForwardGears(
-        [line.gear for line in own],
-        [abs(line.ratio) for line in own],
-        math.copysign(1.0, own[0].ratio),
+        [line.gear for line in chosen],
+        [abs(line.ratio) for line in chosen],
+        math.copysign(1.0, chosen[0].ratio),
     )
 
 
-def _laws(own: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
-    """Geometric steps; progressive ones where a factor between steps is to be seen."""
-    equal, growing = geometric(own.ratios), progressive(own.ratios)
+def _laws(forward: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
+    """Return the laws with names; progressive steps need at least three gears."""
+    equal, growing = geometric(forward.ratios), progressive(forward.ratios)
     geometric_name = style.text("geometric")
-    found = [(f"{geometric_name} {number(equal.steps[0])}", equal)]
-    if len(own.names) > 2:
+    laws = [(f"{geometric_name} {number(equal.steps[0])}", equal)]
+    if len(forward.names) > 2:
         name = style.text("progressive")
-        found.append((f"{name} ×{number(growing.growth)}", growing))
-    return found
+        laws.append((f"{name} ×{number(growing.growth)}", growing))
+    return laws
 
 
-def _draw_gears(pen: Pen, own: ForwardGears, *, upright: bool) -> None:
-    """A cell from each gear to the next, with names above and ratios, perhaps upright, below."""
+def _draw_gears(pen: Pen, forward: ForwardGears, *, upright: bool) -> None:
+    """Draw a cell from each gear to the next, with names above and ratios below."""
     style = pen.style
-    following = [*own.ratios[1:], None]
-    for name, ratio, other in zip(own.names, own.ratios, following, strict=True):
-        data = {"gear": name, "ratio": f"{own.sign * ratio:.9g}"}
-        said = f"{gear_title(name, style)}: {number(own.sign * ratio)}"
-        if other:
-            data["step"] = f"{ratio / other:.9g}"
-            said += f", {style.text('step')} {number(ratio / other)}"
+    following = [*forward.ratios[1:], None]
+    for name, ratio, following_ratio in zip(forward.names, forward.ratios, following, strict=True):
+        data = {"gear": name, "ratio": f"{forward.sign * ratio:.9g}"}
+        cell_title = f"{gear_title(name, style)}: {number(forward.sign * ratio)}"
+        if following_ratio:
+            data["step"] = f"{ratio / following_ratio:.9g}"
+            cell_title += f", {style.text('step')} {number(ratio / following_ratio)}"
         cell = pen.within("step", **data)
         x = pen.across(ratio)
-        if other:
+        if following_ratio:
             face = mixed(style.power, style.paper, 0.45)
-            wide = pen.across(other) - x
-            cell.box((x, 0.0), (wide, pen.size[1]), facecolor=face, title=said)
-            _name_cell(cell, x, wide, ratio / other)
-        cell.line((x, 0.0), (x, pen.size[1]), color=style.ink, width=FRAME_WIDTH, title=said)
-    ends = pen.across(own.ratios[0]), pen.across(own.ratios[-1])
+            wide = pen.across(following_ratio) - x
+            cell.box((x, 0.0), (wide, pen.size[1]), facecolor=face, title=cell_title)
+            _name_cell(cell, x, wide, ratio / following_ratio)
+        cell.line((x, 0.0), (x, pen.size[1]), color=style.ink, width=FRAME_WIDTH, title=cell_title)
+    ends = pen.across(forward.ratios[0]), pen.across(forward.ratios[-1])
     level = [tuple((x, y) for x in ends) for y in (0.0, pen.size[1])]
     pen.lines(level, color=style.ink, width=FRAME_WIDTH)
     left, low = pen.corner
     beyond = pen.panel((left - MARGIN, low), (pen.size[0] + 2 * MARGIN, pen.size[1]))
-    places = [MARGIN + pen.across(ratio) for ratio in own.ratios]
+    places = [MARGIN + pen.across(ratio) for ratio in forward.ratios]
     names, ratios = (
         [Label(x, text, style.ink) for x, text in zip(places, texts, strict=True)]
-        for texts in (own.names, [number(own.sign * ratio) for ratio in own.ratios])
+        for texts in (forward.names, [number(forward.sign * ratio) for ratio in forward.ratios])
     )
     along(beyond, "top", names, upright=False)
     along(beyond, "bottom", ratios, upright=upright)
 
 
 def _draw_law(pen: Pen, law: StepLaw) -> None:
-    """The places of gears by a law, with its steps."""
     style = pen.style
     marks = [pen.across(ratio) for ratio in law.ratios]
     for (left, right), step in zip(pairwise(marks), law.steps, strict=True):
@@ -177,7 +169,7 @@ def _draw_law(pen: Pen, law: StepLaw) -> None:
 
 
 def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
-    """The number of a step in the middle of its cell, upright where this is narrow."""
+    """Write a step in the middle of a cell, upright in a narrow cell."""
     text = number(step)
     look: Look = {"ha": "center", "va": "center_baseline"}
     if width(text) > wide - 2:
@@ -186,7 +178,6 @@ def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
 
 
 def _name_row(pen: Pen, name: str, *, is_stacked: bool = False) -> None:
-    """Left of a row, or above it where cells need the width."""
     if is_stacked:
         pen.text(0.0, pen.size[1] + 2, name, va="bottom")
         return

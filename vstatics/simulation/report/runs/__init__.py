@@ -1,6 +1,6 @@
-"""A run that moves within its page: panels that are zoomed, a time that moves levers and stick.
+"""Interactive run on a page: panels with zoom, and a time that moves levers and stick diagram.
 
-`instants` chooses those that the page carries, `record` has the run as plain data, `levers` the
-levers that move, `section` all of it as HTML. `scripts` are that which moves it, and uPlot, which
-draws panels.
+`instants` chooses the instants that the page contains, `record` writes the run as plain data,
+`levers` draws the levers, `section` writes the HTML. `scripts` loads the scripts, and uPlot, which
+draws the panels.
 """

@@ -1,4 +1,4 @@
-"""Instants of a run that a page carries: so many that straight lines between them draw it."""
+"""Choice of the instants of a run on a page, by the accuracy of straight lines between them."""
 
 from __future__ import annotations
 
@@ -11,83 +11,77 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 NEAR = 5e-4
-"""Lines come so near to each column, by its range: half of what people see."""
+"""Largest deviation of lines from a column, as a fraction of the range: half of a visible
+difference."""
 
 
 class ChosenInstants(NamedTuple):
-    """Some instants of a run."""
+    """Chosen instants of a run."""
 
-    kept: Booleans
-    """Which of all."""
+    mask: Booleans
+    """Mask of the chosen instants."""
     off: float
-    """So far lines between them are from the columns at most, by their ranges. [-]"""
+    """Largest deviation of the lines from a column, as a fraction of the range. [-]"""
 
 
 def chosen_instants(
     times: Floats, columns: Floats, most: int, must: Floats | tuple[float, ...] = ()
 ) -> ChosenInstants:
-    """The instants that draw columns, the farthest from the lines so far first.
+    """Choose the instants that draw columns, largest deviation first.
 
-    Ends, jumps, the extremes of each column, and times that must stay are among them. A number
-    that does not exist begins and ends there, too.
+    Ends, jumps, extremes of each column, required times, and both sides of undefined values are
+    always chosen.
 
     Parameters
     ----------
     times : ndarray, shape (instants,)
-        In order; an instant of a jump stands twice. [s]
+        Sorted times; an instant of a jump appears twice. [s]
     columns : ndarray, shape (instants, columns)
     most : int
-        So many at most, but for those that must stay.
+        Largest number of instants, apart from required instants.
     must : sequence of float
-        Times near which the instants stay. [s]
+        Times whose nearest instants are required. [s]
 
     Examples
     --------
     >>> time = np.linspace(0.0, 1.0, 1001)
     >>> bent = np.column_stack([np.abs(time - 0.25), np.ones(1001)])
-    >>> time[chosen_instants(time, bent, 100).kept].tolist()
+    >>> time[chosen_instants(time, bent, 100).mask].tolist()
     [0.0, 0.25, 1.0]
     """
-    there = np.isfinite(columns)
-    values = np.where(there, columns, 0.0)
+    is_finite = np.isfinite(columns)
+    values = np.where(is_finite, columns, 0.0)
     size = np.ptp(values, axis=0)
     size[size == 0] = np.inf
-    kept = _needed(times, values, there)
-    for one in must:
-        kept[np.flatnonzero(times == times[np.abs(times - one).argmin()])] = True
+    chosen = np.zeros(len(times), dtype=bool)
+    chosen[[0, -1]] = True
+    edges = (times[1:] == times[:-1]) | (is_finite[1:] != is_finite[:-1]).any(axis=1)
+    chosen[1:] |= edges
+    chosen[:-1] |= edges
+    chosen[values.argmax(axis=0)] = True
+    chosen[values.argmin(axis=0)] = True
+    for required in must:
+        chosen[np.flatnonzero(times == times[np.abs(times - required).argmin()])] = True
     parts = values / size
-    gaps = list(_gaps(np.flatnonzero(kept), times, parts))
+    gaps = list(_gaps(np.flatnonzero(chosen), times, parts))
     heapq.heapify(gaps)
-    count = int(kept.sum())
+    count = int(chosen.sum())
     while gaps and count < most and -gaps[0][0] > NEAR:
         _, first, place, last = heapq.heappop(gaps)
-        kept[place] = True
+        chosen[place] = True
         count += 1
         for gap in _gaps(np.array([first, place, last]), times, parts):
             heapq.heappush(gaps, gap)
-    return ChosenInstants(kept, -gaps[0][0] if gaps else 0.0)
-
-
-def _needed(times: Floats, values: Floats, there: Booleans) -> Booleans:
-    """Ends, jumps, extremes, where numbers begin to exist or cease."""
-    kept = np.zeros(len(times), dtype=bool)
-    kept[[0, -1]] = True
-    edges = (times[1:] == times[:-1]) | (there[1:] != there[:-1]).any(axis=1)
-    kept[1:] |= edges
-    kept[:-1] |= edges
-    kept[values.argmax(axis=0)] = True
-    kept[values.argmin(axis=0)] = True
-    return kept
+    return ChosenInstants(chosen, -gaps[0][0] if gaps else 0.0)
 
 
 _Gap = tuple[float, int, int, int]
-"""How far the farthest instant is from its line, with the sign of a heap; the place of the first
-instant, of the farthest, of the last."""
+"""Negative largest deviation from a line; indices of the first, farthest and last instant."""
 
 
-def _gaps(kept: Integers, times: Floats, values: Floats) -> Iterator[_Gap]:
-    """Between each two instants; none where nothing is between them."""
-    for first, last in zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True):
+def _gaps(chosen: Integers, times: Floats, values: Floats) -> Iterator[_Gap]:
+    """Yield the gap between consecutive instants, if other instants are between."""
+    for first, last in zip(chosen[:-1].tolist(), chosen[1:].tolist(), strict=True):
         inner = slice(first + 1, last)
         if last - first < 2 or times[first] == times[last]:
             continue

@@ -1,6 +1,6 @@
-"""Levers of a case without numbers, whose script puts them at the speeds of an instant.
+"""Levers of a case without numbers, for a script that sets the speeds at an instant.
 
-They stand as in lever diagrams: points at true distances, speeds to the right of them.
+As in lever diagrams, points have true distances, and speeds are to the right of them.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from vstatics.pictures.lever.routes import LeverRow
 from vstatics.pictures.paged.drawn import PAGE, in_spoken
 
 BESIDE = 8.0
-"""Between a lever, the names of its points and the speeds. [pt]"""
+"""Distance between a lever, the names of points and the speeds. [pt]"""
 ACROSS = 130.0
-"""The room for speeds, from the least to the largest of a run. [pt]"""
+"""Width for speeds, from the lowest to the highest of a run. [pt]"""
 NUMBER = 48.0
-"""The room for the number of a speed. [pt]"""
+"""Width of the number of a speed. [pt]"""
 LARGER = 1.25
-"""Pixels for a point."""
+"""Pixels per point."""
 MARGIN = 4.0
-"""[pt]"""
+"""Margin above and below a lever. [pt]"""
 
 
 def moving_levers(case: Transmission) -> Iterator[Markup]:
-    """A figure for each lever of a case; shafts alone have none.
+    """Yield a figure for each lever of a case; shafts alone have no lever.
 
-    A point is ``<g data-link="sun">``, that of the housing has no link. Its script sets the bar,
-    the number, and the line through all points, whose speeds are proportional to their distances.
+    A point is ``<g data-link="sun">``; the point of the housing has no link. The script sets the
+    bar, the number, and the line through all points, as speeds are linear in the distance.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def _lever(case: Transmission, cell: LeverCell) -> Markup:
 def _point(
     case: Transmission, link: int, row: LeverRow, top: float, across: tuple[float, float]
 ) -> Markup:
-    """The line of a link, bent to its point, with the name over its left end; the housing rests."""
+    """Return the line of a link, bent to the point on the lever, with the name."""
     (at, wide), y, point = across, _length(top - row.y), _length(top - row.at)
     texts = row.name.split("\n")
     lines = [
@@ -108,7 +108,7 @@ def _length(value: float) -> str:
 
 
 def moving_speeds(links: tuple[str, ...]) -> Markup:
-    """A table of the speeds of links at the time that is chosen."""
+    """Return a table of the speeds of links at the selected time."""
     rows = (
         tag(
             "tr",
@@ -117,5 +117,5 @@ def moving_speeds(links: tuple[str, ...]) -> Markup:
         )
         for name in links
     )
-    head = tag("tr", *(tag("th", heading(one), scope="col") for one in ("link", "speed, rpm")))
+    head = tag("tr", *(tag("th", heading(name), scope="col") for name in ("link", "speed, rpm")))
     return tag("table", tag("thead", head), tag("tbody", joined(*rows)), class_="speeds-now")

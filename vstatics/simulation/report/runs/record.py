@@ -1,4 +1,4 @@
-"""A run as plain data for the script of its page: columns, panels, states, gears, events."""
+"""Run as plain data for the script of its page: columns, panels, states, gears, events."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from vstatics.simulation.report.runs.instants import chosen_instants
 from vstatics.simulation.tolerances import NO_RANGE
 
 MOST_NUMBERS = 25_000
-"""Of all columns together: with as many a page has some 140 kilobytes more."""
+"""Largest number of values of all columns, about 140 kilobytes of a page."""
 WORDS = ("gear", "open", "sticks", "slips")
-"""What the script calls a gear, and the states of shift elements."""
+"""Words of the script for a gear and for the states of shift elements."""
 _TABLES = {
     "speed": "speeds",
     "slip": "slips",
@@ -35,11 +35,11 @@ _TABLES = {
     "acceleration": "vehicle_acceleration",
     "output": "output_torque",
 }
-"""Tables of a run by the kinds of panels; others are tables themselves."""
+"""Tables of a run by kind of panel; other kinds are names of tables."""
 
 
 class _RunColumns:
-    """Columns of a run by their headings, equal ones once."""
+    """Columns of a run without duplicates."""
 
     def __init__(self) -> None:
         self.values: list[Floats] = []
@@ -47,7 +47,7 @@ class _RunColumns:
         self._places: dict[bytes, int] = {}
 
     def add(self, table: str, values: Floats) -> int:
-        """A column of a table of a run; its place."""
+        """Add a column of a table, and return its index."""
         place = self._places.setdefault(values.tobytes(), len(self.values))
         if place == len(self.values):
             self.values.append(values)
@@ -55,67 +55,66 @@ class _RunColumns:
         return place
 
     def moving(self) -> Iterator[Floats]:
-        """Those that change by more than rounding, by the largest of their tables."""
-        peaks = [float(np.fmax.reduce(np.abs(one))) for one in self.values]
+        """Yield columns that change by more than rounding noise of their table."""
+        peaks = [float(np.fmax.reduce(np.abs(values))) for values in self.values]
         largest: dict[str, float] = {}
         for table, peak in zip(self._tables, peaks, strict=True):
             largest[table] = max(largest.get(table, 0.0), peak)
-        for table, one in zip(self._tables, self.values, strict=True):
-            if np.ptp(np.nan_to_num(one)) > NO_RANGE * largest[table]:
-                yield one
+        for table, values in zip(self._tables, self.values, strict=True):
+            if np.ptp(np.nan_to_num(values)) > NO_RANGE * largest[table]:
+                yield values
 
 
 class PageRun(NamedTuple):
-    """A run with no more instants than its page carries."""
+    """Run reduced to the instants of a page."""
 
     motion: Motion
     off: float
-    """So far lines between its instants are from those left out, by the ranges of columns. [-]"""
+    """Largest deviation of lines between the instants, relative to the range of a column. [-]"""
 
 
 def page_run(results: Results, motion: Motion) -> PageRun:
-    """A run at so many instants that lines between them draw all that its page shows.
+    """Return a run at enough instants to draw the page with straight lines.
 
-    Events and the extremes of all columns are among them.
+    Events and extremes of all columns are included.
     """
     columns = _RunColumns()
-    told = _told(results, motion, columns)
+    data = _data(results, motion, columns)
     most = MOST_NUMBERS // (1 + len(columns.values))
-    events = tuple(one["time"] for one in told["events"])
+    events = tuple(event["time"] for event in data["events"])
     sticks = motion.beside.get("sticks", {}).values()
     moving = np.column_stack([*columns.moving(), *sticks, np.zeros((len(motion.time), 0))])
-    kept, off = chosen_instants(motion.time, moving, most, events)
-    made = motion._replace(
-        time=motion.time[kept],
-        speeds=motion.speeds[kept],
-        slips=motion.slips[kept],
-        torques=motion.torques[kept],
-        heat=motion.heat[kept],
-        asked=chosen(motion.asked, kept),
-        beside=chosen(motion.beside, kept),
+    mask, off = chosen_instants(motion.time, moving, most, events)
+    reduced = motion._replace(
+        time=motion.time[mask],
+        speeds=motion.speeds[mask],
+        slips=motion.slips[mask],
+        torques=motion.torques[mask],
+        heat=motion.heat[mask],
+        asked=chosen(motion.asked, mask),
+        beside=chosen(motion.beside, mask),
     )
-    return PageRun(made, off)
+    return PageRun(reduced, off)
 
 
 def recorded(results: Results, motion: Motion) -> dict[str, Any]:
-    """A run with its panels as plain data; columns are in SI units with all digits.
+    """Return a run with its panels as plain data; columns are in SI units with all digits.
 
     Parameters
     ----------
     results : Results
-        Of its case.
+        Results of the case.
     motion : Motion
-        As of `page_run`.
+        Motion of `page_run`.
     """
     columns = _RunColumns()
-    told = _told(results, motion, columns)
+    data = _data(results, motion, columns)
     time, values = _packed(motion.time), [*map(_packed, columns.values)]
-    return {"time": time, "columns": values, **told}
+    return {"time": time, "columns": values, **data}
 
 
-def _told(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, Any]:
-    """All but the columns, which are put where they belong."""
-    found, names = states(motion), motion.elements
+def _data(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, Any]:
+    element_states, names = states(motion), motion.elements
     links = {
         name: columns.add("speeds", motion.speeds[:, n]) for n, name in enumerate(motion.links)
     }
@@ -125,30 +124,31 @@ def _told(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
             "slip": columns.add("slips", motion.slips[:, place]),
             "torque": columns.add("torques", motion.torques[:, place]),
             **{
-                key: getattr(one, key)
-                for one in found
-                if one.element == place
+                key: getattr(element, key)
+                for element in element_states
+                if element.element == place
                 for key in ("slips", "sticks")
             },
         }
         for place, name in enumerate(names)
     ]
     shown = panels(results.case, motion)
-    numbers = numbers_of([one.name for one in found], shown)
+    numbers = numbers_of([element.name for element in element_states], shown)
     return {
         "links": links,
         "elements": elements,
-        "panels": [_panel(one, motion, numbers, columns) for one in shown],
+        "panels": [_panel(panel, motion, numbers, columns) for panel in shown],
         "gears": gear_pieces(element_sets(results), motion),
         "events": [*map(_event, motion.events)],
-        "words": {one: tr(one) for one in WORDS},
+        "words": {word: tr(word) for word in WORDS},
     }
 
 
 def _packed(values: Floats) -> str:
-    """Numbers with all their bits: base64 of all first bytes, the least, then all second ones.
+    """Encode numbers without loss: in base64, all least significant bytes first.
 
-    So what is alike, signs and exponents, stands together. Of equal numbers there is one.
+    Similar bytes, such as signs and exponents, are adjacent, which compresses well. A constant
+    column is encoded as one number.
 
     >>> _packed(np.array([1.0, 2.0])), _packed(np.array([1.0, 1.0]))
     ('AAAAAAAAAAAAAAAA8AA/QA==', 'AAAAAAAA8D8=')
@@ -160,21 +160,21 @@ def _packed(values: Floats) -> str:
 
 
 def _event(event: Event) -> dict[str, Any]:
-    what = event.word or event.event
-    what = tr("step {number}", number=event.step) if event.event == "step" else tr(what)
-    return {"time": event.time, "told": f"{event.element} {what}"}
+    is_step = event.event == "step"
+    text = tr("step {number}", number=event.step) if is_step else tr(event.word or event.event)
+    return {"time": event.time, "told": f"{event.element} {text}"}
 
 
 def _panel(
     panel: MotionPanel, motion: Motion, numbers: Mapping[str, int], columns: _RunColumns
 ) -> dict[str, Any]:
-    said = tr(panel.text)
-    what, _, unit = said.rpartition(", ")
-    lines = [told for line in panel.lines for told in _lines(panel, line, motion, numbers, columns)]
+    text = tr(panel.text)
+    title, _, unit = text.rpartition(", ")
+    lines = [data for line in panel.lines for data in _lines(panel, line, motion, numbers, columns)]
     return {
         "kind": panel.kind.replace("_", "-"),
-        "title": what or said,
-        "unit": unit if what else "",
+        "title": title or text,
+        "unit": unit if title else "",
         "per": panel.unit,
         "lines": lines,
         "leftOut": panel.left_out,
@@ -188,13 +188,15 @@ def _lines(
     numbers: Mapping[str, int],
     columns: _RunColumns,
 ) -> Iterator[dict[str, Any]]:
-    """Of each name of a line; links that turn together have columns of their own."""
-    looks, table = line.looks(Style(), numbers), _table(panel, line, motion)
+    looks = line.looks(Style(), numbers)
+    friction = motion.beside.get("heat", {motion.elements[0]: None} if motion.elements else {})
+    is_loss = panel.kind == "heat" and (bool(line.distinction) or line.names[0] not in friction)
+    table = "losses" if is_loss and motion.beside else _TABLES.get(panel.kind, panel.kind)
     for name, label, look in zip(line.names, line.labels, looks, strict=True):
         values = line.values
         if panel.kind == "speed":
             values = motion.speeds[:, motion.links.index(name)]
-        told = {
+        data = {
             "label": label,
             "heading": _heading(table, name, motion),
             "column": columns.add(table, values),
@@ -203,23 +205,15 @@ def _lines(
         if line.capacity is not None:
             side = capacity_side(line.values, line.capacity)
             signed = np.where(np.isfinite(line.capacity), side * line.capacity, np.nan)
-            told["capacity"] = columns.add("torques", signed)
-            told["capacityHeading"] = _heading("capacities", name, motion)
-        yield told
-
-
-def _table(panel: MotionPanel, line: MotionLine, motion: Motion) -> str:
-    """The table of a run in which a line stands."""
-    [name, *_] = line.names
-    friction = motion.beside.get("heat", {motion.elements[0]: None} if motion.elements else {})
-    is_loss = panel.kind == "heat" and (bool(line.distinction) or name not in friction)
-    return "losses" if is_loss and motion.beside else _TABLES.get(panel.kind, panel.kind)
+            data["capacity"] = columns.add("torques", signed)
+            data["capacityHeading"] = _heading("capacities", name, motion)
+        yield data
 
 
 def _heading(table: str, name: str, motion: Motion) -> str:
-    """As of `vstatics simulate -f csv`: ``speeds[in]``.
+    """Return the heading of a column as in `vstatics simulate -f csv`: ``speeds[in]``.
 
-    A number has no row: neither have the torque of the output and what has no name.
+    The torque of the output, and columns without a name, have no row.
     """
     names = {"speeds": motion.links, "slips": motion.elements, "torques": motion.devices}
     rows: Sequence[str] = names.get(table, (name,))
@@ -229,7 +223,7 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
 
 def _look(look: Look) -> dict[str, Any]:
-    """The colour of a line by its name on the page, and its dashes from the beginning [pt].
+    """Return the colour of a line by name on the page, and the dashes from the start [pt].
 
     >>> _look({"color": Style().colour(1), "linestyle": (10.0, (5.0, 10.0))})
     {'colour': 'colour1', 'dash': (0.0, 5.0, 5.0, 5.0)}

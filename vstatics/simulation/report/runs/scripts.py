@@ -1,4 +1,4 @@
-"""The scripts and the style of a page with a run that moves."""
+"""Scripts and style of a page with an interactive run."""
 
 from __future__ import annotations
 
@@ -17,5 +17,5 @@ SCRIPTS = (
     _resource("panels.js"),
     _resource("run.js"),
 )
-"""The plotter with its licence, then those of a run."""
+"""Plotter with licence, and the scripts of a run."""
 STYLE = Markup(f"{_resource('uPlot.min.css').strip()}\n{_resource('run.css')}")

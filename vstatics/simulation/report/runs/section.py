@@ -1,10 +1,8 @@
-"""What of a run moves, as HTML; `scripts` moves it."""
+"""HTML of the interactive run, which `scripts` operates."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from typing import Any
 
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup, tag
@@ -31,14 +29,14 @@ _BUTTONS = {
 
 
 def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
-    """Panels, levers, the stick diagram and tables of a run, for the script; hidden without it.
+    """Return panels, levers, stick diagram and tables of a run, hidden without the script.
 
     Parameters
     ----------
     results : Results
-        Of its case.
+        Results of the case.
     stick : Drawn
-        The diagram of no gear.
+        Stick diagram without a gear.
     """
     run = page_run(results, motion)
     start, end = float(motion.time[0]), float(motion.time[-1])
@@ -55,7 +53,7 @@ def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
         tag("div", *moving_levers(results.case), class_="levers-now"),
         class_="run-now",
     )
-    told = tr(
+    remark = tr(
         "The page has {kept} of {all} instants, with all digits. "
         "Between them it draws straight lines and reads numbers from these, which are within "
         "{off} of the range of each. Save CSV writes its instants within what is zoomed, "
@@ -71,31 +69,31 @@ def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
         tag(
             "div",
             *(
-                tag("button", tr(said), type="button", data_run=name)
-                for name, said in _BUTTONS.items()
+                tag("button", tr(caption), type="button", data_run=name)
+                for name, caption in _BUTTONS.items()
             ),
             class_="run-buttons",
         ),
         now,
         tag("div", class_="run-panels"),
-        tag("p", told, class_="note"),
+        tag("p", remark, class_="note"),
         tag("p", tr(_KEYS), class_="note", id="run-keys"),
         class_=f"{SCREEN} run-moves",
         hidden=True,
-        data_record=_data(recorded(results, run.motion)),
+        data_record=json.dumps(
+            recorded(results, run.motion),
+            ensure_ascii=False,
+            allow_nan=False,
+            separators=(",", ":"),
+        ),
     )
 
 
-def _data(record: Mapping[str, Any]) -> str:
-    return json.dumps(record, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-
-
 def _states(motion: Motion) -> Markup:
-    """A table of what shift elements do."""
     heads = ("shift element", "", "slip, rpm", "torque, N·m")
     rows = (
         tag("tr", tag("th", name, scope="row"), *(tag("td") for _ in heads[1:]), data_element=name)
         for name in motion.elements
     )
-    head = tag("tr", *(tag("th", heading(one) if one else "", scope="col") for one in heads))
+    head = tag("tr", *(tag("th", heading(name) if name else "", scope="col") for name in heads))
     return tag("table", tag("thead", head), tag("tbody", *rows), class_="states-now")

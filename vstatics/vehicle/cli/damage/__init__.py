@@ -1,5 +1,5 @@
-"""`vstatics damage`: what torques that vary do to devices.
+"""Commands of `vstatics damage`.
 
-`group` lists the commands. Each is a module with a function of its name: `record`, which needs not
-be named, `rayleigh`, `resize`.
+`group` lists the commands. Each command is a module with a function of its name: `record`, which is
+the default, `rayleigh`, `resize`.
 """

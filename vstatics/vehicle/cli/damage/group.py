@@ -1,4 +1,4 @@
-"""`vstatics damage`: what torques that vary do to devices; each of its commands is a module."""
+"""Command group `vstatics damage`; each command is a module."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from vstatics.vehicle.annex import ANNEX
 
 
 class DamageCommands(LazyGroup):
-    """The commands of `vstatics damage`; what names none is a case and its record."""
+    """Commands of `vstatics damage`; `record` is the default."""
 
     modules = ANNEX.groups["damage"]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """As click does."""
+        """Insert the default command, then parse as click does."""
         if args and args[0] not in (*self.modules, *ctx.help_option_names):
             args = ["record", *args]
         return super().parse_args(ctx, args)

@@ -1,4 +1,4 @@
-"""What `vstatics damage` commands without a case share: their numbers, and what they answer."""
+"""Options and output of `vstatics damage` commands without a case."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.core.tables.grid import Grid
 
 
 def number(name: str, text: str, default: float | None = None) -> Option:
-    """An option of a number above 0, which is required without a default."""
+    """Return an option for a number above 0, required unless a default is given."""
     return click.option(
         f"--{name}",
         type=float,
@@ -29,7 +29,7 @@ def number(name: str, text: str, default: float | None = None) -> Option:
 
 
 def stress(name: str, text: str) -> Option:
-    """An option of a stress [Pa], an `InUnit`."""
+    """Return a required option for a stress with unit, in Pa."""
 
     def read(given: str) -> float:
         from vstatics.core.readers.named.si_units import in_any_unit
@@ -42,7 +42,7 @@ def stress(name: str, text: str) -> Option:
 
 
 def write(wanted: OutputOptions, answer: Answer, grid: Grid) -> int:
-    """Write an answer; the exit status."""
+    """Write an answer, and return the exit status."""
     to = one_text(wanted, [])
     json = dict.fromkeys(("json", "jsonl"), lambda _: as_json(answer, to.form))
     shown = texts.CaseOutput([], json, lambda: [grid])

@@ -54,12 +54,12 @@ def rayleigh(
     \b
     Exit status: 0 done; 2 wrong use.
     """
-    one, other = (getattr(stress, "measure", None) for stress in (strength.endurance, deviation))
-    refuse((one != other, "--endurance, --deviation: expected a unit of both, or of none"))
+    measures = {getattr(stress, "measure", None) for stress in (strength.endurance, deviation)}
+    refuse((len(measures) > 1, "--endurance, --deviation: expected a unit of both, or of none"))
     needs("torsion", "vstatics damage rayleigh")
     from vstatics.vehicle.damage.rayleigh import rayleigh_life
     from vstatics.vehicle.damage.tables import rayleigh_grid
 
     with wrong_value():
-        made = rayleigh_life(strength, deviation, per_km or 1.0)
-    return write(wanted, made, rayleigh_grid(made, "cycles" if per_km is None else "km"))
+        life = rayleigh_life(strength, deviation, per_km or 1.0)
+    return write(wanted, life, rayleigh_grid(life, "cycles" if per_km is None else "km"))

@@ -10,13 +10,13 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case
 from vstatics.core.cli.shared.options import gathered
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Reading
-from vstatics.vehicle.cli.strengths import expect_fatigue
+from vstatics.vehicle.cli.strengths import expect_damage
 
 
 @click.command()
-@gathered("one", OneCase, click.argument("case", type=click.Path()), *of_case)
+@gathered("single", OneCase, click.argument("case", type=click.Path()), *of_case)
 @click.argument("recorded", type=click.Path(), metavar="RECORD.csv")
-def record(one: OneCase, recorded: str) -> int:
+def record(single: OneCase, recorded: str) -> int:
     """Add up what a record of torques does to the devices of CASE that have `fatigue`.
 
     RECORD.csv has a column `torques[DEVICE]` for each, in N*m or in the unit that stands
@@ -31,8 +31,8 @@ def record(one: OneCase, recorded: str) -> int:
     \b
     Exit status: 0 done; 1 the case or the record is in error; 2 wrong use.
     """
-    to = one.destination(recorded)
-    check_order(one.case, recorded)
+    to = single.destination(recorded)
+    check_order(single.case, recorded)
 
     def calculate(reading: Reading) -> CaseAnswer:
         from vstatics.vehicle.damage.devices import DamageAnswer
@@ -40,9 +40,9 @@ def record(one: OneCase, recorded: str) -> int:
         from vstatics.vehicle.damage.tables import damage_grid
 
         case = reading.case
-        expect_fatigue(reading)
-        made = recorded_damage(case, *files.read_input(recorded, TABLE_BYTES))
-        answer = DamageAnswer(case.name, made.damage)
-        return CaseAnswer(lambda: [damage_grid(made.damage)], answer, made.warnings)
+        expect_damage(reading)
+        result = recorded_damage(case, *files.read_input(recorded, TABLE_BYTES))
+        answer = DamageAnswer(case.name, result.damage)
+        return CaseAnswer(lambda: [damage_grid(result.damage)], answer, result.warnings)
 
-    return one.answer(calculate, to)
+    return single.answer(calculate, to)

@@ -19,7 +19,7 @@ class _Diameter(NamedTuple):
 
 
 def _diameter(text: str) -> _Diameter:
-    """A length, and the unit in which it is given; nothing where it has none."""
+    """Parse a length, and keep the given unit, if any."""
     from vstatics.core.readers.named.arithmetic import calculated
     from vstatics.core.readers.named.si_units import measured
 
@@ -70,9 +70,9 @@ def resize(
 
     with wrong_value():
         if ratio is not None and torque is None and repeats is None:
-            made = resized_by_ratio(diameter.number, ratio, exponent)
+            shaft = resized_by_ratio(diameter.number, ratio, exponent)
         elif ratio is None and torque is not None and repeats is not None:
-            made = resized(diameter.number, torque, repeats, exponent)
+            shaft = resized(diameter.number, torque, repeats, exponent)
         else:
             raise click.UsageError("expected --ratio, or --torque and --repeats")
-    return write(wanted, made, resized_grid(made, diameter.unit))
+    return write(wanted, shaft, resized_grid(shaft, diameter.unit))
