@@ -182,8 +182,10 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
            [ 1. ,  2.5],
            [ 0. , -3.5]])
     """
-    default = [mechanism.ratio for mechanism in case.mechanisms]
-    given = by_mechanism("ratios", default if ratios is None else ratios, len(default))
+    if ratios is None:
+        given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
+    else:
+        given = by_mechanism("ratios", ratios, len(case.mechanisms))
     elements = len(case.shift_elements)
     matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
     for number, element in enumerate(case.shift_elements):
@@ -193,7 +195,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
         for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
             matrix[..., link, elements + number] = value(torques)
-    for number, spring in enumerate(case.springs, elements + len(default)):
+    for number, spring in enumerate(case.springs, elements + len(case.mechanisms)):
         for link, coefficient in spring.form.items():
             matrix[..., link, number] = coefficient
     return matrix[..., 1:, :]
