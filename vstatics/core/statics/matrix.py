@@ -24,7 +24,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.core.arguments import refusing
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
@@ -153,35 +152,8 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
     return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
 
 
-@refusing()
-def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK.
-
-    Parameters
-    ----------
-    case : Transmission
-    ratios : array_like, shape (..., mechanisms), optional
-        Basic ratios. Default: the ratios of the case. [-]
-
-    Returns
-    -------
-    ndarray, shape (..., links, shift elements + mechanisms + springs)
-        Torque on each link per torque on the first link of each device. [-]
-
-    Raises
-    ------
-    ValueError
-        If there is not one ratio for each mechanism.
-
-    Examples
-    --------
-    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
-    >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> distribution_matrix(case)
-    array([[ 0. ,  1. ],
-           [ 1. ,  2.5],
-           [ 0. , -3.5]])
-    """
+def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
+    """Return the structural-distribution matrix AJK; see `distribution_matrix`."""
     if ratios is None:
         given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
     else:
