@@ -8,17 +8,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from vstatics.core import readers
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, plural, spoken
+from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed
 from vstatics.core.model.checks import hints
 from vstatics.core.readers.kinds import document_function
-from vstatics.core.readers.reading import Reading
-from vstatics.core.statics.result_arrays import Message
-from vstatics.core.statics.results import Results
-from vstatics.core.statics.solve import solve
+from vstatics.core.statics.solution import solution
 from vstatics.core.suggestions import why_not_allowed
 
 
@@ -71,29 +68,9 @@ def problems_of(data: bytes, file: str) -> list[Problem]:
     except ReadError as error:
         return error.problems
     try:
-        results = solve(reading.case)
+        results = solution(reading.case)
     except CaseError as error:
         return [*map(reading.locate, error.problems)]
-    messages = located_messages(reading, results, each_gear=True)
+    messages = reading.located_messages(results, each_gear=True)
     notes = map(reading.locate, hints(reading.case))
     return not_allowed([*reading.warnings, *notes, *messages], reading.case.untold)
-
-
-def located_messages(reading: Reading, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-    """Yield the messages of results with places; equal messages of gears are merged.
-
-    Unless `each_gear`, messages that differ only in the gear are merged, too.
-    """
-    if not results.messages:
-        return
-    numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
-    together: dict[object, list[Message]] = {}
-    for message in results.messages:
-        if message.gear:
-            key = message if each_gear else message._replace(gear="")
-            together.setdefault(key, []).append(message)
-    for first, *others in together.values():
-        place = reading.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
-        names = spoken([first.gear, *(other.gear for other in others)])
-        text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
-        yield Problem(first.id, text, place=place)

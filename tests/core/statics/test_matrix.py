@@ -1,27 +1,12 @@
-"""The structural-distribution matrix, and the systems of a gear made from it."""
+"""Columns of mechanisms, and the systems of a gear made from them."""
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
-import numpy as np
 import pytest
 
-from tests.chance import seeded
-from tests.commands import MZKT
 from tests.core.statics.differential import SET, train
-from tests.trains import random_train
-from vstatics import Gear, Mechanism, distribution_matrix, load
+from vstatics import Gear
 from vstatics.core.statics.matrix import column, columns, speed_row_names, speed_rows, torque_rows
-
-PRINTED = Path(__file__).parents[2] / "published" / "mzkt7922.json"
-
-
-def test_the_published_matrix() -> None:
-    """AJK of the report of the MZKT 7922, as printed."""
-    printed = json.loads(PRINTED.read_text(encoding="utf-8"))["AJK"]
-    assert distribution_matrix(load(MZKT)) == pytest.approx(np.array(printed, float), abs=1e-12)
 
 
 def test_a_column_is_in_equilibrium_and_turns_as_one_piece() -> None:
@@ -29,19 +14,6 @@ def test_a_column_is_in_equilibrium_and_turns_as_one_piece() -> None:
     assert column(-2.0) == (1, 2.0, -3.0)
     for u in (-2.5, 0.5, 1.004, 20.0):
         assert sum(column(u)) == pytest.approx(0, abs=1e-15)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_the_housing_has_no_row_and_takes_what_is_left(seed: int) -> None:
-    case = random_train(seeded(seed))
-    matrix = distribution_matrix(case)
-    devices: list[tuple[int, ...]] = [(e.first, e.second) for e in case.shift_elements]
-    devices += [m.links for m in case.mechanisms]
-    assert matrix.shape == (case.links, len(devices))
-    for torques, links in zip(matrix.T, devices, strict=True):
-        if 0 not in links:
-            assert torques.sum() == pytest.approx(0, abs=1e-12)
-        assert set(np.flatnonzero(torques) + 1) <= set(links)
 
 
 def test_conditions_of_a_gear_are_its_mechanisms_elements_and_given_speeds() -> None:
@@ -60,14 +32,3 @@ def test_there_is_an_equilibrium_for_each_link() -> None:
     # brake 0, set 1, output 2: M_d = 1 at the sun, M_b + 2 M_d = 0, -3 M_d + Mx = 0
     coefficients = [{k: v for k, v in row.items() if k in (0, 1, 2)} for row in rows]
     assert [sorted(row) for row in coefficients] == [[1], [0, 1], [1, 2]]
-
-
-def test_a_ratio_for_each_mechanism_is_asked_for() -> None:
-    case = train([(2, 0)], Gear([1]))
-    ratios = np.array([[-2.0], [-3.0]])
-    assert distribution_matrix(case, ratios)[:, :, 1] == pytest.approx(
-        np.array([[1, 2, -3], [1, 3, -4]], float)
-    )
-    assert Mechanism(1, 2, 3, -2.0).links == (1, 2, 3)
-    with pytest.raises(ValueError, match="expected a last axis of 1"):
-        distribution_matrix(case, [[-2.0, 1.0]])

@@ -13,8 +13,9 @@ from tests.commands import CASES
 from tests.core.statics.differential import SET, train
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.power import LinkPower, port_torques, power
+from vstatics.core.statics.power import LinkPower, power
 from vstatics.core.statics.state import GearState
+from vstatics.core.statics.torques import port_torques
 
 NAMES = ("mzkt7922.yaml", "zf-8hp70.yaml", "ravigneaux-aod.yaml", "umdm.yaml", "power-split.yaml")
 SHIPPED = [CASES / name for name in NAMES]

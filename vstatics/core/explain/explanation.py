@@ -24,7 +24,7 @@ from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_FORMULA
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.matrix import distribution_matrix, loaded_devices
+from vstatics.core.statics.matrix import loaded_devices, structural_matrix
 from vstatics.core.statics.results import Results, expect_one_case
 from vstatics.core.statics.solve import solve
 from vstatics.core.statics.state import GearState
@@ -142,7 +142,7 @@ def explain_gear(results: Results, gear: int | str) -> Explanation:
     state = results.gear_at(number)
     case, actual = as_solved(state.case), state.gear
     names = names_of(case)
-    matrix = distribution_matrix(case) + 0.0
+    matrix = structural_matrix(case) + 0.0
     elements = [element.name for element in case.shift_elements]
     loaded = loaded_devices(case, actual)
     torques, lossy = _torques(state, names, matrix)
@@ -224,7 +224,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
     ratios = list(map(plain, state.lossy_ratios))
     if any(not status.has_power for status in state.statuses) or np.isnan(ratios).any():
         return ideal, None
-    matrix = distribution_matrix(state.case, ratios) + 0.0
+    matrix = structural_matrix(state.case, ratios) + 0.0
     dragging = {link: plain(torque) for link, torque in state.drag.external.items()}
     signs = signs_of(state)
     names = names.with_losses(

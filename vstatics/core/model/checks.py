@@ -250,7 +250,8 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
     yield from _distinct(element_names(case.shift_elements), "shift_elements", "shift element")
     yield from _distinct(mechanism_names(case.mechanisms), "mechanisms", "mechanism")
     yield from _distinct(gears, "gears", "gear")
-    yield from _distinct(spring_names(case.springs), "springs", "spring")
+    if case.springs:
+        yield from _distinct(spring_names(case.springs), "springs", "spring")
     for number, name in enumerate(case.link_names, 1):
         if name in ("0", "housing"):
             message = f"`{name}` is the housing, expected another name for link {number}"

@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vstatics.core.errors import CaseError, Path, Place, Problem, ReadError, not_allowed
+from vstatics.core.errors import (
+    CaseError,
+    Path,
+    Place,
+    Problem,
+    ReadError,
+    not_allowed,
+    plural,
+    spoken,
+)
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Transmission
+
+if TYPE_CHECKING:
+    from vstatics.core.statics.result_arrays import Message
+    from vstatics.core.statics.results import Results
 
 
 class Source:
@@ -43,6 +56,25 @@ class Reading(NamedTuple):
             return self
         case = self.case.replace(hushed=(*self.case.hushed, *ids))
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
+
+    def located_messages(self, results: Results, *, each_gear: bool) -> Iterator[Problem]:
+        """Yield the messages of results with places; equal messages of gears are merged.
+
+        Unless `each_gear`, messages that differ only in the gear are merged, too.
+        """
+        if not results.messages:
+            return
+        numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
+        together: dict[object, list[Message]] = {}
+        for message in results.messages:
+            if message.gear:
+                key = message if each_gear else message._replace(gear="")
+                together.setdefault(key, []).append(message)
+        for first, *others in together.values():
+            place = self.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
+            names = spoken([first.gear, *(other.gear for other in others)])
+            text = f"{plural('gear', 1 + len(others))} {names}: {first.text}"
+            yield Problem(first.id, text, place=place)
 
 
 def finish(

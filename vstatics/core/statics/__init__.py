@@ -13,6 +13,7 @@ gear as an object.
 The modules follow docs/method.md: `matrix`, `speeds`, `torques` (with drag), `ideal` (a gear
 without losses), `efficiency`, `losses`, `signs` (first without losses, then by a search),
 `freewheels`, `state` (a gear as one object and as numbers, with `power`, `bodies` and `status`),
-`variants` (arrays of states), `result_arrays`, `results`, `solve`. The room `points` lets any
+`variants` (arrays of states), `result_arrays`, `results`, `solution`. The room `points` lets any
 number vary, in SI units. `diagnosis`, `idling` and `digits` find what a message should report.
+`solve` and `distribution` contain the public functions, which check the types of arguments.
 """

@@ -97,7 +97,7 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
     contain lambda and the load has a speed and a torque.
     """
     case = results.case
-    for index, given in enumerate(case.gears if case.has_converter else ()):
+    for index, given in enumerate(case.gears):
         load = case.gear_load(given)
         if not (load.speed and load.torque and results.consistent[index]):
             continue
@@ -144,14 +144,11 @@ def overloads(results: Results) -> Iterator[tuple[int, str]]:
     Each item is the index of a gear and the text of a message.
     """
     case = results.case
-    rated = [(n, element) for n, element in enumerate(case.shift_elements) if element.capacity]
-    if not rated:
-        return
     common = case.load.torque_size if case.load else 0.0
     torques, carrying = carried_torques(results, common)
     unit, of = (common, "N*m") if common else (1.0, "times the input torque")
-    for number, element in rated:
-        capacity = float(element.capacity or 0.0)
+    for number, element in enumerate(case.shift_elements):
+        capacity = float(element.capacity or np.inf)
         above = carrying[:, number] & (torques[:, number] > capacity * (1 + VISIBLE_EXCESS))
         for gear in np.flatnonzero(above).tolist():
             has, can = map(_text, (torques[gear, number] * unit, capacity * unit))

@@ -67,8 +67,9 @@ def _messages(results: Results) -> Iterator[Message]:
         )
         yield Message("W401", text)
     wheels = case.freewheels
-    overloaded = list(carried.overloads(results))
-    unbalanced = list(carried.out_of_balance(results))
+    rated = any(element.capacity for element in case.shift_elements)
+    overloaded = list(carried.overloads(results)) if rated else []
+    unbalanced = list(carried.out_of_balance(results)) if case.has_converter else []
     for number, (given, is_usual) in enumerate(
         zip(case.gears, regular_gears(results), strict=True)
     ):

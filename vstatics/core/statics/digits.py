@@ -13,11 +13,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.elimination import Equation
-from vstatics.core.numerics.tolerances import NEAR_ONE, NO_POWER, UNCERTAIN
-from vstatics.core.numerics.traced import Number, absolute, may_lie, plain
+from vstatics.core.numerics.tolerances import NO_POWER, UNCERTAIN
+from vstatics.core.numerics.traced import Number, plain
 from vstatics.core.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
 from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques
@@ -35,19 +34,6 @@ class LostDigits(NamedTuple):
     """Names of the links with uncertain speeds."""
     devices: list[str]
     """Names of the devices with uncertain torques; `the output` for the output torque."""
-
-
-def is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
-    """Return whether a mechanism with three links has a ratio close to 1, but not 1.
-
-    Rounding can then leave no digit at all. For traced numbers the answer holds for all variants.
-    """
-    return any(
-        mechanism.third
-        and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
-        and bool(0 < absolute(ratio - 1) < NEAR_ONE)
-        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
-    )
 
 
 def lost_digits(state: GearState) -> LostDigits | None:

@@ -15,9 +15,17 @@ from typing import Any
 
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.tape import Untraceable
-from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, plain, sign
+from vstatics.core.numerics.tolerances import NEAR_ONE
+from vstatics.core.numerics.traced import (
+    Number,
+    absolute,
+    is_nan,
+    is_traced,
+    may_lie,
+    plain,
+    sign,
+)
 from vstatics.core.statics import matrix
-from vstatics.core.statics.digits import is_nearly_one
 from vstatics.core.statics.efficiency import Efficiency
 from vstatics.core.statics.ideal import IdealGear, direction_of, ideal_gear, is_nothing
 from vstatics.core.statics.matrix import Variant, variant_of
@@ -48,13 +56,26 @@ def find_state(
         `ratios`. [-]
     """
     ratios = case.gear_ratios(gear, ratios)
-    if not is_nearly_one(case, ratios):
+    if not _is_nearly_one(case, ratios):
         state = _find_state(case, gear, ratios, efficiencies)
         if state.certain:
             return state
     if any(map(is_traced, _traceable_numbers(gear, ratios, efficiencies))):
         raise Untraceable
     return _exact_state(case, gear, ratios, efficiencies)
+
+
+def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
+    """Return whether a mechanism with three links has a ratio close to 1, but not 1.
+
+    Rounding can then leave no digit at all. For traced numbers the answer holds for all variants.
+    """
+    return any(
+        mechanism.third
+        and may_lie(ratio, 1 - NEAR_ONE, 1 + NEAR_ONE)
+        and bool(0 < absolute(ratio - 1) < NEAR_ONE)
+        for mechanism, ratio in zip(case.mechanisms, ratios, strict=True)
+    )
 
 
 def _traceable_numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losses) -> Iterator[Any]:

@@ -16,8 +16,8 @@ from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, resi
 from vstatics.core.statics.efficiency import Signs, is_possible, lossy_ratios, passed
 from vstatics.core.statics.ideal import IdealGear, converter_slip, mechanism_torques, no_torques
 from vstatics.core.statics.matrix import Column, columns
-from vstatics.core.statics.power import acting_torques, power
-from vstatics.core.statics.torques import Torques, solve_torques
+from vstatics.core.statics.power import power
+from vstatics.core.statics.torques import Torques, acting_torques, solve_torques
 
 
 class LossyTorques(NamedTuple):

@@ -24,7 +24,6 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from vstatics.core.arguments import refusing
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
@@ -153,37 +152,12 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
     return {link: torque for link, torque in zip(links, torques, strict=True) if link != HOUSING}
 
 
-@refusing()
-def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
-    """Return the structural-distribution matrix AJK.
-
-    Parameters
-    ----------
-    case : Transmission
-    ratios : array_like, shape (..., mechanisms), optional
-        Basic ratios. Default: the ratios of the case. [-]
-
-    Returns
-    -------
-    ndarray, shape (..., links, shift elements + mechanisms + springs)
-        Torque on each link per torque on the first link of each device. [-]
-
-    Raises
-    ------
-    ValueError
-        If there is not one ratio for each mechanism.
-
-    Examples
-    --------
-    >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
-    >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
-    >>> distribution_matrix(case)
-    array([[ 0. ,  1. ],
-           [ 1. ,  2.5],
-           [ 0. , -3.5]])
-    """
-    default = [mechanism.ratio for mechanism in case.mechanisms]
-    given = by_mechanism("ratios", default if ratios is None else ratios, len(default))
+def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
+    """Return the structural-distribution matrix AJK; see `distribution_matrix`."""
+    if ratios is None:
+        given = np.array([mechanism.ratio for mechanism in case.mechanisms], dtype=np.float64)
+    else:
+        given = by_mechanism("ratios", ratios, len(case.mechanisms))
     elements = len(case.shift_elements)
     matrix = np.zeros((*given.shape[:-1], 1 + case.links, len(case.devices)))
     for number, element in enumerate(case.shift_elements):
@@ -193,7 +167,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     for number, (mechanism, u) in enumerate(zip(case.mechanisms, by_device, strict=True)):
         for link, torques in zip(mechanism.links, column_of(mechanism, u), strict=True):
             matrix[..., link, elements + number] = value(torques)
-    for number, spring in enumerate(case.springs, elements + len(default)):
+    for number, spring in enumerate(case.springs, elements + len(case.mechanisms)):
         for link, coefficient in spring.form.items():
             matrix[..., link, number] = coefficient
     return matrix[..., 1:, :]

@@ -12,8 +12,8 @@ from vstatics.core.model.parts import KW_OF_RPM_NM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.matrix import held_links
-from vstatics.core.statics.power import port_torques
 from vstatics.core.statics.result_arrays import ResultFields
+from vstatics.core.statics.torques import port_torques
 
 _NEEDED = {
     "rpm": ("speed", "speed: 2000 rpm"),

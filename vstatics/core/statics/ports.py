@@ -8,8 +8,9 @@ from typing import Literal, NamedTuple
 
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.power import port_torques, power
+from vstatics.core.statics.power import power
 from vstatics.core.statics.state import GearState
+from vstatics.core.statics.torques import port_torques
 
 Way = Literal["in", "out", ""]
 """Direction of power at a port; empty without power, or if the power is unknown."""

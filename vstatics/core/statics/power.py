@@ -32,30 +32,6 @@ power = times
 """Product of torque and speed, or of a power and a share."""
 
 
-def port_torques(
-    case: Transmission, gear: Gear, holding: Mapping[int, Number], output_torque: Number
-) -> dict[int, Number]:
-    """Return the total external torque on each link, by link number [-].
-
-    Torques of the load and torques that hold a given speed are included.
-    """
-    return acting_torques(
-        external_torques(case, gear), case.gear_output(gear), holding, output_torque
-    )
-
-
-def acting_torques(
-    external: Mapping[int, Number],
-    output: int,
-    holding: Mapping[int, Number],
-    output_torque: Number,
-) -> dict[int, Number]:
-    """Return `port_torques` from the known external torques of a gear and its output link [-]."""
-    acting: dict[int, Number] = {**external, **holding}
-    acting[output] = acting[output] - output_torque if output in acting else -output_torque
-    return acting
-
-
 def port_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> Iterator[LinkPower]:

@@ -10,7 +10,7 @@ from vstatics.core.arguments import type_and_value
 from vstatics.core.errors import Place, ReadError, listed, quoted, typed_number
 from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.matrix import structural_matrix
 from vstatics.core.statics.result_arrays import Rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.suggestions import nearest
@@ -266,7 +266,7 @@ def _selected(results: Results, name: str, selection: list[Any]) -> Any:
     """Return a table, or the row and gear selected by names."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
-        array, wanted = distribution_matrix(results.case), "its name: it is of no gear"
+        array, wanted = structural_matrix(results.case), "its name: it is of no gear"
     else:
         array, wanted = results.existing(quantity.name), "(table, gear)"
         indices: list[Any] = []

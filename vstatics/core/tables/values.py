@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.matrix import structural_matrix
 from vstatics.core.statics.physical import known_units
 from vstatics.core.statics.result_arrays import all_row_names
 from vstatics.core.statics.results import Results
@@ -37,7 +37,7 @@ def tables(results: Results) -> list[Table]:
         shown = [*map(among_springs, shown)]
     for quantity in shown:
         if quantity.columns == "devices":
-            matrix = distribution_matrix(case) + 0.0
+            matrix = structural_matrix(case) + 0.0
             filled.append(Table(quantity, case.link_names, case.devices, matrix))
             continue
         kind = quantity.rows

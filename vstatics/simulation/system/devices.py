@@ -18,7 +18,7 @@ from vstatics.core.model.springs import Spring, SpringLimit, TwistCurve, straigh
 from vstatics.core.model.struts import StrutCurve
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.statics.matrix import distribution_matrix
+from vstatics.core.statics.matrix import structural_matrix
 from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
 from vstatics.simulation.scenario.laws import Resistance, Road, constant
 from vstatics.simulation.scenario.parts import Scenario
@@ -78,7 +78,7 @@ def motion_system(
             ("case",),
         )
     dragging = list(drags(case, gear))
-    rows = np.ascontiguousarray(distribution_matrix(case).T)
+    rows = np.ascontiguousarray(structural_matrix(case).T)
     elements = _elements(case, capacities, dragging, rows)
     contacts, outside = _loads(scenario, len(elements))
     frictions = (*_spring_friction(case, rows), *_drag_contacts(case, dragging, rows))

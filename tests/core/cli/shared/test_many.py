@@ -127,7 +127,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
             raise ZeroDivisionError("by\nnothing")
         return solve(case, **options)
 
-    monkeypatch.setattr("vstatics.core.statics.solve.solve", faulty)
+    monkeypatch.setattr("vstatics.core.statics.solution.solution", faulty)
     said = vstatics("run", *reversed(GOOD), "-o", "out", "--jobs", jobs)
     assert (said.status, names("out")) == (1, ["mzkt.lst"])
     message = "an error of vstatics, please report it with this case: ZeroDivisionError: by nothing"

@@ -312,8 +312,6 @@ def calculate_one(
 
     `texts` replace the content of the files of their names. `regular` refuses pipes and devices.
     """
-    from vstatics.core.checking import located_messages  # needless for help
-
     name, data = files.file_name(file), b""
     scenario, locate = None, None
     try:
@@ -334,7 +332,7 @@ def calculate_one(
         results = _solved(reading, settings, opens=opens)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
-        gear_messages = located_messages(reading, results, each_gear=each_gear)
+        gear_messages = reading.located_messages(results, each_gear=each_gear)
         if settings.of_runs and scenario is not None:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
         problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
@@ -358,11 +356,11 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
         If a law of the case gives an impossible torque, with its place.
     """
     from vstatics.core.model.open_converters import with_needed_ratios
-    from vstatics.core.statics.solve import solve  # needless for help
+    from vstatics.core.statics.solution import solution  # needless for help
 
     try:
         case = with_needed_ratios(reading.case) if opens else reading.case
-        return solve(case, coast=settings.coast, idle=settings.idle)
+        return solution(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
 

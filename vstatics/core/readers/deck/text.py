@@ -12,7 +12,6 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from vstatics.core.errors import Place, Problem, ReadError
-from vstatics.core.readers.deck.encodings import in_each_encoding
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
@@ -289,6 +288,8 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     try:
         yield with_plain_blanks(data.decode("utf-8-sig")), []
     except UnicodeDecodeError as error:
+        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
+
         for text in in_each_encoding(data):
             yield with_plain_blanks(text), []
         yield _damaged(data, error.start, file)
