@@ -94,7 +94,7 @@ def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
     best = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
     figures = ((place, *_figures(box)) for place, box in best)
     yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
-    schemes: list[Values] = [
+    schemes = [
         (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
         for place, box in best
     ]

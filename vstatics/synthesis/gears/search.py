@@ -89,7 +89,7 @@ def all_elements(case: Transmission) -> list[ShiftElement]:
     """
     ports = {case.input, case.output, *case.outputs}
     links = range(1, case.own_links + 1)
-    pairs: list[Pair] = [
+    pairs = [
         *subsets(links, 2),
         *((link, HOUSING) for link in links if link not in ports),
     ]

@@ -171,7 +171,7 @@ def _row(
 ) -> LinearRow:
     """Convert an equation in links to bodies, with known speeds on the right side."""
     unknown: dict[int, Term] = {}
-    right: Term = (ZERO, ZERO)
+    right = (ZERO, ZERO)
     for link, (plain, more) in terms:
         body = bodies[link]
         if body in known:

@@ -62,7 +62,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
     >>> determinant(rows, [0, 1]), determinant(rows, [-1, 1])
     ({0: Fraction(1, 1)}, {1: Fraction(2, 1)})
     """
-    minors: dict[int, dict[int, Fraction]] = {0: {0: Fraction(1)}}
+    minors = {0: {0: Fraction(1)}}
     work = 0
     for row in rows:
         after: dict[int, dict[int, Fraction]] = {}

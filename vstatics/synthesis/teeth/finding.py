@@ -358,7 +358,7 @@ def _by_limits(
     """
     targets = problem.targets
     proven = least_possible(targets, *ends)
-    best: tuple[list[TeethTable], BestTeeth] | None = None
+    best = None
     excluded: Counter[str] = Counter()
     for most in growing_limits(proven):
         between = narrowed(targets, *ends, most)

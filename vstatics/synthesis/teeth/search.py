@@ -107,8 +107,8 @@ class _Halving:
         self.targets = targets
         self.most = most
         self.is_full = False
-        self.errors: Floats = np.zeros(0)
-        self.places: Integers = np.zeros((0, len(tables)), np.int64)
+        self.errors = np.zeros(0)
+        self.places = np.zeros((0, len(tables)), np.int64)
         widths = [table.ratios.shape[1] for table in tables]
         self.columns = [sum(widths[:number]) for number in range(len(widths))]
         self.sizes = [np.log(table.high / table.low) for table in tables]

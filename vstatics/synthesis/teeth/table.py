@@ -115,7 +115,7 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 def _places(ratios: Floats) -> Integers:
     """Number the different rows of an array from 0."""
-    place: Integers = np.zeros(len(ratios), np.int64)
+    place = np.zeros(len(ratios), np.int64)
     for column in ratios.T:
         _, numbers = np.unique(column, return_inverse=True)
         both = place * (numbers.max(initial=0) + 1) + numbers

@@ -10,7 +10,6 @@ from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 from vstatics.synthesis.ratios.tables import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
 from vstatics.synthesis.teeth.layout import named_ratios
-from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
 
@@ -84,7 +83,7 @@ def _choice(result: FoundTeeth) -> Grid:
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
     """Yield a table of the ranges of all gears, and the kind of each gear set, before a search."""
-    limits: TeethLimits = problem.limits
+    limits = problem.limits
     rows = []
     for layout in problem.layouts:
         planets = ", ".join(map(str, sorted(limits.counts(layout)))) if layout.planets else "-"

@@ -108,7 +108,7 @@ class ExcitedGear:
         """
         mass, stiffness, resistance, hysteresis = self._by_basis
         resisted = omega * resistance + np.sign(omega) * hysteresis
-        dynamic: Complex = stiffness - omega**2 * mass + 1j * resisted
+        dynamic = stiffness - omega**2 * mass + 1j * resisted
         right = -dynamic[:-1, -1]
         if not self.by_motion:
             right = right + self._basis[self.at, :-1]

@@ -222,7 +222,7 @@ def _squares(excited: ExcitedGear, omega: float) -> Floats:
     """Return ``|H|^2`` of each twist at a frequency; NaN at the frequency of an undamped mode."""
     twists = excited.free.twists
     try:
-        squares: Floats = np.abs(excited.answers(twists, omega)) ** 2
+        squares = np.abs(excited.answers(twists, omega)) ** 2
     except np.linalg.LinAlgError:
         return np.full(len(twists), np.nan)
     return squares

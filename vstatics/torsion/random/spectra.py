@@ -120,7 +120,7 @@ class SpectrumPoints(NamedTuple):
     def at(self, omegas: Floats) -> Floats:
         """Return the spectrum at frequencies [rad/s]."""
         corners, values = np.transpose(self.points)
-        spectrum: Floats = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
+        spectrum = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
         return np.asarray(spectrum)
 
     @property

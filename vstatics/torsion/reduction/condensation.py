@@ -66,7 +66,7 @@ def _condensed(scheme: TorsionScheme, most: int) -> TorsionScheme:
 def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
     """Return equivalent springs that do not act on a mass without inertia."""
     remaining: list[SchemeSpring] = []
-    meeting: SchemeSpring | None = None
+    meeting = None
     for spring in springs:
         if mass not in spring.twist:
             remaining.append(spring)

@@ -49,8 +49,7 @@ class Coordinates(NamedTuple):
 
         part, *_ = linalg.lstsq(self.free, self.massless)
         _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
-        chosen: Floats = self.free[:, np.sort(order[count:])]
-        return chosen
+        return self.free[:, np.sort(order[count:])]
 
 
 def coordinates(system: TorsionalSystem) -> Coordinates:
@@ -73,7 +72,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = [{link: 1.0} for link in _links_that_block(loose)]
+    held = [{link: 1.0} for link in _links_that_block(loose)]
     return Coordinates(
         free=system.free(*held),
         massless=system.free(*held, *bodies),

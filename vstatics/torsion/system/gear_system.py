@@ -127,8 +127,7 @@ class TorsionalSystem(NamedTuple):
 
         The share of converters is not symmetric.
         """
-        resistance: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
-        return resistance
+        return self.damper_rows.T @ self.damper_rows + self.converter_resistance
 
     @property
     def converter_resistance(self) -> Floats:

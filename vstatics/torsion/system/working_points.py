@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Path, listed, plural, spoken
+from vstatics.core.errors import CaseError, listed, plural, spoken
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.core.model.parts import RAD_PER_RPM
@@ -111,7 +111,7 @@ class _WorkingPoints:
         self.case = case
         self.opened = opened
         self.gear = opened.gears[gear]
-        self.path: Path = ("gears", gear + 1)
+        self.path = ("gears", gear + 1)
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
         self.closed = [c for c in opened.converters if c.name not in self.joined]

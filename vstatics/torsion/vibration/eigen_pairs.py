@@ -103,8 +103,7 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     if not split.rigid.size:
         return split.rigid
     _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
-    basis: Floats = linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
-    return basis
+    return linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
 
 
 def resisting_rows(system: TorsionalSystem) -> Floats:
@@ -118,10 +117,7 @@ def resisting_rows(system: TorsionalSystem) -> Floats:
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]
-    rows: Floats = np.vstack(
-        [np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips]
-    )
-    return rows
+    return np.vstack([np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips])
 
 
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
@@ -141,7 +137,7 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
     if not (undamped_motions.shape[1] and damped_motions.shape[1]):
         return damped_motions, undamped_motions
     following, *_ = linalg.lstsq(stiff @ undamped_motions, stiff @ damped_motions)
-    slow: Floats = damped_motions - undamped_motions @ following
+    slow = damped_motions - undamped_motions @ following
     return slow, undamped_motions
 
 

@@ -95,8 +95,7 @@ def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
     solution, *_ = linalg.lstsq(
         (twists @ split.massless)[order], (twists @ split.heavy)[order], lapack_driver="gelsy"
     )
-    following: Floats = solution
-    return following
+    return solution
 
 
 def weighted_twists(system: TorsionalSystem) -> Floats:

@@ -79,8 +79,7 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
             distances = _between(below, above, compliances, pole)
         else:
             distances = _beyond(below, compliances, pole)
-    squares: Floats = pole + distances
-    return squares
+    return pole + distances
 
 
 _Terms = tuple[Floats, Floats]
@@ -157,5 +156,5 @@ def _of_two_poles(
     of_gap = level * gap
     b = of_gap - first - second
     root = np.sqrt((of_gap + first - second) ** 2 + 4 * first * second)
-    small: Floats = 2 * first * gap / (root - b)
+    small = 2 * first * gap / (root - b)
     return np.where(b < 0, small, (b + root) / (2 * level))

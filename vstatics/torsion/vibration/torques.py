@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -101,7 +101,7 @@ def with_rigid(
             unbalanced[link] -= part * elastic[device.name]
     by_device = dict(elastic)
     if system.rigid:
-        solved: Any = np.linalg.pinv(balance.columns) @ unbalanced
+        solved = np.linalg.pinv(balance.columns) @ unbalanced
         solved[~balance.determined] = np.nan
         by_device |= dict(zip((device.name for device in system.rigid), solved, strict=True))
     return {device.name: by_device[device.name] for device in system.devices}

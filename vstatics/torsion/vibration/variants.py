@@ -165,7 +165,7 @@ def _of_one_structure(  # noqa: PLR0913 PLR0917
 
 def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:
     """Return the numbers of some variants, shape (variants, ...)."""
-    numbers_of_variants: Floats = np.repeat(constants[None], len(variants), axis=0)
+    numbers_of_variants = np.repeat(constants[None], len(variants), axis=0)
     for place, numbers in varied.items():
         numbers_of_variants[:, place] = numbers[variants]
     return numbers_of_variants
@@ -175,7 +175,7 @@ class _VariedNumbers:
     """Numbers of devices or bodies in the first variant, and varied numbers."""
 
     def __init__(self, constants: Floats, varied: Varied) -> None:
-        self.first: Floats = varied_numbers(constants, varied, np.arange(1))[0]
+        self.first = varied_numbers(constants, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
@@ -251,8 +251,7 @@ class _Alike:
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
         system = _with_numbers(self.system, *numbers)
-        omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
-        return omegas
+        return lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
 
     def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
         system, split, heavy = self.system, self.split, self.heavy
