@@ -42,7 +42,11 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     plain = on_own_links(case)
     gearbox = plain.case.replace(mechanisms=case_mechanisms(plain))
     mechanisms = _sets(gearbox)
-    body = _bodies(gearbox)
+    body = [*range(gearbox.links + 1)]  # first link of the group that shafts join
+    for mechanism in gearbox.mechanisms:
+        if mechanism.ratio == 1:
+            low, high = sorted((body[mechanism.first], body[mechanism.second]))
+            body = [low if link == high else link for link in body]
     sets = [_members(mechanism, body) for mechanism in mechanisms]
     on_sets = {link for members in sets for link in members}
     others = sorted({*body} - on_sets - {HOUSING})
@@ -105,16 +109,6 @@ def _sets(case: Transmission) -> list[Mechanism]:
             )
             raise CaseError("E920", message, ("mechanisms", mechanism.name))
     return sets
-
-
-def _bodies(case: Transmission) -> list[int]:
-    """Return the first link of the group that each link belongs to through shafts."""
-    body = [*range(case.links + 1)]
-    for mechanism in case.mechanisms:
-        if mechanism.ratio == 1:
-            first, last = sorted((body[mechanism.first], body[mechanism.second]))
-            body = [first if link == last else link for link in body]
-    return body
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:

@@ -105,7 +105,7 @@ def listing_of(document: Any) -> BoxListing:
 
 
 def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
-    wanted = _read(WantedOfBoxes, given, "wanted", problems)
+    wanted: WantedOfBoxes = _read(WantedOfBoxes, given, "wanted", problems)
     for name in ("gears", "spread", "steps"):
         ends = getattr(wanted, name)
         if len(ends) not in (0, 2):

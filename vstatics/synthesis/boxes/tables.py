@@ -22,17 +22,13 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
     given_up : int
         Number of element sets that could be gearboxes but were given up.
     """
-    yield _counts(searched, boxes, given_up)
-    if boxes:
-        yield from _pareto(boxes)
-        yield _of_families(boxes)
-
-
-def _counts(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Grid:
     best = sum(box.pareto for box in boxes)
     counts = {"searched": searched, "given up": given_up, "found": len(boxes)}
     counts |= {"families": family_count(boxes), "Pareto list": best}
-    return grid_of("Boxes", ["what", "boxes"], counts.items())
+    yield grid_of("Boxes", ["what", "boxes"], counts.items())
+    if boxes:
+        yield from _pareto(boxes)
+        yield _of_families(boxes)
 
 
 FIGURES = (
@@ -94,7 +90,7 @@ def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
     best = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
     figures = ((place, *_figures(box)) for place, box in best)
     yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
-    schemes = [
+    schemes: list[Values] = [
         (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
         for place, box in best
     ]

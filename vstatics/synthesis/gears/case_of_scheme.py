@@ -64,7 +64,14 @@ def scheme_case(
     >>> [element.name for element in case.shift_elements]
     ['T-L2', 'F-L0-L1']
     """
-    _check(scheme, input_link, output_link)
+    if input_link == output_link:
+        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
+    if not scheme.is_connected:
+        raise ValueError("its sets share no link: these are several gearboxes, expected one")
+    if scheme.mobility < LEAST_MOBILITY:
+        sets = len(scheme.sets)
+        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
     if len(ratios) != len(scheme.sets):
         raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
     elements = _elements(scheme, input_link, output_link)
@@ -87,24 +94,6 @@ def scheme_case(
     )
     gears = _gears(case, scheme.mobility - 1)
     return case.replace(gears=gears) if gears else case
-
-
-def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
-    """Refuse a scheme that cannot be a gearbox.
-
-    Raises
-    ------
-    ValueError
-        If input and output are equal, or the scheme is not connected or not mobile.
-    """
-    if input_link == output_link:
-        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
-    if not scheme.is_connected:
-        raise ValueError("its sets share no link: these are several gearboxes, expected one")
-    if scheme.mobility < LEAST_MOBILITY:
-        sets = len(scheme.sets)
-        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
-        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
 
 
 def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:

@@ -49,7 +49,11 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     """
     case = search.case
     freewheels = {element.name for element in search.elements if element.is_freewheel}
-    existing = _existing(case)
+    existing: dict[frozenset[str], Gear] = {}
+    for gear in case.gears:
+        if is_plain(case, gear):
+            of_gear = (case.shift_elements[number - 1].name for number in gear.engaged)
+            existing.setdefault(frozenset(of_gear), gear)
     determined: dict[frozenset[str], list[float]] = {}
     free: dict[frozenset[str], list[float]] = {}
     left = 0
@@ -78,16 +82,6 @@ def found_gears(search: CombinationSearch) -> FoundGears:
         return _holding(extended, list(chosen.values()))._replace(free=left)
     ratios = [ratio for [ratio] in chosen.values()]
     return FoundGears(_ordered(extended, gears, ratios), [], left)
-
-
-def _existing(case: Transmission) -> dict[frozenset[str], Gear]:
-    """Return the gears of a case that can be compared with combinations, by element names."""
-    by_names: dict[frozenset[str], Gear] = {}
-    for gear in case.gears:
-        if is_plain(case, gear):
-            names = (case.shift_elements[number - 1].name for number in gear.engaged)
-            by_names.setdefault(frozenset(names), gear)
-    return by_names
 
 
 def _ordered(case: Transmission, gears: Sequence[Gear], ratios: Sequence[float]) -> Transmission:

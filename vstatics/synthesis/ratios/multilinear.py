@@ -123,7 +123,12 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
     reduced: dict[int, dict[int, int]] = {}  # rows by the unknown for which they are solved
     selected: list[LinearRow] = []
     for row in rows:
-        numbers = _modular(row)
+        ratio = ratio_number(row.ratio)
+        residues = {
+            unknown: (_residue(plain) + _residue(with_ratio) * ratio) % PRIME
+            for unknown, (plain, with_ratio) in (*row.terms.items(), (_RIGHT, row.right))
+        }
+        numbers = {unknown: number for unknown, number in residues.items() if number}
         numbers[_name(len(selected))] = 1
         for unknown, other in reduced.items():
             _take(numbers, other, unknown)
@@ -153,16 +158,6 @@ _RIGHT = -1
 def _name(number: int) -> int:
     """Return the key of a row, to trace the combinations of rows."""
     return _RIGHT - 1 - number
-
-
-def _modular(row: LinearRow) -> dict[int, int]:
-    """Return a row with a random number for the ratio, modulo `PRIME`."""
-    ratio = ratio_number(row.ratio)
-    numbers = {
-        unknown: (_residue(plain) + _residue(with_ratio) * ratio) % PRIME
-        for unknown, (plain, with_ratio) in (*row.terms.items(), (_RIGHT, row.right))
-    }
-    return {unknown: number for unknown, number in numbers.items() if number}
 
 
 def _residue(number: Fraction) -> int:

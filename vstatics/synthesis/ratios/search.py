@@ -119,8 +119,17 @@ def fit_starts(space: FitSpace) -> FitPoints:
                 more = _turning(space, space.turned(points.at(most)))
                 valid = FitPoints(*map(np.concatenate, zip(valid, more, strict=True)))
             if len(valid.sizes):
-                return _chosen(space, valid, count)
-    raise CaseError([_no_start(space, turning)])
+                squares = np.square(np.log(space.quotients(valid)) * space.roots).sum(axis=1)
+                best = np.argsort(squares, kind="stable")[: count // 2]
+                chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
+                return valid.at(chosen)
+    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
+    seldom = int(np.argmin(turning))
+    message = (
+        f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
+        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
+    )
+    raise CaseError([Problem("E832", message, ("ratios",))])
 
 
 def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
@@ -146,21 +155,3 @@ def _sampled(space: FitSpace, random: np.random.Generator, *, with_case: bool) -
     if with_case:
         sizes[0] = space.case_point.sizes
     return FitPoints(signs, sizes)
-
-
-def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
-    """Return the first point (perhaps of the case), then half the best, then any points."""
-    squares = np.square(np.log(space.quotients(points)) * space.roots).sum(axis=1)
-    best = np.argsort(squares, kind="stable")[: count // 2]
-    chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
-    return points.at(chosen)
-
-
-def _no_start(space: FitSpace, turning: Floats) -> Problem:
-    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
-    seldom = int(np.argmin(turning))
-    message = (
-        f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
-        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
-    )
-    return Problem("E832", message, ("ratios",))

@@ -187,16 +187,6 @@ def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]
     step = math.ceil(len(batch.codes) / WRITTEN)
     if not step:
         return 0.0, 0.0
-    part = _every(batch, step)
-    began = time.perf_counter()
-    text = lines(search, part)
-    seconds = time.perf_counter() - began
-    written = text.count(b"\n")
-    return len(text) / written, seconds / written
-
-
-def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
-    """Return every nth scheme of a batch, with all symmetries."""
     reduced = batch.symmetries
     if reduced is not None:
         selected = reduced.which % step == 0
@@ -205,4 +195,9 @@ def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
             which=reduced.which[selected] // step,
             links=reduced.links[selected],
         )
-    return SchemeBatch(batch.codes[::step], batch.links[::step], reduced, batch.parents[::step])
+    part = SchemeBatch(batch.codes[::step], batch.links[::step], reduced, batch.parents[::step])
+    began = time.perf_counter()
+    text = lines(search, part)
+    seconds = time.perf_counter() - began
+    written = text.count(b"\n")
+    return len(text) / written, seconds / written

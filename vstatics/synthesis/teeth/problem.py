@@ -159,7 +159,18 @@ class _AskedByName:
 
 
 def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    yield from _wrong_ranges(limits, layouts)
+    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
+    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
+    names = ["all", *wheels, *special]
+    for name, (low, high) in limits.ranges.items():
+        if name not in names:
+            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
+            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
+        elif not 1 <= low <= high < LARGEST_WHEEL:
+            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
+            yield Problem(
+                "E848", f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name)
+            )
     for count in limits.planets:
         if not 1 <= count <= MOST_PLANETS:
             message = f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}"
@@ -177,22 +188,6 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
                 "E846", f"{name}: read {distance:g}, expected modules above 0", ("centre", name)
             )
     yield from _wrong_sizes(limits)
-
-
-def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    """Yield problems of unknown gears and invalid ranges."""
-    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
-    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
-    names = ["all", *wheels, *special]
-    for name, (low, high) in limits.ranges.items():
-        if name not in names:
-            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
-            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
-        elif not 1 <= low <= high < LARGEST_WHEEL:
-            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
-            yield Problem(
-                "E848", f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name)
-            )
 
 
 def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:

@@ -125,7 +125,18 @@ class TeethRows:
         columns = len(self.layout.wheels) + 1 + self._sets_of_modules.shape[1]
         start = np.zeros((len(self._sets_of_modules), columns), np.int32)
         start[:, len(self.layout.wheels) + 1 :] = self._sets_of_modules
-        yield from self._grown(self._plan(), 0, start, windows, excluded)
+        wheels = len(self.layout.wheels)
+        modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
+        waiting = list(teeth_conditions(self.layout, self.limits))
+        known = set(modules)
+        widths = (self.ranges[:, 1] - self.least).tolist()
+        plan: list[tuple[int, list[TeethCondition]]] = []
+        for column in growth_order(self.layout, self._equations, widths):
+            known.add(column)
+            now = [condition for condition in waiting if condition.needs <= known]
+            waiting = [condition for condition in waiting if not condition.needs <= known]
+            plan.append((column, now))
+        yield from self._grown(plan, 0, start, windows, excluded)
 
     def _grown(
         self,
@@ -229,21 +240,6 @@ class TeethRows:
     @cached_property
     def _equations(self) -> list[AxisEquation]:
         return list(axis_equations(self.layout, self.limits))
-
-    def _plan(self) -> list[tuple[int, list[TeethCondition]]]:
-        """Return the columns in order, each with the conditions that can then be checked."""
-        wheels = len(self.layout.wheels)
-        modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
-        waiting = list(teeth_conditions(self.layout, self.limits))
-        known = set(modules)
-        widths = (self.ranges[:, 1] - self.least).tolist()
-        plan: list[tuple[int, list[TeethCondition]]] = []
-        for column in growth_order(self.layout, self._equations, widths):
-            known.add(column)
-            now = [condition for condition in waiting if condition.needs <= known]
-            waiting = [condition for condition in waiting if not condition.needs <= known]
-            plan.append((column, now))
-        return plan
 
 
 def growth_order(

@@ -73,7 +73,11 @@ def teeth_table(
     width = len(layout.wheels) + 2 + max(layout.component)
     rows = _different(np.concatenate([np.zeros((0, width), np.int32), *kept]), layout, counts)
     ratios = of_rows(layout, rows)
-    place = _places(ratios)
+    place = np.zeros(len(ratios), np.int64)
+    for column in ratios.T:
+        _, numbers = np.unique(column, return_inverse=True)
+        both = place * (numbers.max(initial=0) + 1) + numbers
+        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
     order = np.argsort(place, kind="stable")
     sizes = np.bincount(place, minlength=int(place.max(initial=-1)) + 1)
     firsts = np.cumsum(sizes) - sizes
@@ -111,16 +115,6 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
                 below = below * rows[:, wheel].astype(np.float64) ** -power
         ratios[:, number] = ratio.sign * above / below
     return ratios
-
-
-def _places(ratios: Floats) -> Integers:
-    """Number the different rows of an array from 0."""
-    place = np.zeros(len(ratios), np.int64)
-    for column in ratios.T:
-        _, numbers = np.unique(column, return_inverse=True)
-        both = place * (numbers.max(initial=0) + 1) + numbers
-        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
-    return place
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:

@@ -36,10 +36,6 @@ class Signal(NamedTuple):
     at_once: float = 0.0
     """Coefficient of the input."""
 
-    def plus(self, other: Signal) -> Signal:
-        """Return the sum of two signals."""
-        return Signal(self.row + other.row, self.at_once + other.at_once)
-
 
 class Driven(NamedTuple):
     """System ``x' = A x + b w`` under white noise w of the spectrum 1, split by damping."""
@@ -189,7 +185,7 @@ def _of_part(
         drifts = _drifts(system, form)
         rate = noisy.derivative(angle)
         if drifts and rate is not None:
-            rate = rate.plus(drift)
+            rate = Signal(rate.row + drift.row, rate.at_once + drift.at_once)
         is_unbounded = drifts and (bool(drift.at_once) or not _is_at_rest(noisy, drift))
         yield math.nan if is_unbounded else noisy.variance(angle)
         yield noisy.variance(rate)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -200,9 +201,7 @@ class _WorkingPoints:
             if excess[above] * excess[below] <= 0:
                 from scipy.optimize import brentq  # not imported for most gears
 
-                def excess_at(ratio: float) -> float:
-                    return self._excess(converter, ratios, ratio)
-
+                excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
         why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
         raise self._unknown([converter], why)

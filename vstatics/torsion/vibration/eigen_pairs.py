@@ -80,12 +80,9 @@ class Pencil(NamedTuple):
 
 def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> Pencil:
     """Build the matrices of a system in coordinates of the natural modes."""
-    dampings = [device.damping for device in system.elastic]
-    viscous = np.array([damping.viscous for damping in dampings])
-    lost = np.array([damping.loss_factor for damping in dampings]) * system.rates
+    viscous, lost = system.dampings
     stiff = weighted_twists(system)
-    slipping = system.slip_resistance
-    damped = resisting_rows(system)
+    damped = resisting_rows(system, viscous + lost)
     rigid = rigid_basis(system, split) if system.resists else split.rigid[:, :0]
     basis = np.hstack([modes.shapes, rigid, massless_parts(split, damped, stiff)[0]])
     twists, count = system.twists @ basis, len(modes.omegas)
@@ -94,7 +91,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     massive = count + rigid.shape[1]
     stiffness[count:massive] = stiffness[:, count:massive] = 0.0
     resisted, hysteresis = (twists.T @ (sizes[:, None] * twists) for sizes in (viscous, lost))
-    resisted += basis.T @ slipping @ basis
+    resisted += basis.T @ system.slip_resistance @ basis
     return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not system.converters)
 
 
@@ -106,14 +103,11 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     return linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
 
 
-def resisting_rows(system: TorsionalSystem) -> Floats:
+def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
     """Return the resisted motions of links, weighted by the roots of resistances.
 
-    Resistances are those of dampers and converters.
+    Dampers and converters resist in addition to the elastic devices with the given resistances.
     """
-    dampings = [device.damping for device in system.elastic]
-    lost = system.rates * np.array([damping.loss_factor for damping in dampings])
-    resistances = np.array([damping.viscous for damping in dampings]) + lost
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]

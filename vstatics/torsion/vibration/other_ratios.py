@@ -19,7 +19,7 @@ from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import LOST_PIVOT, NO_ROW, RESIDUE
 from vstatics.torsion.vibration.modal_masses import Split, natural_frequencies, of_split
-from vstatics.torsion.vibration.variants import NUMBERS, Varied, varied_numbers
+from vstatics.torsion.vibration.variants import NUMBERS, Varied, first_variant, varied_numbers
 
 
 class VariedSystem(NamedTuple):
@@ -68,11 +68,7 @@ def frequencies_of_ratios(
     (array([[22.36067977],
            [31.6227766 ]]), array([ True,  True]))
     """
-    system = varied.system
-    bodies = list(system.bodies)
-    for place, numbers in varied.inertias.items():
-        bodies[place] = bodies[place]._replace(inertia=float(numbers[0]))
-    system = system._replace(bodies=tuple(bodies))
+    system = first_variant({}, varied.inertias).of(varied.system)
     split = coordinates(system)
     frequencies = np.full((variants, len(modes)), np.nan)
     safe = np.zeros(variants, np.bool_)

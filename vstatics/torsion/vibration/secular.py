@@ -112,9 +112,10 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
     """
     gap = float(above[0][0])
     middle = np.array([gap / 2])
-    of_other_poles = _value(below[0][:-1], below[1][:-1], middle)
-    of_other_poles = of_other_poles - _value(above[0][1:], above[1][1:], -middle)
-    x = _of_two_poles(of_other_poles - compliances, below[1][-1], above[1][0], gap)
+    of_lower_poles, _ = _sums((below[0][:-1], below[1][:-1]), middle)
+    of_higher_poles, _ = _sums((above[0][1:], above[1][1:]), -middle)
+    level = of_lower_poles - of_higher_poles - compliances
+    x = _of_two_poles(level, below[1][-1], above[1][0], gap)
     low, high = np.full_like(x, gap * AT_POLE), np.full_like(x, gap)
     x = np.clip(x, gap * AT_POLE, gap * (1 - AT_NEXT_POLE))
     for _ in range(MOST_ITERATIONS):
@@ -143,10 +144,6 @@ def _sums(terms: _Terms, x: Floats) -> tuple[Floats, Floats]:
         term *= inverse
         slope += term
     return value, slope
-
-
-def _value(distances: Floats, weights: Floats, x: Floats) -> Floats:
-    return _sums((distances, weights), x)[0]
 
 
 def _of_two_poles(

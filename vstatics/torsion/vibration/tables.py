@@ -43,10 +43,26 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     """Yield tables of the frequencies of all gears, and of the largest energy shares."""
-    yield _rigid(gears)
+    rigid = (
+        (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
+        for gear in gears
+    )
+    headings = "gear", "rigid modes", "note"
+    yield grid_of("Rigid modes", headings, rigid, key="rigid", optional=["note"])
     if any(gear.modes for gear in gears):
-        yield _frequencies(gears)
-        yield _most(gears)
+        frequencies = []
+        for gear in gears:
+            for number, mode in enumerate(gear.modes, 1):
+                numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
+                frequencies.append((gear.name, number, *numbers, mode.nodes))
+        yield grid_of("Natural frequencies", ["gear", *_HEADINGS], frequencies, key="frequencies")
+        energies = (
+            (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
+            for gear in gears
+            for number, mode in enumerate(gear.modes, 1)
+        )
+        headings = "gear", "mode", "device", "share", "link", "share"
+        yield grid_of("Where most of the energy is", headings, energies, key="energy")
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
@@ -57,37 +73,7 @@ def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
         yield grid_of("Eigenvalues of damped vibration", headings, rows, key="damped")
 
 
-def _rigid(gears: Sequence[GearModes]) -> Grid:
-    """Build a table of the numbers of rigid modes, or of reasons why a gear has no modes."""
-    rows = (
-        (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
-        for gear in gears
-    )
-    headings = "gear", "rigid modes", "note"
-    return grid_of("Rigid modes", headings, rows, key="rigid", optional=["note"])
-
-
 _HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
-
-
-def _frequencies(gears: Sequence[GearModes]) -> Grid:
-    rows = []
-    for gear in gears:
-        for number, mode in enumerate(gear.modes, 1):
-            numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
-            rows.append((gear.name, number, *numbers, mode.nodes))
-    return grid_of("Natural frequencies", ["gear", *_HEADINGS], rows, key="frequencies")
-
-
-def _most(gears: Sequence[GearModes]) -> Grid:
-    """Build a table of the device and the link with the largest energy shares in each mode."""
-    rows = (
-        (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
-        for gear in gears
-        for number, mode in enumerate(gear.modes, 1)
-    )
-    headings = "gear", "mode", "device", "share", "link", "share"
-    return grid_of("Where most of the energy is", headings, rows, key="energy")
 
 
 def _largest(shares: Mapping[str, float]) -> tuple[str, float | None]:

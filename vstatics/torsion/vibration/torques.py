@@ -137,7 +137,10 @@ def own_torques(
         if case.mechanisms[device.mechanisms[0]].kind == "converter":
             named[device.name] = by_device.get(device.name, nothing)
             continue
-        shares = _planet_inertias_of(system, device.name)
+        shares: dict[int, float] = {}
+        for owner, of_planet in system.planet_shares:
+            for link, share in of_planet.items() if owner == device.name else ():
+                shares[link] = shares.get(link, 0.0) + share
         for member in device.members:
             share = shares.pop(member.link - 1, 0.0) if member.link else 0.0
             parts = [
@@ -149,11 +152,3 @@ def own_torques(
             known = np.where(np.abs(total) <= NO_POWER * size, 0.0, total)
             named[f"{device.name}.{member.name}"] = known
     return named | springs
-
-
-def _planet_inertias_of(system: TorsionalSystem, name: str) -> dict[int, float]:
-    total: dict[int, float] = {}
-    for owner, shares in system.planet_shares:
-        for link, share in shares.items() if owner == name else ():
-            total[link] = total.get(link, 0.0) + share
-    return total

@@ -175,7 +175,7 @@ class _VariedNumbers:
     """Numbers of devices or bodies in the first variant, and varied numbers."""
 
     def __init__(self, constants: Floats, varied: Varied) -> None:
-        self.first = varied_numbers(constants, varied, np.arange(1))[0]
+        self.first: Floats = varied_numbers(constants, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
