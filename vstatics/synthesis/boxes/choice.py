@@ -259,8 +259,9 @@ def find_boxes(
     )
     check_box_search(search)
     if not 0 < efficiency <= 1:
-        message = f"read {efficiency:g}, expected a number above 0, up to 1"
-        raise CaseError("E802", message, ("efficiency",))
+        raise CaseError(
+            "E802", f"read {efficiency:g}, expected a number above 0, up to 1", ("efficiency",)
+        )
     search = wanted.narrowed(search)
     piece = found_in(search)
     boxes = (measured(search, box, efficiency, weights) for box in piece.boxes)

@@ -52,8 +52,11 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     others = sorted({*body} - on_sets - {HOUSING})
     engaged = len({*body} - {HOUSING}) - len(sets) - 1
     if engaged < 1:
-        message = f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
-        raise CaseError("E922", f"{message} to be engaged: expected a gearbox that shifts")
+        raise CaseError(
+            "E922",
+            f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
+            " to be engaged: expected a gearbox that shifts",
+        )
     first, last = body[gearbox.input], body[gearbox.output]
     ports = [port for port in (first, last) if port in others]
     order = [*sorted(on_sets - {HOUSING}), *[HOUSING] * (HOUSING in on_sets)]
@@ -95,12 +98,16 @@ def _sets(case: Transmission) -> list[Mechanism]:
         If the case has springs, other mechanisms, or no planetary set.
     """
     if case.springs:
-        message = "the case has springs: expected a gearbox whose shafts turn as one piece"
-        raise CaseError("E921", message, ("springs",))
+        raise CaseError(
+            "E921",
+            "the case has springs: expected a gearbox whose shafts turn as one piece",
+            ("springs",),
+        )
     sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
     if not sets:
-        message = "there is no planetary set: expected a gearbox of these"
-        raise CaseError("E920", message, ("mechanisms",))
+        raise CaseError(
+            "E920", "there is no planetary set: expected a gearbox of these", ("mechanisms",)
+        )
     for mechanism in sets:
         is_pair = mechanism.third == HOUSING and not mechanism.is_set
         if mechanism.kind or is_pair or mechanism.ratio == -1:

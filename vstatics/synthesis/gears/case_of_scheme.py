@@ -70,8 +70,10 @@ def scheme_case(
         raise ValueError("its sets share no link: these are several gearboxes, expected one")
     if scheme.mobility < LEAST_MOBILITY:
         sets = len(scheme.sets)
-        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
-        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
+        raise ValueError(
+            f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+            f"; expected {sets + LEAST_MOBILITY} links or more"
+        )
     if len(ratios) != len(scheme.sets):
         raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
     elements = _elements(scheme, input_link, output_link)

@@ -72,8 +72,11 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     if not chosen:
         raise CaseError("E809", "no combination of shift elements gives a gear")
     if len(chosen) > MOST_GEARS:
-        message = f"the combinations give more than {MOST_GEARS} gears, too many for a case"
-        raise CaseError("E810", f"{message}; expected fewer elements to choose from")
+        raise CaseError(
+            "E810",
+            f"the combinations give more than {MOST_GEARS} gears, too many for a case"
+            "; expected fewer elements to choose from",
+        )
     left *= bool(determined)
     elements = case.shift_elements if search.are_own else search.elements
     gears = list(_gears(case, elements, existing, chosen))
@@ -128,7 +131,8 @@ def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGe
     slipping = [gear.name for (gear, *_), is_so in zip(solved, holds, strict=True) if not is_so]
     holding = [gear for gear, is_so in zip(solved, holds, strict=True) if is_so]
     if not holding:
-        message = f"the freewheels do not hold in any of the gears {listed(slipping)}"
-        raise CaseError("E811", message)
+        raise CaseError(
+            "E811", f"the freewheels do not hold in any of the gears {listed(slipping)}"
+        )
     gears, ratios, _ = zip(*holding, strict=True)
     return FoundGears(_ordered(case, gears, ratios), slipping)

@@ -90,8 +90,11 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
         )
         minors = {used: sums for used, sums in nonzero if sums}
         if work > MOST_FORMULA_TERMS:
-            message = f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
-            raise CaseError("E818", f"{message}; expected more ratios that are given")
+            raise CaseError(
+                "E818",
+                f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
+                "; expected more ratios that are given",
+            )
     return minors.get((1 << len(unknowns)) - 1, {})
 
 

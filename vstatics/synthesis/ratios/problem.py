@@ -127,8 +127,7 @@ def mechanism_index(links: OwnLinks, asked: str) -> int:
         for lowered in part.lowered
     ]
     if of_element:
-        message = f"{quoted(asked)} has several ratios: expected {spoken(of_element, 'or')}"
-        raise ValueError(message)
+        raise ValueError(f"{quoted(asked)} has several ratios: expected {spoken(of_element, 'or')}")
     number = typed_number(asked, len(names))
     if number is not None:
         return number - 1
@@ -227,8 +226,9 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     links = on_engaged_links(case)
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:
-        message = f"read {tolerance:g}, expected a number above 0"
-        problems.append(Problem("E822", message, ("tolerance",)))
+        problems.append(
+            Problem("E822", f"read {tolerance:g}, expected a number above 0", ("tolerance",))
+        )
     limits = None
     try:
         limits = bounds_of(links, bounds)
@@ -298,8 +298,13 @@ def _by_gear(
             problems.append(Problem("E825", f"no gear {quoted(name)}{hint}", (argument, name)))
     if problems and len(given) > len(case.gears):
         count = len(case.gears)
-        message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
-        problems.append(Problem("E826", message, (argument,)))
+        problems.append(
+            Problem(
+                "E826",
+                f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}",
+                (argument,),
+            )
+        )
     return numbers, problems
 
 
@@ -308,15 +313,22 @@ def _wrong_numbers(
 ) -> Iterator[Problem]:
     for index, target in targets.items():
         if target == 0 or not math.isfinite(target):
-            message = f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
-            yield Problem("E827", f"{message} other than 0", ("ratios", index))
+            yield Problem(
+                "E827",
+                f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
+                " other than 0",
+                ("ratios", index),
+            )
     for index, weight in weights.items():
         name = case.gears[index].name
         if index not in targets:
             yield Problem("E828", f"gear {name}: no ratio is wanted of it", ("weights", index))
         if not 0 < weight < math.inf:
-            message = f"gear {name}: read {weight:g}, expected a weight above 0"
-            yield Problem("E829", message, ("weights", index))
+            yield Problem(
+                "E829",
+                f"gear {name}: read {weight:g}, expected a weight above 0",
+                ("weights", index),
+            )
 
 
 def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:

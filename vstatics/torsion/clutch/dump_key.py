@@ -94,8 +94,12 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
             path = ("dump", name, number)
             yield from of_link(link, path, case.own_links, lowest=1)
             if link in seen:
-                message = f"link {called(case, link)} is in {seen[link]} already"
-                yield Problem("E260", f"{message}, expected each link once", path)
+                yield Problem(
+                    "E260",
+                    f"link {called(case, link)} is in {seen[link]} already"
+                    ", expected each link once",
+                    path,
+                )
             seen.setdefault(link, name)
     if dump.to is not None:
         yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)

@@ -173,8 +173,11 @@ def response(  # noqa: PLR0913 - all but the first by name
     """
     chosen = asked_gears(case, gears)
     if (number := case.link_number(at)) in case.masses:
-        message = f"link {at} moves straight, so it has no revolutions: expected a link that turns"
-        raise CaseError("E547", message, ("masses", number))
+        raise CaseError(
+            "E547",
+            f"link {at} moves straight, so it has no revolutions: expected a link that turns",
+            ("masses", number),
+        )
     link, given = number - 1, np.asarray(speeds, dtype=np.float64)
     working = [working_gear(case, gear, speed_ratios) for gear in chosen]
     return [_gear_response(gear, link, harmonics, given) for gear in working]

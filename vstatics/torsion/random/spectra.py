@@ -85,8 +85,9 @@ class Correlation(NamedTuple):
     def problems(self) -> Iterator[Problem]:
         """Yield problems of numbers that are out of range."""
         if not 0 <= self.variance < math.inf:
-            message = f"read {self.variance:g}, expected a variance of 0 or more"
-            yield Problem("E528", message, ("variance",))
+            yield Problem(
+                "E528", f"read {self.variance:g}, expected a variance of 0 or more", ("variance",)
+            )
         if self.speed is not None and not 0 < self.speed < math.inf:
             yield Problem("E529", f"read {self.speed:g}, expected a speed above 0", ("speed",))
         for number, (share, a, b) in enumerate(self.correlation, 1):
@@ -101,8 +102,7 @@ class Correlation(NamedTuple):
                     yield Problem("E530", f"read {read:g}, expected {expected}", path)
         shares = sum(share for share, _, _ in self.correlation)
         if not abs(shares - 1) <= WHOLE:
-            message = f"the shares add up to {shares:g}, expected 1"
-            yield Problem("E531", message, ("correlation",))
+            yield Problem("E531", f"the shares add up to {shares:g}, expected 1", ("correlation",))
 
 
 class SpectrumPoints(NamedTuple):
@@ -138,11 +138,13 @@ class SpectrumPoints(NamedTuple):
                 expected = (
                     "an omega of 0 or more" if previous < 0 else f"an omega above {previous:g}"
                 )
-                message = f"read {omega:g}, expected {expected}"
-                yield Problem("E533", message, ("points", number, 1))
+                yield Problem("E533", f"read {omega:g}, expected {expected}", ("points", number, 1))
             if not 0 <= value < math.inf:
-                message = f"read {value:g}, expected a spectrum of 0 or more at a point"
-                yield Problem("E534", message, ("points", number, 2))
+                yield Problem(
+                    "E534",
+                    f"read {value:g}, expected a spectrum of 0 or more at a point",
+                    ("points", number, 2),
+                )
             previous = omega
 
 

@@ -79,8 +79,9 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
             return names.index(first), names.index(second)
     wrong = next((name for name in (parts or [(text, text)])[0] if name not in names), text)
     hint = "" if wrong in names else nearest(wrong, names)
-    message = f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
-    raise CaseError("E888", message)
+    raise CaseError(
+        "E888", f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
+    )
 
 
 def _merged(

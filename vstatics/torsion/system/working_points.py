@@ -181,12 +181,20 @@ class _WorkingPoints:
     def _pump_speed(self, converter: Converter, results: Results) -> float:
         relative = float(results.speeds[0, converter.pump - 1])
         if self.load.speed is None:
-            message = f"the speed of the pump of {converter.name} is not known: give `speed` in "
-            raise CaseError("E523", f"{message}the `load`", self.path)
+            raise CaseError(
+                "E523",
+                f"the speed of the pump of {converter.name} is not known: give `speed` in "
+                "the `load`",
+                self.path,
+            )
         speed = relative * self.load.speed * RAD_PER_RPM
         if math.isnan(speed):
-            message = f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
-            raise CaseError("E524", f"{message}`vstatics run` tells of it", self.path)
+            raise CaseError(
+                "E524",
+                f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
+                "`vstatics run` tells of it",
+                self.path,
+            )
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
@@ -263,9 +271,10 @@ class _WorkingPoints:
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:
         names = spoken([converter.name for converter in converters])
-        message = (
+        return CaseError(
+            "E525",
             f"the {plural('speed ratio', len(converters))} of {names} in gear {self.gear.name} "
             f"{'is' if len(converters) == 1 else 'are'} not known: give `speed_ratios` in the "
-            f"gear, or --speed-ratio; {why}"
+            f"gear, or --speed-ratio; {why}",
+            self.path,
         )
-        return CaseError("E525", message, self.path)

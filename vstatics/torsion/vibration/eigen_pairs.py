@@ -215,11 +215,12 @@ def _count_unresisted(pencil: Pencil, resistance: Floats) -> int:
 
 def _require_finite(matrix: Floats) -> Floats:
     if not np.isfinite(matrix).all():
-        message = (
+        raise CaseError(
+            "E520",
             "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
-            "vibration can't be calculated: expected numbers nearer to each other"
+            "vibration can't be calculated: expected numbers nearer to each other",
+            ("inertias",),
         )
-        raise CaseError("E520", message, ("inertias",))
     return matrix
 
 
@@ -256,11 +257,12 @@ def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
     scale = 1 / np.sqrt(sizes)[:, None]
     scaled = resistance * scale * scale.T
     if not symmetric and np.linalg.cond(scaled) * REAL_EIGENVALUE > 1:
-        message = (
+        raise CaseError(
+            "E526",
             "a pump or turbine has no inertia, and the torque of its converter does not depend on "
-            "its speed: give its link an inertia"
+            "its speed: give its link an inertia",
+            ("inertias",),
         )
-        raise CaseError("E526", message, ("inertias",))
     rates: Floats = scale * linalg.solve(
         scaled, scale * right, assume_a="pos" if symmetric else "gen"
     )

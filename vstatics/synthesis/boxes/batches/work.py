@@ -165,8 +165,11 @@ def check_most(count: int, most: int) -> None:
     CaseError
     """
     if count > most:
-        message = f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
-        raise CaseError("E808", f"{message}, or less choice by --brakes and --clutches")
+        raise CaseError(
+            "E808",
+            f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
+            ", or less choice by --brakes and --clutches",
+        )
 
 
 def box_lines(boxes: Iterable[FoundBox]) -> bytes:
