@@ -49,8 +49,12 @@ def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
         for place, box in enumerate(boxes, 1)
     ]
     by_gear = [f"{figure} {name}" for name in names for figure in columns]
-    headings = ["box", *FIGURES, *_sets(boxes), *MORE_FIGURES, *_of_scheme(boxes), *by_gear]
-    return grid_of("Found boxes", headings, rows, key="boxes")
+    return grid_of(
+        "Found boxes",
+        ["box", *FIGURES, *_sets(boxes), *MORE_FIGURES, *_of_scheme(boxes), *by_gear],
+        rows,
+        key="boxes",
+    )
 
 
 def _more(box: RankedBox) -> Values:
@@ -95,9 +99,13 @@ def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
         for place, box in best
     ]
     names = ("known", "Ravigneaux")
-    headings = ["box", *_of_scheme(boxes), *names]
-    title = "Schemes of the Pareto list"
-    yield grid_of(title, headings, schemes, key="schemes", optional=names)
+    yield grid_of(
+        "Schemes of the Pareto list",
+        ["box", *_of_scheme(boxes), *names],
+        schemes,
+        key="schemes",
+        optional=names,
+    )
 
 
 def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:

@@ -358,8 +358,12 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
                 combination.slip,
             )
         )
-    headings = "engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"
-    yield grid_of("Combinations", headings, rows, key="combinations")
+    yield grid_of(
+        "Combinations",
+        ("engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"),
+        rows,
+        key="combinations",
+    )
     named = (kind.word for kind in reversed(EngagedKind))
     counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
     yield grid_of("Kinds", ["kind", "combinations"], counts, key="kinds")

@@ -59,8 +59,12 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
         modules = ", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items())
         rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
     modules = "modules [mm]"
-    headings = "element", "teeth", "planets", "ratio", modules
-    return grid_of("Teeth", headings, rows, optional=[] if best.modules else [modules])
+    return grid_of(
+        "Teeth",
+        ("element", "teeth", "planets", "ratio", modules),
+        rows,
+        optional=[] if best.modules else [modules],
+    )
 
 
 def _solutions(result: FoundTeeth) -> Grid:

@@ -98,8 +98,11 @@ class Correlation(NamedTuple):
             ):
                 if not is_valid:
                     read = (share, a, b)[place - 1]
-                    path = ("correlation", number, place)
-                    yield Problem("E530", f"read {read:g}, expected {expected}", path)
+                    yield Problem(
+                        "E530",
+                        f"read {read:g}, expected {expected}",
+                        ("correlation", number, place),
+                    )
         shares = sum(share for share, _, _ in self.correlation)
         if not abs(shares - 1) <= WHOLE:
             yield Problem("E531", f"the shares add up to {shares:g}, expected 1", ("correlation",))

@@ -31,8 +31,12 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
         rows: list[Values] = [
             (name, *(exact(amounts.get(name), 4) for amounts in by_gear)) for name in names
         ]
-        headings = heading, *(gear.name for gear in gears)
-        yield grid_of(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
+        yield grid_of(
+            title,
+            (heading, *(gear.name for gear in gears)),
+            rows,
+            key=title.split(maxsplit=1)[0].lower(),
+        )
     notes = [
         (gear.name, first, f"rigidly joined: {', '.join(others)}")
         for gear in gears
@@ -72,8 +76,7 @@ def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
         (spring.name, _form(spring.twist, scheme.names), exact(spring.compliance, 6))
         for spring in scheme.springs
     )
-    headings = ["spring", "twist", "compliance [rad/(N*m)]"]
-    yield grid_of("Springs", headings, springs, key="springs")
+    yield grid_of("Springs", ["spring", "twist", "compliance [rad/(N*m)]"], springs, key="springs")
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:

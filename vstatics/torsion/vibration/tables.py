@@ -47,8 +47,9 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
         (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
         for gear in gears
     )
-    headings = "gear", "rigid modes", "note"
-    yield grid_of("Rigid modes", headings, rigid, key="rigid", optional=["note"])
+    yield grid_of(
+        "Rigid modes", ("gear", "rigid modes", "note"), rigid, key="rigid", optional=["note"]
+    )
     if any(gear.modes for gear in gears):
         frequencies = []
         for gear in gears:
@@ -61,16 +62,24 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             for gear in gears
             for number, mode in enumerate(gear.modes, 1)
         )
-        headings = "gear", "mode", "device", "share", "link", "share"
-        yield grid_of("Where most of the energy is", headings, energies, key="energy")
+        yield grid_of(
+            "Where most of the energy is",
+            ("gear", "mode", "device", "share", "link", "share"),
+            energies,
+            key="energy",
+        )
 
 
 def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
     """Yield a table of the eigenvalues of damped gears."""
     rows = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
     if rows:
-        headings = "gear", "real [1/s]", "imaginary [rad/s]"
-        yield grid_of("Eigenvalues of damped vibration", headings, rows, key="damped")
+        yield grid_of(
+            "Eigenvalues of damped vibration",
+            ("gear", "real [1/s]", "imaginary [rad/s]"),
+            rows,
+            key="damped",
+        )
 
 
 _HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
@@ -135,8 +144,12 @@ def decay_grid(vibration: Decay) -> Grid:
         vibration.amplitudes,
         strict=True,
     )
-    title = f"Recorded {vibration.omega:.5g} rad/s, decrement {vibration.decrement:.5g}"
-    return grid_of(title, headings, rows, key="record")
+    return grid_of(
+        f"Recorded {vibration.omega:.5g} rad/s, decrement {vibration.decrement:.5g}",
+        headings,
+        rows,
+        key="record",
+    )
 
 
 def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Grid]:
@@ -154,7 +167,11 @@ def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Gr
         for name, value in decrements.items()
     ]
     rows.append(("mode", damped.decrement, "", ""))
-    headings = ["device", "decrement", "share of elastic energy", _DAMPING]
-    yield grid_of(f"Dampings at {damped.omega:.5g} rad/s", headings, rows, key="dampings")
+    yield grid_of(
+        f"Dampings at {damped.omega:.5g} rad/s",
+        ["device", "decrement", "share of elastic energy", _DAMPING],
+        rows,
+        key="dampings",
+    )
     if damped.notes:
         yield grid_of("Messages", [""], ([note] for note in damped.notes), key="messages")
