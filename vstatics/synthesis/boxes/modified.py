@@ -41,7 +41,26 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     """
     plain = on_own_links(case)
     gearbox = plain.case.replace(mechanisms=case_mechanisms(plain))
-    mechanisms = _sets(gearbox)
+    if gearbox.springs:
+        raise CaseError(
+            "E921",
+            "the case has springs: expected a gearbox whose shafts turn as one piece",
+            ("springs",),
+        )
+    mechanisms = [
+        mechanism for mechanism in gearbox.mechanisms if mechanism.ratio != 1 or mechanism.kind
+    ]
+    if not mechanisms:
+        raise CaseError(
+            "E920", "there is no planetary set: expected a gearbox of these", ("mechanisms",)
+        )
+    for mechanism in mechanisms:
+        is_pair = mechanism.third == HOUSING and not mechanism.is_set
+        if mechanism.kind or is_pair or mechanism.ratio == -1:
+            message = (
+                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
+            )
+            raise CaseError("E920", message, ("mechanisms", mechanism.name))
     body = [*range(gearbox.links + 1)]  # first link of the group that shafts join
     for mechanism in gearbox.mechanisms:
         if mechanism.ratio == 1:
@@ -87,35 +106,6 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
             free,
         ),
     )
-
-
-def _sets(case: Transmission) -> list[Mechanism]:
-    """Return the planetary sets, without 1:1 shafts.
-
-    Raises
-    ------
-    CaseError
-        If the case has springs, other mechanisms, or no planetary set.
-    """
-    if case.springs:
-        raise CaseError(
-            "E921",
-            "the case has springs: expected a gearbox whose shafts turn as one piece",
-            ("springs",),
-        )
-    sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
-    if not sets:
-        raise CaseError(
-            "E920", "there is no planetary set: expected a gearbox of these", ("mechanisms",)
-        )
-    for mechanism in sets:
-        is_pair = mechanism.third == HOUSING and not mechanism.is_set
-        if mechanism.kind or is_pair or mechanism.ratio == -1:
-            message = (
-                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
-            )
-            raise CaseError("E920", message, ("mechanisms", mechanism.name))
-    return sets
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:

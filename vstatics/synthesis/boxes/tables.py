@@ -27,7 +27,21 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
     counts |= {"families": family_count(boxes), "Pareto list": best}
     yield grid_of("Boxes", ["what", "boxes"], counts.items())
     if boxes:
-        yield from _pareto(boxes)
+        listed = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
+        figures = ((place, *_figures(box)) for place, box in listed)
+        yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
+        schemes: list[Values] = [
+            (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
+            for place, box in listed
+        ]
+        names = ("known", "Ravigneaux")
+        yield grid_of(
+            "Schemes of the Pareto list",
+            ["box", *_of_scheme(boxes), *names],
+            schemes,
+            key="schemes",
+            optional=names,
+        )
         yield _of_families(boxes)
 
 
@@ -87,25 +101,6 @@ def _of_gears(box: RankedBox, names: Sequence[str]) -> Iterator[Value]:
 
 def _by_name(values: Mapping[str, float]) -> str:
     return " ".join(f"{name}={value:.6g}" for name, value in values.items())
-
-
-def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
-    """Yield the tables of the Pareto list: figures with the place among all, then schemes."""
-    best = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
-    figures = ((place, *_figures(box)) for place, box in best)
-    yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
-    schemes: list[Values] = [
-        (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
-        for place, box in best
-    ]
-    names = ("known", "Ravigneaux")
-    yield grid_of(
-        "Schemes of the Pareto list",
-        ["box", *_of_scheme(boxes), *names],
-        schemes,
-        key="schemes",
-        optional=names,
-    )
 
 
 def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:

@@ -76,10 +76,17 @@ def scheme_case(
         )
     if len(ratios) != len(scheme.sets):
         raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
-    elements = _elements(scheme, input_link, output_link)
+    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
+    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
+    clutches = [_clutch(input_link, output_link)]
+    engaged = scheme.mobility - 1
+    if engaged > 1:
+        more = [_clutch(input_link, link) for link in others]
+        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
+            clutches += more
     case = Transmission(
         links=scheme.links,
-        shift_elements=elements,
+        shift_elements=elements + clutches,
         mechanisms=[
             Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=set_name(number))
             for number, ((sun, carrier, ring), ratio) in enumerate(
@@ -94,20 +101,8 @@ def scheme_case(
         description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
         inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
     )
-    gears = _gears(case, scheme.mobility - 1)
+    gears = _gears(case, engaged)
     return case.replace(gears=gears) if gears else case
-
-
-def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:
-    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
-    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
-    clutches = [_clutch(input_link, output_link)]
-    engaged = scheme.mobility - 1
-    if engaged > 1:
-        more = [_clutch(input_link, link) for link in others]
-        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
-            clutches += more
-    return elements + clutches
 
 
 def _clutch(first: int, second: int) -> ShiftElement:

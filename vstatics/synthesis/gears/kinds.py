@@ -90,8 +90,7 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     """
     sets, engaged = members.shape
     ports = np.broadcast_to(np.arange(-3, 0), (sets, 3))
-    chosen = np.concatenate([members, ports], axis=1).T
-    rows = _SizedRows(forms, chosen)
+    rows = _SizedRows(forms, np.concatenate([members, ports], axis=1).T)
     rank = np.zeros(sets, dtype=int)
     for row in range(engaged):
         rank += rows.eliminate(row, slice(row + 1, None))[0]

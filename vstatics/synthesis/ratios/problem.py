@@ -88,7 +88,12 @@ def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Boun
     if problems:
         raise CaseError(problems)
     for index, pair in by_index.items():
-        pairs[index] = _without_zero(*map(float, pair))
+        low, high = map(float, pair)
+        if low == 0:
+            low = PART_FOR_ZERO_BOUND * high
+        elif high == 0:
+            high = PART_FOR_ZERO_BOUND * low
+        pairs[index] = low, high
     return Bounds(tuple(low for low, _ in pairs), tuple(high for _, high in pairs))
 
 
@@ -146,12 +151,6 @@ def _wrong(low: float, high: float) -> Iterator[str]:
         yield "read 0:0, expected a ratio other than 0"
     elif any(bound and not SMALLEST <= abs(bound) <= LARGEST for bound in (low, high)):
         yield f"read {low:g}:{high:g}, expected sizes from {SMALLEST:g} to {LARGEST:g}"
-
-
-def _without_zero(low: float, high: float) -> tuple[float, float]:
-    if low == 0:
-        return PART_FOR_ZERO_BOUND * high, high
-    return (low, PART_FOR_ZERO_BOUND * low) if high == 0 else (low, high)
 
 
 Advance = Callable[[int], None]

@@ -8,7 +8,6 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.synthesis.ratios.least_squares import Minima
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold
 from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
@@ -44,7 +43,20 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     free = _free(space, points)
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
         minima = space.minima(points, weight)
-        chosen = _distinct(space, points.signs, minima)
+        # Starts of different minima: the best first, of equal minima the nearest to the case.
+        signs, anchor = points.signs, space.case_point
+        settled = minima.settled & np.isfinite(minima.squares)
+        if not settled.any():
+            settled = np.isfinite(minima.squares)
+        squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
+        turned = (signs != anchor.signs).sum(axis=1)
+        away = np.square(minima.unknowns - anchor.sizes).sum(axis=1)
+        order = np.lexsort((away, turned, squares))
+        chosen: list[int] = []
+        for start in order[settled[order]].tolist():
+            apart = np.abs(minima.unknowns[chosen] - minima.unknowns[start]).max(axis=1)
+            if (apart[(signs[chosen] == signs[start]).all(axis=1)] >= SAME_SOLUTION).all():
+                chosen.append(start)
         points = FitPoints(points.signs, minima.unknowns).at(chosen)
     ratios = space.full(points)
     for bound in map(np.array, problem.bounds):  # exactly at a bound, apart from rounding
@@ -65,24 +77,6 @@ def _free(space: FitSpace, points: FitPoints) -> list[int]:
     return [
         index for index, size in zip(space.varied, loose, strict=True) if size > DEPENDENT_RATIOS
     ]
-
-
-def _distinct(space: FitSpace, signs: Floats, minima: Minima) -> list[int]:
-    """Return the starts of different minima: the best first, of equal minima the nearest."""
-    anchor = space.case_point
-    settled = minima.settled & np.isfinite(minima.squares)
-    if not settled.any():
-        settled = np.isfinite(minima.squares)
-    squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
-    turned = (signs != anchor.signs).sum(axis=1)
-    away = np.square(minima.unknowns - anchor.sizes).sum(axis=1)
-    order = np.lexsort((away, turned, squares))
-    distinct: list[int] = []
-    for start in order[settled[order]].tolist():
-        apart = np.abs(minima.unknowns[distinct] - minima.unknowns[start]).max(axis=1)
-        if (apart[(signs[distinct] == signs[start]).all(axis=1)] >= SAME_SOLUTION).all():
-            distinct.append(start)
-    return distinct
 
 
 MOST_STARTS, LEAST_STARTS = 128, 8

@@ -55,23 +55,6 @@ def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tup
     return low, high
 
 
-def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
-    """Refuse targets with the opposite sign of all possible ratios.
-
-    Raises
-    ------
-    CaseError
-        If a target has the wrong sign.
-    """
-    problems = []
-    for target in problem.targets:
-        ends = target.ends(low[np.newaxis], high[np.newaxis])
-        if ends and (wrong := sign_fault(target.name, target.wanted, ends)):
-            problems.append(Problem("E833", wrong, ("ratios", target.name)))
-    if problems:
-        raise CaseError(problems)
-
-
 def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
     """Yield messages on ranges of teeth that exclude a target, or all targets together.
 
@@ -285,8 +268,14 @@ def find_teeth(
         tables.append(_whole_table(gear_set))
         advance(1)
     full = [table for table in tables if table is not None]
-    ends = reach(rows, tables)
-    refuse_signs(problem, *ends)
+    ends = low, high = reach(rows, tables)
+    problems = []
+    for target in problem.targets:
+        reached = target.ends(low[np.newaxis], high[np.newaxis])
+        if reached and (wrong := sign_fault(target.name, target.wanted, reached)):
+            problems.append(Problem("E833", wrong, ("ratios", target.name)))
+    if problems:
+        raise CaseError(problems)
     if len(full) == len(tables):
         best = best_teeth(full, problem.targets, advance=advance)
     else:

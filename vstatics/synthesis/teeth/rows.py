@@ -202,36 +202,25 @@ class TeethRows:
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:
                 yield equation.label, solved(equation, column, candidates)
-        for number, window in windows.items():
+        for number, (least, most) in windows.items():
             powers = self.layout.ratios[number].powers
             if column in powers:
-                yield "ratio", self._in_window(powers, window, column, known, candidates)
-
-    def _in_window(
-        self,
-        powers: Mapping[int, int],
-        window: tuple[float, float],
-        column: int,
-        known: set[int],
-        candidates: TeethCandidates,
-    ) -> tuple[Floats, Floats]:
-        """Return the tooth numbers for which a product of powers can be in a window."""
-        low = np.full(len(candidates.rows), math.log(window[0]) if window[0] > 0 else -math.inf)
-        high = np.full(len(candidates.rows), math.log(window[1]))
-        for wheel, power in powers.items():
-            if wheel == column:
-                continue
-            if wheel in known:
-                part = power * np.log(candidates.teeth(wheel))
-                low, high = low - part, high - part
-                continue
-            ends = [power * math.log(max(int(end), 1)) for end in self.ends(wheel)]
-            low, high = low - max(ends), high - min(ends)
-        power = powers[column]
-        low, high = (low / power, high / power) if power > 0 else (high / power, low / power)
-        return np.exp(np.minimum(low, LARGEST_TEETH_LOGARITHM)), np.exp(
-            np.minimum(high, LARGEST_TEETH_LOGARITHM)
-        )
+                low = np.full(len(rows), math.log(least) if least > 0 else -math.inf)
+                high = np.full(len(rows), math.log(most))
+                for wheel, power in powers.items():
+                    if wheel in known:
+                        part = power * np.log(candidates.teeth(wheel))
+                        low, high = low - part, high - part
+                    elif wheel != column:
+                        ends = [power * math.log(max(end, 1)) for end in self.ends(wheel)]
+                        low, high = low - max(ends), high - min(ends)
+                if powers[column] < 0:
+                    low, high = high, low
+                low, high = (
+                    np.exp(np.minimum(end / powers[column], LARGEST_TEETH_LOGARITHM))
+                    for end in (low, high)
+                )
+                yield "ratio", (low, high)
 
     def ends(self, wheel: int) -> tuple[int, int]:
         """Return the smallest and largest possible tooth number of a gear."""

@@ -135,8 +135,7 @@ class _Halving:
         if self.is_full:
             for number, table in enumerate(self.tables):
                 if table.ratios.shape[1] == 1:
-                    others = np.delete(sizes, number, axis=1)
-                    alone = (others == 1).all(axis=1)
+                    alone = (np.delete(sizes, number, axis=1) == 1).all(axis=1)
                     self._solve(number, regions[alone], starts[alone], sizes[alone])
                     regions, starts, sizes = regions[~alone], starts[~alone], sizes[~alone]
         if len(regions):

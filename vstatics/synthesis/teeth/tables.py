@@ -29,8 +29,17 @@ def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
     best = result.solutions[0]
     yield _wanted(result.problem, best)
     yield _teeth(result.problem, best)
-    yield _solutions(result)
-    yield _choice(result)
+    names = [layout.name for layout in result.problem.layouts]
+    solutions: list[Values] = []
+    for place, solution in enumerate(result.solutions, 1):
+        teeth = ["/".join(map(str, solution.teeth[name].values())) for name in names]
+        solutions.append((place, _error(solution.error), *teeth))
+    yield grid_of("Solutions", ["solution", "error", *names], solutions)
+    rows = (
+        (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
+        for table in result.tables
+    )
+    yield grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def _error(value: float) -> Cell:
@@ -65,24 +74,6 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
         rows,
         optional=[] if best.modules else [modules],
     )
-
-
-def _solutions(result: FoundTeeth) -> Grid:
-    names = [layout.name for layout in result.problem.layouts]
-    rows: list[Values] = []
-    for place, solution in enumerate(result.solutions, 1):
-        teeth = ["/".join(map(str, solution.teeth[name].values())) for name in names]
-        rows.append((place, _error(solution.error), *teeth))
-    return grid_of("Solutions", ["solution", "error", *names], rows)
-
-
-def _choice(result: FoundTeeth) -> Grid:
-    """Return a table of the number of tooth numbers of each gear set that fulfil the conditions."""
-    rows = (
-        (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
-        for table in result.tables
-    )
-    return grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:

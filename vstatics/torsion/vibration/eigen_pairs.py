@@ -123,16 +123,14 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
-    rates = damped @ split.massless
-    _, sizes, directions = linalg.svd(rates, full_matrices=True)
+    _, sizes, directions = linalg.svd(damped @ split.massless, full_matrices=True)
     rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
     damped_motions = split.massless @ directions[:rank].T
     undamped_motions = split.massless @ directions[rank:].T
     if not (undamped_motions.shape[1] and damped_motions.shape[1]):
         return damped_motions, undamped_motions
     following, *_ = linalg.lstsq(stiff @ undamped_motions, stiff @ damped_motions)
-    slow = damped_motions - undamped_motions @ following
-    return slow, undamped_motions
+    return damped_motions - undamped_motions @ following, undamped_motions
 
 
 class EigenPairs(NamedTuple):
@@ -195,7 +193,12 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     state = _state(pencil, _require_finite(pencil.stiffness), _require_finite(resistance))
     values, vectors = linalg.eig(_require_finite(state))
     values = settled(values) if pencil.symmetric else _real_if_close(values)
-    places = np.argsort(np.abs(values), kind="stable")[_count_unresisted(pencil, resistance) :]
+    unresisted = 0
+    if pencil.rigid:
+        rigid = slice(pencil.modes, pencil.massive)
+        sizes = linalg.svdvals(resistance[rigid, rigid])
+        unresisted = int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
+    places = np.argsort(np.abs(values), kind="stable")[unresisted:]
     places = np.sort(places[values[places].imag >= 0])
     values, vectors = values[places], vectors[:, places].astype(np.complex128)
     first, last = pencil.modes, len(vectors) - pencil.massive
@@ -203,14 +206,6 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     order = order_of(values)
     shapes: Complex = np.vstack([vectors[:first], rigid_parts, vectors[first:last]])[:, order]
     return EigenPairs(values[order], shapes / pencil.lengths(shapes, values[order]))
-
-
-def _count_unresisted(pencil: Pencil, resistance: Floats) -> int:
-    if not pencil.rigid:
-        return 0
-    rigid = slice(pencil.modes, pencil.massive)
-    sizes = linalg.svdvals(resistance[rigid, rigid])
-    return int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
 
 
 def _require_finite(matrix: Floats) -> Floats:

@@ -58,8 +58,7 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
     count = basis.shape[1]
     every = np.zeros(count)
     every[: len(omegas)] = omegas[:count]
-    shapes = basis @ vectors.T
-    return NaturalModes(every[::-1], shapes[:, ::-1])
+    return NaturalModes(every[::-1], (basis @ vectors.T)[:, ::-1])
 
 
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:

@@ -103,8 +103,11 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     massless = twists @ still.motions
     moving, others = still.others, together.motions[:, still.free]
     by_heavy = together.motions[:, moving] - still.motions[:, moving] @ others
-    safe = free.safe & still.safe & together.safe & _resisted(massless)
-    safe &= (heavy == heavy[0]).all(axis=1)
+    safe = free.safe & still.safe & together.safe & (heavy == heavy[0]).all(axis=1)
+    if massless.shape[2]:  # devices resist all massless motions, as in the first variant
+        sizes = np.linalg.svd(massless, compute_uv=False)
+        shares = sizes[:, -1] / sizes[:, 0]
+        safe &= shares > LOST_PIVOT * shares[0]
 
     parts = Split(bodies[:, :, moving], twists[:, :, moving], massless, by_heavy)
     omegas = np.full((len(variants), split.modes), np.nan)
@@ -112,16 +115,6 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
         normed = of_split(Split(*(part[safe] for part in parts)), inertias[safe])
         omegas[safe] = natural_frequencies(normed, stiffnesses[safe])
     return omegas, safe
-
-
-def _resisted(massless: Floats) -> Booleans:
-    """Return whether devices resist all massless motions, as in the first variant."""
-    if not massless.shape[2]:
-        return np.ones(len(massless), np.bool_)
-    sizes = np.linalg.svd(massless, compute_uv=False)
-    shares = sizes[:, -1] / sizes[:, 0]
-    resisted: Booleans = shares > LOST_PIVOT * shares[0]
-    return resisted
 
 
 class FollowedMotions(NamedTuple):

@@ -31,7 +31,14 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
     yield from overview_grids(gears)
-    yield from _damped(gears)
+    eigenvalues = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
+    if eigenvalues:
+        yield grid_of(
+            "Eigenvalues of damped vibration",
+            ("gear", "real [1/s]", "imaginary [rad/s]"),
+            eigenvalues,
+            key="damped",
+        )
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
@@ -67,18 +74,6 @@ def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
             ("gear", "mode", "device", "share", "link", "share"),
             energies,
             key="energy",
-        )
-
-
-def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """Yield a table of the eigenvalues of damped gears."""
-    rows = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
-    if rows:
-        yield grid_of(
-            "Eigenvalues of damped vibration",
-            ("gear", "real [1/s]", "imaginary [rad/s]"),
-            rows,
-            key="damped",
         )
 
 

@@ -93,9 +93,14 @@ def variant_frequencies(  # noqa: PLR0913
     for rows in _alike(inertias, variants):
         of_bodies = {place: numbers[rows] for place, numbers in inertias.items()}
         of_devices = {place: numbers[rows] for place, numbers in stiffnesses.items()}
-        frequencies[rows] = _of_one_structure(
-            system, modes, of_devices, of_bodies, len(rows), first
-        )
+        stiff = _VariedNumbers(system.rates, of_devices)
+        heavy = _VariedNumbers(system.inertias, of_bodies)
+        alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
+        for part, modes_of_part in alike.parts(first, modes):
+            places = [index for index, mode in enumerate(modes) if mode in modes_of_part]
+            if places:
+                asked = [modes_of_part.index(modes[index]) for index in places]
+                frequencies[rows[:, None], places] = part.frequencies(asked, len(rows))
     return frequencies
 
 
@@ -141,26 +146,6 @@ def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
     _, kinds = np.unique(patterns, axis=0, return_inverse=True)
     for kind in range(int(kinds.max()) + 1):
         yield every[kinds.reshape(-1) == kind]
-
-
-def _of_one_structure(  # noqa: PLR0913 PLR0917
-    system: TorsionalSystem,
-    modes: Sequence[int],
-    stiffnesses: Varied,
-    inertias: Varied,
-    variants: int,
-    first: FirstVariant,
-) -> Floats:
-    stiff = _VariedNumbers(system.rates, stiffnesses)
-    heavy = _VariedNumbers(system.inertias, inertias)
-    alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
-    frequencies = np.full((variants, len(modes)), np.nan)
-    for part, modes_of_part in alike.parts(first, modes):
-        places = [index for index, mode in enumerate(modes) if mode in modes_of_part]
-        if places:
-            asked = [modes_of_part.index(modes[index]) for index in places]
-            frequencies[:, places] = part.frequencies(asked, variants)
-    return frequencies
 
 
 def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:

@@ -213,8 +213,7 @@ def _by_ratios(
             place = [device.name for device in system.devices].index(mechanism.name)
             twists[place] = rows
     others = _elastic_and_heavy(case, system, targets, values)
-    varied = VariedSystem(system, twists, *others)
-    return frequencies_of_ratios(varied, modes, len(values))
+    return frequencies_of_ratios(VariedSystem(system, twists, *others), modes, len(values))
 
 
 def _elastic_and_heavy(

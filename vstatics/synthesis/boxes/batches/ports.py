@@ -118,8 +118,8 @@ class PortSearch:
         if self.search.sequence is None:
             return box
         ratios = set_ratios(box, box.gears).tolist()
-        errors = map(deviation, ratios, self.search.targets)
-        return box._replace(error=max(errors, default=0.0))
+        error = max(map(deviation, ratios, self.search.targets), default=0.0)
+        return box._replace(error=error)
 
 
 def _kept(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:

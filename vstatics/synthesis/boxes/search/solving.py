@@ -127,7 +127,11 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
         number = longest(cells, top)
         spread = 0.0 if number < 0 else spread_in(cells, top)
         if target == EACH:
-            is_due = _is_due(spread, cells, top)
+            stage = before = cells.stages[top]
+            while stage < len(SPREADS) and spread <= SPREADS[stage]:
+                stage += 1
+            cells.stages[top] = stage
+            is_due = bool(stage > before)
             is_met = is_due and _fit(parts, asked, room, top)
             fits += is_due and room.best[0] < math.inf
             if is_met or number < 0 or cells.stages[top] == len(SPREADS):
@@ -202,16 +206,6 @@ def _has_elements(room: CellRoom, top: int) -> bool:
             return False
         room.cells.known[top] = True
     return True
-
-
-@compiled
-def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
-    """Return whether a fit is due in a cell, and record the stage."""
-    stage = before = cells.stages[top]
-    while stage < len(SPREADS) and spread <= SPREADS[stage]:
-        stage += 1
-    cells.stages[top] = stage
-    return bool(stage > before)
 
 
 @compiled
