@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
@@ -19,17 +17,15 @@ A last step without them follows.
 """
 
 
-class FoundRatios(NamedTuple):
-    """Results of a search."""
-
-    solutions: list[Floats]
-    """Ratios of all mechanisms, the best first. [-]"""
-    free: list[int]
-    """Indices of mechanisms that the wanted ratios leave undetermined."""
-
-
-def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
+def found_ratios(problem: FitProblem, advance: Advance = untold) -> tuple[list[Floats], list[int]]:
     """Return the ratios of all mechanisms in all different minima.
+
+    Returns
+    -------
+    list of ndarray
+        Ratios of all mechanisms, the best first. [-]
+    list of int
+        Indices of mechanisms that the wanted ratios leave undetermined.
 
     Raises
     ------
@@ -38,7 +34,7 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     """
     space = fit_space(problem, advance)
     if not space.varied:
-        return FoundRatios([problem.anchor], [])
+        return [problem.anchor], []
     points = fit_starts(space)
     free = _free(space, points)
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
@@ -61,7 +57,7 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     ratios = space.full(points)
     for bound in map(np.array, problem.bounds):  # exactly at a bound, apart from rounding
         ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
-    return FoundRatios(list(ratios), free)
+    return list(ratios), free
 
 
 def _free(space: FitSpace, points: FitPoints) -> list[int]:

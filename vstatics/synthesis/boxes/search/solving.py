@@ -24,7 +24,7 @@ from vstatics.synthesis.boxes.search.cells import (
     spread_in,
 )
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room, chained
-from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
@@ -78,14 +78,14 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
         cells=cells_room(ratios, asked, sets),
         match=match_room(targets),
         chains=chain_room(table, targets, shifts),
-        ratio_of=np.zeros(ratios, np.int64),
+        ratio_of=integers(ratios),
         least=np.zeros(targets),
         most=np.zeros(targets),
         steps=np.array([0, NO_END]),
         given_up=np.zeros(1, np.bool_),
         fit=fit_room(targets, sets),
         best_logs=np.zeros(sets),
-        best_gears=np.zeros(targets, np.int64),
+        best_gears=integers(targets),
         best=np.zeros(2),
     )
 
