@@ -273,15 +273,18 @@ def _of_numbers(search: BoxSearch) -> Iterator[Problem]:
         expected = f"two numbers above 1, the larger one behind, up to {LARGEST_BOX_RATIO:g}"
         yield _problem("bounds", f"read {low:g}:{high:g}, expected {expected}")
     if not 0 < search.tolerance <= COARSEST:
-        message = f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
-        yield _problem("tolerance", message)
+        yield _problem(
+            "tolerance", f"read {search.tolerance:g}, expected a number above 0, up to {COARSEST:g}"
+        )
 
 
 def _of_ratios(search: BoxSearch) -> Iterator[Problem]:
     targets = search.targets
     if len(search.widths) != len(targets):
-        message = f"read {len(search.tolerances)}, expected one for each of {len(targets)} gears"
-        yield _problem("tolerances", message)
+        yield _problem(
+            "tolerances",
+            f"read {len(search.tolerances)}, expected one for each of {len(targets)} gears",
+        )
     for width in search.tolerances:
         if not 0 < width < math.inf:
             yield _problem("tolerances", f"read {width:g}, expected a number above 0")
@@ -308,8 +311,9 @@ def _of_sequence(wanted: WantedSequence | None) -> Iterator[Problem]:
         )
     for name, (low, high) in (("spread", wanted.spread), ("steps", wanted.steps)):
         if not ANY_QUOTIENT[0] <= low <= high <= ANY_QUOTIENT[1]:
-            message = f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger behind"
-            yield _problem(name, message)
+            yield _problem(
+                name, f"read {low:g}:{high:g}, expected two numbers from 1 on, the larger behind"
+            )
 
 
 def _of_counts(search: BoxSearch) -> Iterator[Problem]:
@@ -330,8 +334,10 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
         return
     brakes, clutches = elements_there(search)
     if brakes + 2 > MOST_LINKS:
-        message = f"read {engaged}, but then {brakes + 2} links move, expected {MOST_LINKS} at most"
-        yield _problem("engaged", message)
+        yield _problem(
+            "engaged",
+            f"read {engaged}, but then {brakes + 2} links move, expected {MOST_LINKS} at most",
+        )
         return
     there = brakes + clutches
     most = min(there, MOST_ELEMENTS)

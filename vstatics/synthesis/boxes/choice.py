@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -12,7 +12,6 @@ import numpy as np
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import higher, require
-from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.tables.html import shown
 from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, FoundBox, check_box_search
@@ -82,7 +81,12 @@ def ranked(
     """
     by.check()
     possible = (box for box in boxes if box.figures.error < math.inf)
-    chosen = list(_each_once(box for box in possible if wanted.lets(box)))
+    # Of boxes that are equal up to renaming, the box with the least error remains.
+    by_identity: dict[tuple[Any, ...], MeasuredBox] = {}
+    for box in filter(wanted.lets, possible):
+        key = identity(box.box)
+        by_identity[key] = min(by_identity.get(key, box), box, key=_worth)
+    chosen = list(by_identity.values())
     if not chosen:
         return ()
     figures = {name: np.array([box.figures.number(name) for box in chosen]) for name in FIGURES}
@@ -93,7 +97,12 @@ def ranked(
     keys = [ranks[name].tolist() for name in by.sort] + [usual[name].tolist() for name in ORDER]
     names = [identity(box.box) for box in chosen]
     rows = [row for *_, row in sorted(zip(*keys, names, range(len(chosen)), strict=True))]
-    family = families(_ratios([chosen[row] for row in rows]))
+    ordered = [chosen[row] for row in rows]
+    most = max(len(box.gears) for box in ordered)
+    ratios = np.full((len(ordered), most), NO_RATIO)
+    for row, box in zip(ratios, ordered, strict=True):
+        row[: len(box.gears)] = [gear.ratio for gear in box.gears]
+    family = families(ratios)
     cores = numbered(
         (number, core_of(chosen[row].box)) for number, row in zip(family, rows, strict=True)
     )
@@ -109,28 +118,10 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
     return len({box.family for box in boxes})
 
 
-def _each_once(boxes: Iterable[MeasuredBox]) -> Iterable[MeasuredBox]:
-    """Return the gearbox with the least error of each group that is equal up to renaming."""
-    best: dict[tuple[Any, ...], MeasuredBox] = {}
-    for box in boxes:
-        key = identity(box.box)
-        best[key] = min(best.get(key, box), box, key=_worth)
-    return best.values()
-
-
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
     """Return a sort key for fits of a gearbox that does not depend on the order of fits."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
-
-
-def _ratios(boxes: Sequence[MeasuredBox]) -> Floats:
-    """Return the ratios of all gears, shape (boxes, gears), with `NO_RATIO` for missing gears."""
-    most = max(len(box.gears) for box in boxes)
-    ratios = np.full((len(boxes), most), NO_RATIO)
-    for row, box in zip(ratios, boxes, strict=True):
-        row[: len(box.gears)] = [gear.ratio for gear in box.gears]
-    return ratios
 
 
 class BoxFilter(NamedTuple):
@@ -268,8 +259,9 @@ def find_boxes(
     )
     check_box_search(search)
     if not 0 < efficiency <= 1:
-        message = f"read {efficiency:g}, expected a number above 0, up to 1"
-        raise CaseError("E802", message, ("efficiency",))
+        raise CaseError(
+            "E802", f"read {efficiency:g}, expected a number above 0, up to 1", ("efficiency",)
+        )
     search = wanted.narrowed(search)
     piece = found_in(search)
     boxes = (measured(search, box, efficiency, weights) for box in piece.boxes)

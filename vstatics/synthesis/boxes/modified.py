@@ -41,15 +41,41 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     """
     plain = on_own_links(case)
     gearbox = plain.case.replace(mechanisms=case_mechanisms(plain))
-    mechanisms = _sets(gearbox)
-    body = _bodies(gearbox)
+    if gearbox.springs:
+        raise CaseError(
+            "E921",
+            "the case has springs: expected a gearbox whose shafts turn as one piece",
+            ("springs",),
+        )
+    mechanisms = [
+        mechanism for mechanism in gearbox.mechanisms if mechanism.ratio != 1 or mechanism.kind
+    ]
+    if not mechanisms:
+        raise CaseError(
+            "E920", "there is no planetary set: expected a gearbox of these", ("mechanisms",)
+        )
+    for mechanism in mechanisms:
+        is_pair = mechanism.third == HOUSING and not mechanism.is_set
+        if mechanism.kind or is_pair or mechanism.ratio == -1:
+            message = (
+                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
+            )
+            raise CaseError("E920", message, ("mechanisms", mechanism.name))
+    body = [*range(gearbox.links + 1)]  # first link of the group that shafts join
+    for mechanism in gearbox.mechanisms:
+        if mechanism.ratio == 1:
+            low, high = sorted((body[mechanism.first], body[mechanism.second]))
+            body = [low if link == high else link for link in body]
     sets = [_members(mechanism, body) for mechanism in mechanisms]
     on_sets = {link for members in sets for link in members}
     others = sorted({*body} - on_sets - {HOUSING})
     engaged = len({*body} - {HOUSING}) - len(sets) - 1
     if engaged < 1:
-        message = f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
-        raise CaseError("E922", f"{message} to be engaged: expected a gearbox that shifts")
+        raise CaseError(
+            "E922",
+            f"{engaged + len(sets) + 1} links and {len(sets)} sets leave no element"
+            " to be engaged: expected a gearbox that shifts",
+        )
     first, last = body[gearbox.input], body[gearbox.output]
     ports = [port for port in (first, last) if port in others]
     order = [*sorted(on_sets - {HOUSING}), *[HOUSING] * (HOUSING in on_sets)]
@@ -80,41 +106,6 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
             free,
         ),
     )
-
-
-def _sets(case: Transmission) -> list[Mechanism]:
-    """Return the planetary sets, without 1:1 shafts.
-
-    Raises
-    ------
-    CaseError
-        If the case has springs, other mechanisms, or no planetary set.
-    """
-    if case.springs:
-        message = "the case has springs: expected a gearbox whose shafts turn as one piece"
-        raise CaseError("E921", message, ("springs",))
-    sets = [mechanism for mechanism in case.mechanisms if mechanism.ratio != 1 or mechanism.kind]
-    if not sets:
-        message = "there is no planetary set: expected a gearbox of these"
-        raise CaseError("E920", message, ("mechanisms",))
-    for mechanism in sets:
-        is_pair = mechanism.third == HOUSING and not mechanism.is_set
-        if mechanism.kind or is_pair or mechanism.ratio == -1:
-            message = (
-                f"mechanism {mechanism.name} is no planetary set: expected a gearbox of these alone"
-            )
-            raise CaseError("E920", message, ("mechanisms", mechanism.name))
-    return sets
-
-
-def _bodies(case: Transmission) -> list[int]:
-    """Return the first link of the group that each link belongs to through shafts."""
-    body = [*range(case.links + 1)]
-    for mechanism in case.mechanisms:
-        if mechanism.ratio == 1:
-            first, last = sorted((body[mechanism.first], body[mechanism.second]))
-            body = [first if link == last else link for link in body]
-    return body
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:

@@ -60,8 +60,7 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
         document = json.loads(data.decode("utf-8-sig"), parse_constant=_refuse_constant)
     except json.JSONDecodeError as error:
         place = Source(file, data.decode("utf-8-sig")).place(error.lineno, error.colno)
-        message = f"not JSON: {error.msg}; expected {ASKED}"
-        raise ReadError("E803", message, place=place) from None
+        raise ReadError("E803", f"not JSON: {error.msg}; expected {ASKED}", place=place) from None
     except (ValueError, RecursionError) as error:
         reason = "nested too deeply" if isinstance(error, RecursionError) else error
         raise ReadError([of_file("E804", file, f"not JSON that can be read: {reason}")]) from None
@@ -109,8 +108,12 @@ def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
     for name in ("gears", "spread", "steps"):
         ends = getattr(wanted, name)
         if len(ends) not in (0, 2):
-            message = f"wanted.{name}: read {type_and_value([*ends])}, expected two numbers or none"
-            problems.append(Problem("E807", message))
+            problems.append(
+                Problem(
+                    "E807",
+                    f"wanted.{name}: read {type_and_value([*ends])}, expected two numbers or none",
+                )
+            )
     return wanted
 
 

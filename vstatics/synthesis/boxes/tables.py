@@ -22,17 +22,27 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
     given_up : int
         Number of element sets that could be gearboxes but were given up.
     """
-    yield _counts(searched, boxes, given_up)
-    if boxes:
-        yield from _pareto(boxes)
-        yield _of_families(boxes)
-
-
-def _counts(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Grid:
     best = sum(box.pareto for box in boxes)
     counts = {"searched": searched, "given up": given_up, "found": len(boxes)}
     counts |= {"families": family_count(boxes), "Pareto list": best}
-    return grid_of("Boxes", ["what", "boxes"], counts.items())
+    yield grid_of("Boxes", ["what", "boxes"], counts.items())
+    if boxes:
+        listed = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
+        figures = ((place, *_figures(box)) for place, box in listed)
+        yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
+        schemes: list[Values] = [
+            (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
+            for place, box in listed
+        ]
+        names = ("known", "Ravigneaux")
+        yield grid_of(
+            "Schemes of the Pareto list",
+            ["box", *_of_scheme(boxes), *names],
+            schemes,
+            key="schemes",
+            optional=names,
+        )
+        yield _of_families(boxes)
 
 
 FIGURES = (
@@ -53,8 +63,12 @@ def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
         for place, box in enumerate(boxes, 1)
     ]
     by_gear = [f"{figure} {name}" for name in names for figure in columns]
-    headings = ["box", *FIGURES, *_sets(boxes), *MORE_FIGURES, *_of_scheme(boxes), *by_gear]
-    return grid_of("Found boxes", headings, rows, key="boxes")
+    return grid_of(
+        "Found boxes",
+        ["box", *FIGURES, *_sets(boxes), *MORE_FIGURES, *_of_scheme(boxes), *by_gear],
+        rows,
+        key="boxes",
+    )
 
 
 def _more(box: RankedBox) -> Values:
@@ -87,21 +101,6 @@ def _of_gears(box: RankedBox, names: Sequence[str]) -> Iterator[Value]:
 
 def _by_name(values: Mapping[str, float]) -> str:
     return " ".join(f"{name}={value:.6g}" for name, value in values.items())
-
-
-def _pareto(boxes: Sequence[RankedBox]) -> Iterator[Grid]:
-    """Yield the tables of the Pareto list: figures with the place among all, then schemes."""
-    best = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
-    figures = ((place, *_figures(box)) for place, box in best)
-    yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
-    schemes: list[Values] = [
-        (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
-        for place, box in best
-    ]
-    names = ("known", "Ravigneaux")
-    headings = ["box", *_of_scheme(boxes), *names]
-    title = "Schemes of the Pareto list"
-    yield grid_of(title, headings, schemes, key="schemes", optional=names)
 
 
 def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:

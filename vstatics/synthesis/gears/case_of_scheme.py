@@ -64,13 +64,29 @@ def scheme_case(
     >>> [element.name for element in case.shift_elements]
     ['T-L2', 'F-L0-L1']
     """
-    _check(scheme, input_link, output_link)
+    if input_link == output_link:
+        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
+    if not scheme.is_connected:
+        raise ValueError("its sets share no link: these are several gearboxes, expected one")
+    if scheme.mobility < LEAST_MOBILITY:
+        sets = len(scheme.sets)
+        raise ValueError(
+            f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
+            f"; expected {sets + LEAST_MOBILITY} links or more"
+        )
     if len(ratios) != len(scheme.sets):
         raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
-    elements = _elements(scheme, input_link, output_link)
+    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
+    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
+    clutches = [_clutch(input_link, output_link)]
+    engaged = scheme.mobility - 1
+    if engaged > 1:
+        more = [_clutch(input_link, link) for link in others]
+        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
+            clutches += more
     case = Transmission(
         links=scheme.links,
-        shift_elements=elements,
+        shift_elements=elements + clutches,
         mechanisms=[
             Mechanism(sun + 1, ring + 1, carrier + 1, ratio, name=set_name(number))
             for number, ((sun, carrier, ring), ratio) in enumerate(
@@ -85,38 +101,8 @@ def scheme_case(
         description=f"The inertias are in place of those of engine and load, {INERTIA:g} kg*m^2.",
         inertias={input_link + 1: INERTIA, output_link + 1: INERTIA},
     )
-    gears = _gears(case, scheme.mobility - 1)
+    gears = _gears(case, engaged)
     return case.replace(gears=gears) if gears else case
-
-
-def _check(scheme: SetScheme, input_link: int, output_link: int) -> None:
-    """Refuse a scheme that cannot be a gearbox.
-
-    Raises
-    ------
-    ValueError
-        If input and output are equal, or the scheme is not connected or not mobile.
-    """
-    if input_link == output_link:
-        raise ValueError(f"{link_name(input_link)} is input and output; expected two links")
-    if not scheme.is_connected:
-        raise ValueError("its sets share no link: these are several gearboxes, expected one")
-    if scheme.mobility < LEAST_MOBILITY:
-        sets = len(scheme.sets)
-        message = f"{sets} {plural('set', sets)} with {scheme.links} links turn as one body"
-        raise ValueError(f"{message}; expected {sets + LEAST_MOBILITY} links or more")
-
-
-def _elements(scheme: SetScheme, input_link: int, output_link: int) -> list[ShiftElement]:
-    others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
-    elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
-    clutches = [_clutch(input_link, output_link)]
-    engaged = scheme.mobility - 1
-    if engaged > 1:
-        more = [_clutch(input_link, link) for link in others]
-        if math.comb(len(elements) + 1 + len(more), engaged) <= FEW_COMBINATIONS:
-            clutches += more
-    return elements + clutches
 
 
 def _clutch(first: int, second: int) -> ShiftElement:

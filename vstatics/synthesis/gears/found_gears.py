@@ -49,7 +49,11 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     """
     case = search.case
     freewheels = {element.name for element in search.elements if element.is_freewheel}
-    existing = _existing(case)
+    existing: dict[frozenset[str], Gear] = {}
+    for gear in case.gears:
+        if is_plain(case, gear):
+            of_gear = (case.shift_elements[number - 1].name for number in gear.engaged)
+            existing.setdefault(frozenset(of_gear), gear)
     determined: dict[frozenset[str], list[float]] = {}
     free: dict[frozenset[str], list[float]] = {}
     left = 0
@@ -68,8 +72,11 @@ def found_gears(search: CombinationSearch) -> FoundGears:
     if not chosen:
         raise CaseError("E809", "no combination of shift elements gives a gear")
     if len(chosen) > MOST_GEARS:
-        message = f"the combinations give more than {MOST_GEARS} gears, too many for a case"
-        raise CaseError("E810", f"{message}; expected fewer elements to choose from")
+        raise CaseError(
+            "E810",
+            f"the combinations give more than {MOST_GEARS} gears, too many for a case"
+            "; expected fewer elements to choose from",
+        )
     left *= bool(determined)
     elements = case.shift_elements if search.are_own else search.elements
     gears = list(_gears(case, elements, existing, chosen))
@@ -78,16 +85,6 @@ def found_gears(search: CombinationSearch) -> FoundGears:
         return _holding(extended, list(chosen.values()))._replace(free=left)
     ratios = [ratio for [ratio] in chosen.values()]
     return FoundGears(_ordered(extended, gears, ratios), [], left)
-
-
-def _existing(case: Transmission) -> dict[frozenset[str], Gear]:
-    """Return the gears of a case that can be compared with combinations, by element names."""
-    by_names: dict[frozenset[str], Gear] = {}
-    for gear in case.gears:
-        if is_plain(case, gear):
-            names = (case.shift_elements[number - 1].name for number in gear.engaged)
-            by_names.setdefault(frozenset(names), gear)
-    return by_names
 
 
 def _ordered(case: Transmission, gears: Sequence[Gear], ratios: Sequence[float]) -> Transmission:
@@ -134,7 +131,8 @@ def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGe
     slipping = [gear.name for (gear, *_), is_so in zip(solved, holds, strict=True) if not is_so]
     holding = [gear for gear, is_so in zip(solved, holds, strict=True) if is_so]
     if not holding:
-        message = f"the freewheels do not hold in any of the gears {listed(slipping)}"
-        raise CaseError("E811", message)
+        raise CaseError(
+            "E811", f"the freewheels do not hold in any of the gears {listed(slipping)}"
+        )
     gears, ratios, _ = zip(*holding, strict=True)
     return FoundGears(_ordered(case, gears, ratios), slipping)

@@ -90,8 +90,7 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
     """
     sets, engaged = members.shape
     ports = np.broadcast_to(np.arange(-3, 0), (sets, 3))
-    chosen = np.concatenate([members, ports], axis=1).T
-    rows = _SizedRows(forms, chosen)
+    rows = _SizedRows(forms, np.concatenate([members, ports], axis=1).T)
     rank = np.zeros(sets, dtype=int)
     for row in range(engaged):
         rank += rows.eliminate(row, slice(row + 1, None))[0]
@@ -119,7 +118,7 @@ class _SizedRows:
         self.values = np.ascontiguousarray(np.moveaxis(forms.values[chosen], 2, 1))
         self.sizes = np.ascontiguousarray(np.moveaxis(forms.sizes[chosen], 2, 1))
         self.systems = np.arange(chosen.shape[1])
-        self.doubtful: Booleans = np.full(chosen.shape[1], forms.doubtful)
+        self.doubtful = np.full(chosen.shape[1], forms.doubtful)
 
     def left(self, row: int) -> Booleans:
         """Return the systems in which a row is not zero."""
@@ -142,7 +141,7 @@ class _SizedRows:
             return np.zeros(len(self.systems), bool), taken
         place = abs(mine).argmax(axis=0), self.systems
         pivot = mine[place]
-        there: Booleans = pivot != 0
+        there = pivot != 0
         divisor = np.where(there, pivot, 1.0)
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
@@ -247,7 +246,7 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     share = np.einsum("sef,sef->se", inverse, rows / sizes)
     torques = np.where(abs(torques) > NO_TORQUE, torques, 0.0)
     met = abs(torques[:, -1] - ratios) <= MET_RATIO * abs(ratios)
-    known: Floats = np.where((share > 1 - DETERMINED) & met[:, None], torques, np.nan)
+    known = np.where((share > 1 - DETERMINED) & met[:, None], torques, np.nan)
     return known[:, :-1]
 
 
@@ -358,8 +357,12 @@ def combination_grids(found: Iterable[EngagedSet]) -> Iterator[Grid]:
                 combination.slip,
             )
         )
-    headings = "engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"
-    yield grid_of("Combinations", headings, rows, key="combinations")
+    yield grid_of(
+        "Combinations",
+        ("engaged", "kind", "ratio", Column("free", is_sign=True), "torques", "slip"),
+        rows,
+        key="combinations",
+    )
     named = (kind.word for kind in reversed(EngagedKind))
     counts = ((kind, kinds[kind]) for kind in named if kinds[kind])
     yield grid_of("Kinds", ["kind", "combinations"], counts, key="kinds")

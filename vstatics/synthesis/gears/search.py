@@ -89,7 +89,7 @@ def all_elements(case: Transmission) -> list[ShiftElement]:
     """
     ports = {case.input, case.output, *case.outputs}
     links = range(1, case.own_links + 1)
-    pairs: list[Pair] = [
+    pairs = [
         *subsets(links, 2),
         *((link, HOUSING) for link in links if link not in ports),
     ]
@@ -153,11 +153,12 @@ def refuse_converters(case: Transmission) -> None:
     """
     for number, part in enumerate(case.mechanisms, 1):
         if part.kind == "converter":
-            message = (
+            raise CaseError(
+                "E456",
                 f"{part.name} loses power, and a lock-up clutch bypasses it: expected the train "
-                "behind it, its turbine as `input`"
+                "behind it, its turbine as `input`",
+                ("mechanisms", number),
             )
-            raise CaseError("E456", message, ("mechanisms", number))
 
 
 class CombinationSearch:
@@ -193,17 +194,18 @@ class CombinationSearch:
         """Number of elements to choose from."""
         for size in engaged:
             if not 0 <= size <= self.choice:
-                message = (
+                raise CaseError(
+                    "E814",
                     f"read {size} engaged elements, expected 0 to {self.choice}: there are "
-                    f"{self.choice} {plural('shift element', self.choice)} to choose from"
+                    f"{self.choice} {plural('shift element', self.choice)} to choose from",
                 )
-                raise CaseError("E814", message)
         if not engaged and self.sizes[0] > self.choice:
-            message = (
+            raise CaseError(
+                "E815",
                 f"{self.sizes[0]} engaged elements leave one degree of freedom, but there are "
-                f"{self.choice} to choose from"
+                f"{self.choice} to choose from",
+                ("shift_elements",),
             )
-            raise CaseError("E815", message, ("shift_elements",))
 
     @cached_property
     def count(self) -> float:
@@ -229,21 +231,23 @@ class CombinationSearch:
         CaseError
         """
         if at_most is not None and self.count > at_most:
-            message = (
+            raise CaseError(
+                "E420",
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
-                f"than the {at_most} that may be tried"
+                f"than the {at_most} that may be tried",
+                ("shift_elements",),
             )
-            raise CaseError("E420", message, ("shift_elements",))
         room = (self.choice + 3) * (self.case.links + 1)
         free = needed(self.case) + 1  # about as many elimination steps per row
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
         if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
-            message = (
+            raise CaseError(
+                "E817",
                 f"{self.choice} shift elements between {self.case.links} links are too many for "
-                f"{lacking}; expected some of them, or fewer to engage"
+                f"{lacking}; expected some of them, or fewer to engage",
+                ("shift_elements",),
             )
-            raise CaseError("E817", message, ("shift_elements",))
 
     def batches(self) -> Iterator[EngagedSets]:
         """Yield all combinations in the order of the elements, some thousands at a time."""

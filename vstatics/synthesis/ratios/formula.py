@@ -97,9 +97,16 @@ def gear_formula(links: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> Gea
         return _constant(speed) if speed else _without(OUTPUT_STANDS.name)
     if output not in equations.needed:
         return _without(NEUTRAL.name)
-    rows = equations.needed[output]
-    unknowns = independent(rows).unknowns
-    rows = _ordered(rows)
+    left = list(equations.needed[output])
+    unknowns = independent(left).unknowns
+    # In this order few unknowns are open at a time: each row has the fewest new unknowns.
+    rows: list[LinearRow] = []
+    met: set[int] = set()
+    while left:
+        following = min(left, key=lambda row: len(row.terms.keys() - met))
+        left.remove(following)
+        rows.append(following)
+        met |= following.terms.keys()
     replaced = [-1 if unknown == output else unknown for unknown in unknowns]
     above, below = determinant(rows, unknowns), determinant(rows, replaced)
     if not below:
@@ -171,7 +178,7 @@ def _row(
 ) -> LinearRow:
     """Convert an equation in links to bodies, with known speeds on the right side."""
     unknown: dict[int, Term] = {}
-    right: Term = (ZERO, ZERO)
+    right = (ZERO, ZERO)
     for link, (plain, more) in terms:
         body = bodies[link]
         if body in known:
@@ -180,16 +187,3 @@ def _row(
             before = unknown.get(body, (ZERO, ZERO))
             unknown[body] = (before[0] + plain, before[1] + more)
     return LinearRow(ratio, {body: term for body, term in unknown.items() if any(term)}, right)
-
-
-def _ordered(rows: Sequence[LinearRow]) -> list[LinearRow]:
-    """Order rows so that few unknowns are open at a time: greedily by new unknowns."""
-    left = list(rows)
-    ordered: list[LinearRow] = []
-    met: set[int] = set()
-    while left:
-        following = min(left, key=lambda row: len(row.terms.keys() - met))
-        left.remove(following)
-        ordered.append(following)
-        met |= following.terms.keys()
-    return ordered

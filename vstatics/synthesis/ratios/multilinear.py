@@ -62,7 +62,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
     >>> determinant(rows, [0, 1]), determinant(rows, [-1, 1])
     ({0: Fraction(1, 1)}, {1: Fraction(2, 1)})
     """
-    minors: dict[int, dict[int, Fraction]] = {0: {0: Fraction(1)}}
+    minors = {0: {0: Fraction(1)}}
     work = 0
     for row in rows:
         after: dict[int, dict[int, Fraction]] = {}
@@ -90,8 +90,11 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
         )
         minors = {used: sums for used, sums in nonzero if sums}
         if work > MOST_FORMULA_TERMS:
-            message = f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
-            raise CaseError("E818", f"{message}; expected more ratios that are given")
+            raise CaseError(
+                "E818",
+                f"the formula of its ratio has more than {MOST_FORMULA_TERMS} terms"
+                "; expected more ratios that are given",
+            )
     return minors.get((1 << len(unknowns)) - 1, {})
 
 
@@ -123,7 +126,12 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
     reduced: dict[int, dict[int, int]] = {}  # rows by the unknown for which they are solved
     selected: list[LinearRow] = []
     for row in rows:
-        numbers = _modular(row)
+        ratio = ratio_number(row.ratio)
+        residues = {
+            unknown: (_residue(plain) + _residue(with_ratio) * ratio) % PRIME
+            for unknown, (plain, with_ratio) in (*row.terms.items(), (_RIGHT, row.right))
+        }
+        numbers = {unknown: number for unknown, number in residues.items() if number}
         numbers[_name(len(selected))] = 1
         for unknown, other in reduced.items():
             _take(numbers, other, unknown)
@@ -153,16 +161,6 @@ _RIGHT = -1
 def _name(number: int) -> int:
     """Return the key of a row, to trace the combinations of rows."""
     return _RIGHT - 1 - number
-
-
-def _modular(row: LinearRow) -> dict[int, int]:
-    """Return a row with a random number for the ratio, modulo `PRIME`."""
-    ratio = ratio_number(row.ratio)
-    numbers = {
-        unknown: (_residue(plain) + _residue(with_ratio) * ratio) % PRIME
-        for unknown, (plain, with_ratio) in (*row.terms.items(), (_RIGHT, row.right))
-    }
-    return {unknown: number for unknown, number in numbers.items() if number}
 
 
 def _residue(number: Fraction) -> int:

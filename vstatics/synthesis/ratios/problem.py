@@ -88,7 +88,12 @@ def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Boun
     if problems:
         raise CaseError(problems)
     for index, pair in by_index.items():
-        pairs[index] = _without_zero(*map(float, pair))
+        low, high = map(float, pair)
+        if low == 0:
+            low = PART_FOR_ZERO_BOUND * high
+        elif high == 0:
+            high = PART_FOR_ZERO_BOUND * low
+        pairs[index] = low, high
     return Bounds(tuple(low for low, _ in pairs), tuple(high for _, high in pairs))
 
 
@@ -127,8 +132,7 @@ def mechanism_index(links: OwnLinks, asked: str) -> int:
         for lowered in part.lowered
     ]
     if of_element:
-        message = f"{quoted(asked)} has several ratios: expected {spoken(of_element, 'or')}"
-        raise ValueError(message)
+        raise ValueError(f"{quoted(asked)} has several ratios: expected {spoken(of_element, 'or')}")
     number = typed_number(asked, len(names))
     if number is not None:
         return number - 1
@@ -147,12 +151,6 @@ def _wrong(low: float, high: float) -> Iterator[str]:
         yield "read 0:0, expected a ratio other than 0"
     elif any(bound and not SMALLEST <= abs(bound) <= LARGEST for bound in (low, high)):
         yield f"read {low:g}:{high:g}, expected sizes from {SMALLEST:g} to {LARGEST:g}"
-
-
-def _without_zero(low: float, high: float) -> tuple[float, float]:
-    if low == 0:
-        return PART_FOR_ZERO_BOUND * high, high
-    return (low, PART_FOR_ZERO_BOUND * low) if high == 0 else (low, high)
 
 
 Advance = Callable[[int], None]
@@ -227,8 +225,9 @@ def fit_problem(  # noqa: PLR0913 - what `fit` is given
     links = on_engaged_links(case)
     problems: list[Problem] = []
     if not 0 < tolerance < math.inf:
-        message = f"read {tolerance:g}, expected a number above 0"
-        problems.append(Problem("E822", message, ("tolerance",)))
+        problems.append(
+            Problem("E822", f"read {tolerance:g}, expected a number above 0", ("tolerance",))
+        )
     limits = None
     try:
         limits = bounds_of(links, bounds)
@@ -298,8 +297,13 @@ def _by_gear(
             problems.append(Problem("E825", f"no gear {quoted(name)}{hint}", (argument, name)))
     if problems and len(given) > len(case.gears):
         count = len(case.gears)
-        message = f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}"
-        problems.append(Problem("E826", message, (argument,)))
+        problems.append(
+            Problem(
+                "E826",
+                f"{len(given)} are wanted, and the case has {count} {plural('gear', count)}",
+                (argument,),
+            )
+        )
     return numbers, problems
 
 
@@ -308,15 +312,22 @@ def _wrong_numbers(
 ) -> Iterator[Problem]:
     for index, target in targets.items():
         if target == 0 or not math.isfinite(target):
-            message = f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
-            yield Problem("E827", f"{message} other than 0", ("ratios", index))
+            yield Problem(
+                "E827",
+                f"gear {case.gears[index].name}: read {target:g}, expected a finite ratio"
+                " other than 0",
+                ("ratios", index),
+            )
     for index, weight in weights.items():
         name = case.gears[index].name
         if index not in targets:
             yield Problem("E828", f"gear {name}: no ratio is wanted of it", ("weights", index))
         if not 0 < weight < math.inf:
-            message = f"gear {name}: read {weight:g}, expected a weight above 0"
-            yield Problem("E829", message, ("weights", index))
+            yield Problem(
+                "E829",
+                f"gear {name}: read {weight:g}, expected a weight above 0",
+                ("weights", index),
+            )
 
 
 def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.synthesis.ratios.least_squares import Minima
 from vstatics.synthesis.ratios.problem import Advance, FitProblem, untold
 from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
@@ -20,17 +17,15 @@ A last step without them follows.
 """
 
 
-class FoundRatios(NamedTuple):
-    """Results of a search."""
-
-    solutions: list[Floats]
-    """Ratios of all mechanisms, the best first. [-]"""
-    free: list[int]
-    """Indices of mechanisms that the wanted ratios leave undetermined."""
-
-
-def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
+def found_ratios(problem: FitProblem, advance: Advance = untold) -> tuple[list[Floats], list[int]]:
     """Return the ratios of all mechanisms in all different minima.
+
+    Returns
+    -------
+    list of ndarray
+        Ratios of all mechanisms, the best first. [-]
+    list of int
+        Indices of mechanisms that the wanted ratios leave undetermined.
 
     Raises
     ------
@@ -39,17 +34,30 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> FoundRatios:
     """
     space = fit_space(problem, advance)
     if not space.varied:
-        return FoundRatios([problem.anchor], [])
+        return [problem.anchor], []
     points = fit_starts(space)
     free = _free(space, points)
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
         minima = space.minima(points, weight)
-        chosen = _distinct(space, points.signs, minima)
+        # Starts of different minima: the best first, of equal minima the nearest to the case.
+        signs, anchor = points.signs, space.case_point
+        settled = minima.settled & np.isfinite(minima.squares)
+        if not settled.any():
+            settled = np.isfinite(minima.squares)
+        squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
+        turned = (signs != anchor.signs).sum(axis=1)
+        away = np.square(minima.unknowns - anchor.sizes).sum(axis=1)
+        order = np.lexsort((away, turned, squares))
+        chosen: list[int] = []
+        for start in order[settled[order]].tolist():
+            apart = np.abs(minima.unknowns[chosen] - minima.unknowns[start]).max(axis=1)
+            if (apart[(signs[chosen] == signs[start]).all(axis=1)] >= SAME_SOLUTION).all():
+                chosen.append(start)
         points = FitPoints(points.signs, minima.unknowns).at(chosen)
     ratios = space.full(points)
     for bound in map(np.array, problem.bounds):  # exactly at a bound, apart from rounding
         ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
-    return FoundRatios(list(ratios), free)
+    return list(ratios), free
 
 
 def _free(space: FitSpace, points: FitPoints) -> list[int]:
@@ -65,24 +73,6 @@ def _free(space: FitSpace, points: FitPoints) -> list[int]:
     return [
         index for index, size in zip(space.varied, loose, strict=True) if size > DEPENDENT_RATIOS
     ]
-
-
-def _distinct(space: FitSpace, signs: Floats, minima: Minima) -> list[int]:
-    """Return the starts of different minima: the best first, of equal minima the nearest."""
-    anchor = space.case_point
-    settled = minima.settled & np.isfinite(minima.squares)
-    if not settled.any():
-        settled = np.isfinite(minima.squares)
-    squares = np.where(minima.squares < MET_RATIOS, 0.0, minima.squares)
-    turned = (signs != anchor.signs).sum(axis=1)
-    away = np.square(minima.unknowns - anchor.sizes).sum(axis=1)
-    order = np.lexsort((away, turned, squares))
-    distinct: list[int] = []
-    for start in order[settled[order]].tolist():
-        apart = np.abs(minima.unknowns[distinct] - minima.unknowns[start]).max(axis=1)
-        if (apart[(signs[distinct] == signs[start]).all(axis=1)] >= SAME_SOLUTION).all():
-            distinct.append(start)
-    return distinct
 
 
 MOST_STARTS, LEAST_STARTS = 128, 8
@@ -119,8 +109,17 @@ def fit_starts(space: FitSpace) -> FitPoints:
                 more = _turning(space, space.turned(points.at(most)))
                 valid = FitPoints(*map(np.concatenate, zip(valid, more, strict=True)))
             if len(valid.sizes):
-                return _chosen(space, valid, count)
-    raise CaseError([_no_start(space, turning)])
+                squares = np.square(np.log(space.quotients(valid)) * space.roots).sum(axis=1)
+                best = np.argsort(squares, kind="stable")[: count // 2]
+                chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
+                return valid.at(chosen)
+    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
+    seldom = int(np.argmin(turning))
+    message = (
+        f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
+        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
+    )
+    raise CaseError([Problem("E832", message, ("ratios",))])
 
 
 def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
@@ -146,21 +145,3 @@ def _sampled(space: FitSpace, random: np.random.Generator, *, with_case: bool) -
     if with_case:
         sizes[0] = space.case_point.sizes
     return FitPoints(signs, sizes)
-
-
-def _chosen(space: FitSpace, points: FitPoints, count: int) -> FitPoints:
-    """Return the first point (perhaps of the case), then half the best, then any points."""
-    squares = np.square(np.log(space.quotients(points)) * space.roots).sum(axis=1)
-    best = np.argsort(squares, kind="stable")[: count // 2]
-    chosen = list(dict.fromkeys([0, *best.tolist(), *range(len(squares))]))[:count]
-    return points.at(chosen)
-
-
-def _no_start(space: FitSpace, turning: Floats) -> Problem:
-    names = [space.problem.own.case.gears[index].name for index in space.problem.fitted]
-    seldom = int(np.argmin(turning))
-    message = (
-        f"of {ROUNDS * SAMPLES} sets of ratios within the bounds none lets all gears turn as "
-        f"wanted, {turning[seldom]:.0f} let gear {names[seldom]}: expected other signs or bounds"
-    )
-    return Problem("E832", message, ("ratios",))

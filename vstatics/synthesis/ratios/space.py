@@ -85,8 +85,13 @@ class FitSpace(NamedTuple):
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
             self.advance(1)
-            deviations = self.deviations(FitPoints(starts.signs[which], sizes))
-            return _anchored(*deviations, weight, sizes - anchor) if weight else deviations
+            values, slopes = self.deviations(FitPoints(starts.signs[which], sizes))
+            if not weight:
+                return values, slopes
+            off = sizes - anchor
+            held = np.broadcast_to(weight * np.eye(off.shape[1]), (*off.shape, off.shape[1]))
+            values = np.concatenate([values, weight * off], axis=1)
+            return values, np.concatenate([slopes, held], axis=1)
 
         return minimize(residuals, starts.sizes, *self.within(starts.signs), steps)
 
@@ -120,13 +125,3 @@ def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
     roots = np.sqrt(weights / weights.max(initial=0.0)) if fitted else weights
     arrays = ratio_arrays(formulas, mechanisms)
     return FitSpace(problem, arrays, problem.varied, targets, roots, advance)
-
-
-def _anchored(values: Floats, slopes: Floats, weight: float, off: Floats) -> tuple[Floats, Floats]:
-    """Append the weighted differences from the ratios of the case to the deviations."""
-    count = off.shape[1]
-    held = np.broadcast_to(weight * np.eye(count), (len(off), count, count))
-    return (
-        np.concatenate([values, weight * off], axis=1),
-        np.concatenate([slopes, held], axis=1),
-    )

@@ -79,7 +79,16 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
         counts = _labelled(search)
     else:
         assert grown is not None  # noqa: S101 - only labelled schemes are counted without a sample
-        counts = _of_classes(search, grown)
+        by_links = _by_links(search, grown, weights(search, grown.batch))
+        whole = search._replace(classes="none", ports=False)
+        if not grown.exact and _are_soon_counted(whole):
+            stand = _by_links(search, grown, labelled_weights(search, grown.batch))
+            known = count(whole)  # corrects the sample
+            by_links = {
+                links: number * known[links] / stand[links] if stand[links] else number
+                for links, number in by_links.items()
+            }
+        counts = Estimate(by_links, grown.exact, 0.0, grown.seconds)
     if grown is None or not listed:
         return counts
     length, writing = _written(search, grown.batch)
@@ -96,20 +105,6 @@ def _labelled(search: StructureSearch) -> Estimate:
     # The count needs a list of the schemes with two sets less.
     seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
     return Estimate(by_links, sample.exact, 0.0, seconds)
-
-
-def _of_classes(search: StructureSearch, sample: _DrawnSchemes) -> Estimate:
-    """Estimate classes; a known count of labelled schemes corrects the sample."""
-    by_links = _by_links(search, sample, weights(search, sample.batch))
-    whole = search._replace(classes="none", ports=False)
-    if not sample.exact and _are_soon_counted(whole):
-        stand = _by_links(search, sample, labelled_weights(search, sample.batch))
-        known = count(whole)
-        by_links = {
-            links: number * known[links] / stand[links] if stand[links] else number
-            for links, number in by_links.items()
-        }
-    return Estimate(by_links, sample.exact, 0.0, sample.seconds)
 
 
 def _are_soon_counted(search: StructureSearch) -> bool:
@@ -187,16 +182,6 @@ def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]
     step = math.ceil(len(batch.codes) / WRITTEN)
     if not step:
         return 0.0, 0.0
-    part = _every(batch, step)
-    began = time.perf_counter()
-    text = lines(search, part)
-    seconds = time.perf_counter() - began
-    written = text.count(b"\n")
-    return len(text) / written, seconds / written
-
-
-def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
-    """Return every nth scheme of a batch, with all symmetries."""
     reduced = batch.symmetries
     if reduced is not None:
         selected = reduced.which % step == 0
@@ -205,4 +190,9 @@ def _every(batch: SchemeBatch, step: int) -> SchemeBatch:
             which=reduced.which[selected] // step,
             links=reduced.links[selected],
         )
-    return SchemeBatch(batch.codes[::step], batch.links[::step], reduced, batch.parents[::step])
+    part = SchemeBatch(batch.codes[::step], batch.links[::step], reduced, batch.parents[::step])
+    began = time.perf_counter()
+    text = lines(search, part)
+    seconds = time.perf_counter() - began
+    written = text.count(b"\n")
+    return len(text) / written, seconds / written

@@ -35,7 +35,15 @@ def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
     """
     if not (search.ports or search.matrix):
         return _without_ports(batch)
-    heads = _heads(batch)
+    base = int(batch.links.max(initial=0))
+    members = batch.codes.reshape(len(batch.codes), -1, MEMBERS).astype(np.intp)
+    keys = (members[..., 0] * base + members[..., 1]) * base + members[..., 2]
+    texts = _set_texts(base)
+    ends = [f'", "links": {links}, ' for links in range(base + 1)]
+    heads = [
+        '{"code": "' + "-".join([texts[key] for key in row]) + ends[links]
+        for row, links in zip(keys.tolist(), batch.links.tolist(), strict=True)
+    ]
     if search.matrix:
         pairs = zip(heads, matrices(batch), strict=True)
         heads = [f'{head}"matrix": {matrix}, ' for head, matrix in pairs]
@@ -62,8 +70,7 @@ def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
     """Write a line for each choice of ports, with the text of the scheme as separator."""
     choices = ports(batch)
     pairs = choices.input * int(batch.links.max()) + choices.output
-    counts = np.bincount(choices.which, minlength=len(heads))
-    stops = np.cumsum(counts).tolist()
+    stops = np.cumsum(np.bincount(choices.which, minlength=len(heads))).tolist()
     parts = []
     start = 0
     for head, links, stop in zip(heads, batch.links.tolist(), stops, strict=True):
@@ -75,19 +82,6 @@ def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
         parts.append(head + head.join(ends))
         start = stop
     return "".join(parts)
-
-
-def _heads(batch: SchemeBatch) -> list[str]:
-    """Return the beginnings of lines with code and number of links."""
-    base = int(batch.links.max(initial=0))
-    members = batch.codes.reshape(len(batch.codes), -1, MEMBERS).astype(np.intp)
-    keys = (members[..., 0] * base + members[..., 1]) * base + members[..., 2]
-    texts = _set_texts(base)
-    ends = [f'", "links": {links}, ' for links in range(base + 1)]
-    return [
-        '{"code": "' + "-".join([texts[key] for key in row]) + ends[links]
-        for row, links in zip(keys.tolist(), batch.links.tolist(), strict=True)
-    ]
 
 
 @cache

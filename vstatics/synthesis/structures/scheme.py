@@ -122,6 +122,7 @@ def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
         [(link, count)] = Counter(links).most_common(1)
         if count > 1:
             members = (name for name, of in zip(MEMBER_NAMES, links, strict=True) if of == link)
-            message = f"{spoken(members)} of set {number} are both link {link}"
-            raise ValueError(f"{message}; expected three links")
+            raise ValueError(
+                f"{spoken(members)} of set {number} are both link {link}; expected three links"
+            )
     return tuple(sets)

@@ -55,25 +55,10 @@ def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tup
     return low, high
 
 
-def refuse_signs(problem: TeethProblem, low: Floats, high: Floats) -> None:
-    """Refuse targets with the opposite sign of all possible ratios.
+def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
+    """Yield messages on ranges of teeth that exclude a target, or all targets together.
 
-    Raises
-    ------
-    CaseError
-        If a target has the wrong sign.
-    """
-    problems = []
-    for target in problem.targets:
-        ends = target.ends(low[np.newaxis], high[np.newaxis])
-        if ends and (wrong := sign_fault(target.name, target.wanted, ends)):
-            problems.append(Problem("E833", wrong, ("ratios", target.name)))
-    if problems:
-        raise CaseError(problems)
-
-
-def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
-    """Yield messages on targets beyond the reach of the gear-set ratios.
+    A ratio is at the end of its range if the least error needs this end.
 
     Examples
     --------
@@ -82,27 +67,9 @@ def reach_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> find_teeth(case, {"1": 20.0}).doubts
     ["gear 1 can't have 20: within the bounds its ratio is 2.576 to 8.118"]
-    """
-    gears = {gear.name for gear in problem.own.case.gears}
-    for target in problem.targets:
-        ends = target.ends(low[np.newaxis], high[np.newaxis])
-        least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
-        if ends is not None and least > MET_ERROR:
-            name = f"gear {target.name}" if target.name in gears else target.name
-            yield f"{name} can't have {target.wanted:g}: {reach_text(*ends)}"
 
-
-def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
-    """Yield messages on ranges of teeth that exclude a target, or all targets together.
-
-    A ratio is at the end of its range if the least error needs this end.
-
-    Examples
-    --------
     With gear 2 met, gear 1 needs a ratio of -1.5 of P, beyond the default ranges:
 
-    >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
-    >>> from vstatics.synthesis.teeth.finding import find_teeth
     >>> sets = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 5, -2.5, name="Q")]
     >>> gears = [Gear([1, 2], name="1"), Gear([2, 3], name="2")]
     >>> case = Transmission(5, [ShiftElement(2), ShiftElement(4), ShiftElement(1, 2)], sets, gears)
@@ -110,9 +77,16 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> doubt.partition("; ")[2]
     'at its end is P (-7.118 to -1.576): wider ranges may help'
     """
-    alone = [*reach_doubts(problem, low, high)]
-    yield from alone
-    if alone or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
+    gears = {gear.name for gear in problem.own.case.gears}
+    is_alone = False
+    for target in problem.targets:
+        reached = target.ends(low[np.newaxis], high[np.newaxis])
+        least = float(target.least(low[np.newaxis], high[np.newaxis])[0])
+        if reached is not None and least > MET_ERROR:
+            is_alone = True
+            name = f"gear {target.name}" if target.name in gears else target.name
+            yield f"{name} can't have {target.wanted:g}: {reach_text(*reached)}"
+    if is_alone or (least := least_possible(problem.targets, low, high)) <= TOLD_ERROR:
         return
     ends = narrowed(problem.targets, low, high, least * (1 + NARROW_WINDOW) + NARROW_WINDOW)
     if ends is None:
@@ -294,8 +268,14 @@ def find_teeth(
         tables.append(_whole_table(gear_set))
         advance(1)
     full = [table for table in tables if table is not None]
-    ends = reach(rows, tables)
-    refuse_signs(problem, *ends)
+    ends = low, high = reach(rows, tables)
+    problems = []
+    for target in problem.targets:
+        reached = target.ends(low[np.newaxis], high[np.newaxis])
+        if reached and (wrong := sign_fault(target.name, target.wanted, reached)):
+            problems.append(Problem("E833", wrong, ("ratios", target.name)))
+    if problems:
+        raise CaseError(problems)
     if len(full) == len(tables):
         best = best_teeth(full, problem.targets, advance=advance)
     else:
@@ -358,7 +338,7 @@ def _by_limits(
     """
     targets = problem.targets
     proven = least_possible(targets, *ends)
-    best: tuple[list[TeethTable], BestTeeth] | None = None
+    best = None
     excluded: Counter[str] = Counter()
     for most in growing_limits(proven):
         between = narrowed(targets, *ends, most)
@@ -399,7 +379,7 @@ def _in_windows(
     sizes = iter(np.sort(np.abs(between), axis=0).T.tolist())
     for gear_set, table in zip(rows, tables, strict=True):
         useful = islice(sizes, len(gear_set.layout.ratios))
-        windows = {number: (low, high) for number, (low, high) in enumerate(useful)}
+        windows = dict(enumerate(useful))
         if table is None:
             yield teeth_table(gear_set.layout, gear_set.pieces(windows, excluded), gear_set.counts)
         else:

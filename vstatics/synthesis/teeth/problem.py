@@ -118,8 +118,9 @@ class _AskedByName:
         gears = [gear.name for gear in self.own.case.gears]
         what = f"gear {name}" if name in gears else name
         if wanted == 0 or not math.isfinite(wanted):
-            message = f"{what}: read {wanted:g}, expected a finite ratio other than 0"
-            raise CaseError("E827", message, path)
+            raise CaseError(
+                "E827", f"{what}: read {wanted:g}, expected a finite ratio other than 0", path
+            )
         if name in gears:
             return self._of_gear(gears.index(name), wanted)
         of_sets = named_ratios(self.layouts)
@@ -131,10 +132,11 @@ class _AskedByName:
         ratio = of_sets[name]
         if wanted * ratio.sign < 0:
             side = "below" if ratio.sign < 0 else "above"
-            message = (
-                f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?"
+            raise CaseError(
+                "E840",
+                f"{name}: read {wanted:g}, expected a ratio {side} 0: did you mean {-wanted:g}?",
+                path,
             )
-            raise CaseError("E840", message, path)
         return GearFormula("ratio", {1 << ratio.mechanism: ONE}, {0: ONE})
 
     def _of_gear(self, index: int, wanted: float) -> GearFormula:
@@ -153,20 +155,41 @@ class _AskedByName:
         if fault := ratio_fault(name, formula, wanted, "teeth"):
             raise CaseError("E841", fault, path)
         if len(formula.ratios) > MOST_RATIOS:
-            message = f"gear {name}: {len(formula.ratios)} ratios are in its own"
-            raise CaseError("E842", f"{message}, expected no more than {MOST_RATIOS}", path)
+            raise CaseError(
+                "E842",
+                f"gear {name}: {len(formula.ratios)} ratios are in its own"
+                f", expected no more than {MOST_RATIOS}",
+                path,
+            )
         return formula
 
 
 def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    yield from _wrong_ranges(limits, layouts)
+    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
+    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
+    names = ["all", *wheels, *special]
+    for name, (low, high) in limits.ranges.items():
+        if name not in names:
+            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
+            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
+        elif not 1 <= low <= high < LARGEST_WHEEL:
+            yield Problem(
+                "E848",
+                f"{name}: read {low}:{high}, expected two numbers of teeth"
+                f", the least first, below {LARGEST_WHEEL}",
+                ("range", name),
+            )
     for count in limits.planets:
         if not 1 <= count <= MOST_PLANETS:
-            message = f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}"
-            yield Problem("E843", message, ("planets",))
+            yield Problem(
+                "E843",
+                f"read {count}, expected numbers of planets from 1 to {MOST_PLANETS}",
+                ("planets",),
+            )
     if not 0 <= limits.clearance < math.inf:
-        message = f"read {limits.clearance:g}, expected modules of 0 or more"
-        yield Problem("E844", message, ("clearance",))
+        yield Problem(
+            "E844", f"read {limits.clearance:g}, expected modules of 0 or more", ("clearance",)
+        )
     pairs = [layout.name for layout in layouts if layout.element.kind == "gear_pair"]
     for name, distance in limits.centre.items():
         if name not in pairs:
@@ -179,36 +202,30 @@ def _wrong_limits(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterat
     yield from _wrong_sizes(limits)
 
 
-def _wrong_ranges(limits: TeethLimits, layouts: Sequence[TeethLayout]) -> Iterator[Problem]:
-    """Yield problems of unknown gears and invalid ranges."""
-    wheels = [*dict.fromkeys(wheel for layout in layouts for wheel in layout.wheels)]
-    special = [f"{layout.name}.{wheel}" for layout in layouts for wheel in layout.wheels]
-    names = ["all", *wheels, *special]
-    for name, (low, high) in limits.ranges.items():
-        if name not in names:
-            hint = f"{nearest(name, names)}; wheels are {listed(wheels, 12)}"
-            yield Problem("E847", f"no wheel {quoted(name)}{hint}", ("range", name))
-        elif not 1 <= low <= high < LARGEST_WHEEL:
-            message = f"{name}: read {low}:{high}, expected two numbers of teeth"
-            yield Problem(
-                "E848", f"{message}, the least first, below {LARGEST_WHEEL}", ("range", name)
-            )
-
-
 def _wrong_sizes(limits: TeethLimits) -> Iterator[Problem]:
     if any(not 0 < module < math.inf for module in limits.modules):
         yield Problem("E849", "expected modules above 0", ("modules",))
     if len(limits.modules) > MOST_MODULES:
-        message = f"read {len(limits.modules)}, expected at most {MOST_MODULES} modules"
-        yield Problem("E850", message, ("modules",))
+        yield Problem(
+            "E850",
+            f"read {len(limits.modules)}, expected at most {MOST_MODULES} modules",
+            ("modules",),
+        )
     if limits.largest_diameter is not None:
         if not 0 < limits.largest_diameter < math.inf:
-            message = f"read {limits.largest_diameter:g}, expected a length above 0"
-            yield Problem("E851", message, ("largest-diameter",))
+            yield Problem(
+                "E851",
+                f"read {limits.largest_diameter:g}, expected a length above 0",
+                ("largest-diameter",),
+            )
         if not limits.modules:
             yield Problem(
                 "E852", "teeth have a size by their module: give --modules", ("largest-diameter",)
             )
     if not 0 <= limits.shift <= SHIFT:
-        message = f"read {limits.shift}, expected 0 to {SHIFT} teeth"
-        yield Problem("E853", f"{message}: shifted profiles make up for no more", ("shift",))
+        yield Problem(
+            "E853",
+            f"read {limits.shift}, expected 0 to {SHIFT} teeth"
+            ": shifted profiles make up for no more",
+            ("shift",),
+        )

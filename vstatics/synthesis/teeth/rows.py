@@ -125,7 +125,18 @@ class TeethRows:
         columns = len(self.layout.wheels) + 1 + self._sets_of_modules.shape[1]
         start = np.zeros((len(self._sets_of_modules), columns), np.int32)
         start[:, len(self.layout.wheels) + 1 :] = self._sets_of_modules
-        yield from self._grown(self._plan(), 0, start, windows, excluded)
+        wheels = len(self.layout.wheels)
+        modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
+        waiting = list(teeth_conditions(self.layout, self.limits))
+        known = set(modules)
+        widths = (self.ranges[:, 1] - self.least).tolist()
+        plan: list[tuple[int, list[TeethCondition]]] = []
+        for column in growth_order(self.layout, self._equations, widths):
+            known.add(column)
+            now = [condition for condition in waiting if condition.needs <= known]
+            waiting = [condition for condition in waiting if not condition.needs <= known]
+            plan.append((column, now))
+        yield from self._grown(plan, 0, start, windows, excluded)
 
     def _grown(
         self,
@@ -191,36 +202,25 @@ class TeethRows:
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:
                 yield equation.label, solved(equation, column, candidates)
-        for number, window in windows.items():
+        for number, (least, most) in windows.items():
             powers = self.layout.ratios[number].powers
             if column in powers:
-                yield "ratio", self._in_window(powers, window, column, known, candidates)
-
-    def _in_window(
-        self,
-        powers: Mapping[int, int],
-        window: tuple[float, float],
-        column: int,
-        known: set[int],
-        candidates: TeethCandidates,
-    ) -> tuple[Floats, Floats]:
-        """Return the tooth numbers for which a product of powers can be in a window."""
-        low = np.full(len(candidates.rows), math.log(window[0]) if window[0] > 0 else -math.inf)
-        high = np.full(len(candidates.rows), math.log(window[1]))
-        for wheel, power in powers.items():
-            if wheel == column:
-                continue
-            if wheel in known:
-                part = power * np.log(candidates.teeth(wheel))
-                low, high = low - part, high - part
-                continue
-            ends = [power * math.log(max(int(end), 1)) for end in self.ends(wheel)]
-            low, high = low - max(ends), high - min(ends)
-        power = powers[column]
-        low, high = (low / power, high / power) if power > 0 else (high / power, low / power)
-        return np.exp(np.minimum(low, LARGEST_TEETH_LOGARITHM)), np.exp(
-            np.minimum(high, LARGEST_TEETH_LOGARITHM)
-        )
+                low = np.full(len(rows), math.log(least) if least > 0 else -math.inf)
+                high = np.full(len(rows), math.log(most))
+                for wheel, power in powers.items():
+                    if wheel in known:
+                        part = power * np.log(candidates.teeth(wheel))
+                        low, high = low - part, high - part
+                    elif wheel != column:
+                        ends = [power * math.log(max(end, 1)) for end in self.ends(wheel)]
+                        low, high = low - max(ends), high - min(ends)
+                if powers[column] < 0:
+                    low, high = high, low
+                low, high = (
+                    np.exp(np.minimum(end / powers[column], LARGEST_TEETH_LOGARITHM))
+                    for end in (low, high)
+                )
+                yield "ratio", (low, high)
 
     def ends(self, wheel: int) -> tuple[int, int]:
         """Return the smallest and largest possible tooth number of a gear."""
@@ -229,21 +229,6 @@ class TeethRows:
     @cached_property
     def _equations(self) -> list[AxisEquation]:
         return list(axis_equations(self.layout, self.limits))
-
-    def _plan(self) -> list[tuple[int, list[TeethCondition]]]:
-        """Return the columns in order, each with the conditions that can then be checked."""
-        wheels = len(self.layout.wheels)
-        modules = {wheels + 1 + number for number in range(max(self.layout.component) + 1)}
-        waiting = list(teeth_conditions(self.layout, self.limits))
-        known = set(modules)
-        widths = (self.ranges[:, 1] - self.least).tolist()
-        plan: list[tuple[int, list[TeethCondition]]] = []
-        for column in growth_order(self.layout, self._equations, widths):
-            known.add(column)
-            now = [condition for condition in waiting if condition.needs <= known]
-            waiting = [condition for condition in waiting if not condition.needs <= known]
-            plan.append((column, now))
-        return plan
 
 
 def growth_order(

@@ -107,7 +107,7 @@ class _Halving:
         self.targets = targets
         self.most = most
         self.is_full = False
-        self.errors: Floats = np.zeros(0)
+        self.errors = np.zeros(0)
         self.places: Integers = np.zeros((0, len(tables)), np.int64)
         widths = [table.ratios.shape[1] for table in tables]
         self.columns = [sum(widths[:number]) for number in range(len(widths))]
@@ -135,12 +135,22 @@ class _Halving:
         if self.is_full:
             for number, table in enumerate(self.tables):
                 if table.ratios.shape[1] == 1:
-                    others = np.delete(sizes, number, axis=1)
-                    alone = (others == 1).all(axis=1)
+                    alone = (np.delete(sizes, number, axis=1) == 1).all(axis=1)
                     self._solve(number, regions[alone], starts[alone], sizes[alone])
                     regions, starts, sizes = regions[~alone], starts[~alone], sizes[~alone]
         if len(regions):
-            yield self._left(self._children(regions, sizes))
+            both = self._children(regions, sizes)
+            low, high = self.ends(both)
+            least = least_errors(self.targets, low, high)
+            hopeful = least < self.most
+            both, least = both[hopeful], least[hopeful]
+            order = least
+            if not self.is_full:
+                order = least + LARGEST_ERROR_WEIGHT * np.minimum(
+                    largest_errors(self.targets, ((low + high) / 2)[hopeful]), 1e3
+                )
+            by_least = np.argsort(order, kind="stable")
+            yield least[by_least], both[by_least]
 
     def _children(self, regions: Integers, sizes: Integers) -> Integers:
         """Return both halves of regions, split at the gear set with the widest ratios."""
@@ -156,20 +166,6 @@ class _Halving:
                 halves[chosen, number] = table.nodes[regions[chosen, number], half]
             children.append(halves)
         return np.concatenate(children)
-
-    def _left(self, both: Integers) -> tuple[Floats, Integers]:
-        """Return the regions that can be better than the best, with least errors, best first."""
-        low, high = self.ends(both)
-        least = least_errors(self.targets, low, high)
-        hopeful = least < self.most
-        both, least = both[hopeful], least[hopeful]
-        order = least
-        if not self.is_full:
-            order = least + LARGEST_ERROR_WEIGHT * np.minimum(
-                largest_errors(self.targets, ((low + high) / 2)[hopeful]), 1e3
-            )
-        by_least = np.argsort(order, kind="stable")
-        return least[by_least], both[by_least]
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
         """Try the places of a single free gear set with an error below the best."""

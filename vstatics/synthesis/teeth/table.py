@@ -71,9 +71,22 @@ def teeth_table(
     except TooManyError:
         is_whole = False
     width = len(layout.wheels) + 2 + max(layout.component)
-    rows = _different(np.concatenate([np.zeros((0, width), np.int32), *kept]), layout, counts)
+    rows = np.concatenate([np.zeros((0, width), np.int32), *kept])
+    wheels = len(layout.wheels)
+    # Of rows with equal tooth numbers, the row with the preferred number of planets remains.
+    rank = np.zeros(max(counts) + 1, np.int64)
+    rank[list(counts)] = range(len(counts))
+    keys = [rank[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
+    rows = rows[np.lexsort(keys)]
+    is_new = np.ones(len(rows), np.bool_)
+    is_new[1:] = (np.diff(rows[:, :wheels], axis=0) != 0).any(axis=1)
+    rows = rows[is_new]
     ratios = of_rows(layout, rows)
-    place = _places(ratios)
+    place = np.zeros(len(ratios), np.int64)
+    for column in ratios.T:
+        _, numbers = np.unique(column, return_inverse=True)
+        both = place * (numbers.max(initial=0) + 1) + numbers
+        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
     order = np.argsort(place, kind="stable")
     sizes = np.bincount(place, minlength=int(place.max(initial=-1)) + 1)
     firsts = np.cumsum(sizes) - sizes
@@ -85,18 +98,6 @@ def teeth_table(
     rows = rows[order][firsts[in_halves][which] + within]
     nodes_of = (unique[in_halves], nodes, low, high)
     return TeethTable(layout, is_whole, total, rows, starts, *nodes_of)
-
-
-def _different(rows: Integers, layout: TeethLayout, counts: Sequence[int]) -> Integers:
-    """Return rows with different tooth numbers, each with the preferred number of planets."""
-    wheels = len(layout.wheels)
-    rank = np.zeros(max(counts) + 1, np.int64)
-    rank[list(counts)] = range(len(counts))
-    keys = [rank[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
-    rows = rows[np.lexsort(keys)]
-    is_new = np.ones(len(rows), np.bool_)
-    is_new[1:] = (np.diff(rows[:, :wheels], axis=0) != 0).any(axis=1)
-    return rows[is_new]
 
 
 def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
@@ -111,16 +112,6 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
                 below = below * rows[:, wheel].astype(np.float64) ** -power
         ratios[:, number] = ratio.sign * above / below
     return ratios
-
-
-def _places(ratios: Floats) -> Integers:
-    """Number the different rows of an array from 0."""
-    place: Integers = np.zeros(len(ratios), np.int64)
-    for column in ratios.T:
-        _, numbers = np.unique(column, return_inverse=True)
-        both = place * (numbers.max(initial=0) + 1) + numbers
-        place = np.unique(both, return_inverse=True)[1].astype(np.int64)
-    return place
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:

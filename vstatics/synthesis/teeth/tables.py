@@ -10,7 +10,6 @@ from vstatics.core.tables.grid import Cell, Grid, Values, exact, grid_of, whole
 from vstatics.synthesis.ratios.tables import number
 from vstatics.synthesis.teeth.finding import FoundTeeth
 from vstatics.synthesis.teeth.layout import named_ratios
-from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
 
@@ -30,8 +29,17 @@ def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
     best = result.solutions[0]
     yield _wanted(result.problem, best)
     yield _teeth(result.problem, best)
-    yield _solutions(result)
-    yield _choice(result)
+    names = [layout.name for layout in result.problem.layouts]
+    solutions: list[Values] = []
+    for place, solution in enumerate(result.solutions, 1):
+        teeth = ["/".join(map(str, solution.teeth[name].values())) for name in names]
+        solutions.append((place, _error(solution.error), *teeth))
+    yield grid_of("Solutions", ["solution", "error", *names], solutions)
+    rows = (
+        (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
+        for table in result.tables
+    )
+    yield grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def _error(value: float) -> Cell:
@@ -60,31 +68,17 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
         modules = ", ".join(f"{wheel} {module:g}" for wheel, module in of_wheels.items())
         rows.append((layout.name, teeth, best.planets.get(layout.name), ratios, modules))
     modules = "modules [mm]"
-    headings = "element", "teeth", "planets", "ratio", modules
-    return grid_of("Teeth", headings, rows, optional=[] if best.modules else [modules])
-
-
-def _solutions(result: FoundTeeth) -> Grid:
-    names = [layout.name for layout in result.problem.layouts]
-    rows: list[Values] = []
-    for place, solution in enumerate(result.solutions, 1):
-        teeth = ["/".join(map(str, solution.teeth[name].values())) for name in names]
-        rows.append((place, _error(solution.error), *teeth))
-    return grid_of("Solutions", ["solution", "error", *names], rows)
-
-
-def _choice(result: FoundTeeth) -> Grid:
-    """Return a table of the number of tooth numbers of each gear set that fulfil the conditions."""
-    rows = (
-        (table.layout.name, int(table.total), len(table.rows), len(table.ratios))
-        for table in result.tables
+    return grid_of(
+        "Teeth",
+        ("element", "teeth", "planets", "ratio", modules),
+        rows,
+        optional=[] if best.modules else [modules],
     )
-    return grid_of("Choice", ["element", "teeth and planets", "teeth", "ratios"], rows)
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
     """Yield a table of the ranges of all gears, and the kind of each gear set, before a search."""
-    limits: TeethLimits = problem.limits
+    limits = problem.limits
     rows = []
     for layout in problem.layouts:
         planets = ", ".join(map(str, sorted(limits.counts(layout)))) if layout.planets else "-"

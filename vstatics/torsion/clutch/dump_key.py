@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from functools import partial
 
-from vstatics.core.errors import Path, Problem
+from vstatics.core.errors import Problem
 from vstatics.core.model.carried import CaseKey
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.part_checks import called, expect, of_link
@@ -91,11 +91,15 @@ def of_dump(case: TransmissionFields) -> Iterator[Problem]:
         if not links and name in NEEDED:
             yield Problem("E259", "there is no link, expected one at least", ("dump", name))
         for number, link in enumerate(links, 1):
-            path: Path = ("dump", name, number)
+            path = ("dump", name, number)
             yield from of_link(link, path, case.own_links, lowest=1)
             if link in seen:
-                message = f"link {called(case, link)} is in {seen[link]} already"
-                yield Problem("E260", f"{message}, expected each link once", path)
+                yield Problem(
+                    "E260",
+                    f"link {called(case, link)} is in {seen[link]} already"
+                    ", expected each link once",
+                    path,
+                )
             seen.setdefault(link, name)
     if dump.to is not None:
         yield from of_link(dump.to, ("dump", "to"), case.own_links, lowest=1)

@@ -265,11 +265,15 @@ def _messages(given: Dump, result: DumpTorque, course: _Course) -> Iterator[Mess
             margin += "; against the one that was measured by 42 % (table 3.2)"
         yield Message("N501", f"case {case} is on the safe side{margin}")
     if course.missed is not None:
-        message = f"case {course.missed} does not come: by its closed form the torque does not"
-        yield Message("N502", f"{message} reach {course.limit:.6g}; case {case} holds")
+        yield Message(
+            "N502",
+            f"case {course.missed} does not come: by its closed form the torque does not"
+            f" reach {course.limit:.6g}; case {case} holds",
+        )
     if given.clamped and case == "V1":
         stuck = _swing(given, (), 0.0).largest(0.0, given.omega1)
         yield Message("N503", f"with a clutch that stays stuck the torque is {stuck:.6g} (case B1)")
     if result.engagement is not None and case not in ("A1", "A2"):
-        message = "the factor of the engagement is for a clutch that slips and tyres that grip"
-        yield Message("N504", message)
+        yield Message(
+            "N504", "the factor of the engagement is for a clutch that slips and tyres that grip"
+        )

@@ -108,8 +108,11 @@ def gear_dumps(
     """
     clutch = ClutchDump.of(case)
     if clutch is None:
-        message = "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`"
-        raise CaseError("E503", message, ("dump",))
+        raise CaseError(
+            "E503",
+            "there is no `dump`, expected the links of `J1` to `J5`, `M_C0` and `omega1`",
+            ("dump",),
+        )
     return [_gear_dump(case, gear, clutch, rate) for gear in asked_gears(case, gears)]
 
 
@@ -130,8 +133,14 @@ def _gear_dump(case: Transmission, gear: Gear, clutch: ClutchDump, rate: float |
     except CaseError as error:
         return GearDump(gear.name, to, given, error=spoken(map(str, error.problems)))
     if left_out:
-        message = f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
-        torques = torques._replace(messages=(*torques.messages, Message("N505", message)))
+        torques = torques._replace(
+            messages=(
+                *torques.messages,
+                Message(
+                    "N505", f"in none of J1 to J5, though turning with {to}: {', '.join(left_out)}"
+                ),
+            )
+        )
     return GearDump(gear.name, to, given, torques)
 
 

@@ -125,8 +125,9 @@ def _reduced(gears: Sequence[GearDump]) -> Iterator[Grid]:
             (f"{name} [{unit}]", *(getattr(dump, name) for _, dump in given))
             for name, unit in _UNITS_OF_GIVEN.items()
         )
-        headings = ["gear", *(name for name, _ in given)]
-        yield grid_of(f"Reduced to {gears[0].to}", headings, rows, key="reduced")
+        yield grid_of(
+            f"Reduced to {gears[0].to}", ["gear", *(name for name, _ in given)], rows, key="reduced"
+        )
 
 
 def _failed(gears: Sequence[GearDump]) -> Iterator[Grid]:

@@ -173,8 +173,11 @@ def response(  # noqa: PLR0913 - all but the first by name
     """
     chosen = asked_gears(case, gears)
     if (number := case.link_number(at)) in case.masses:
-        message = f"link {at} moves straight, so it has no revolutions: expected a link that turns"
-        raise CaseError("E547", message, ("masses", number))
+        raise CaseError(
+            "E547",
+            f"link {at} moves straight, so it has no revolutions: expected a link that turns",
+            ("masses", number),
+        )
     link, given = number - 1, np.asarray(speeds, dtype=np.float64)
     working = [working_gear(case, gear, speed_ratios) for gear in chosen]
     return [_gear_response(gear, link, harmonics, given) for gear in working]
@@ -194,9 +197,16 @@ def _gear_response(
     undamped = _are_undamped(system, natural)
     largest = np.abs(natural.shapes[: system.case_links]).max(axis=0)
     parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
+    low = speeds.min(initial=math.inf) * (1 - NO_POWER)
+    high = speeds.max(initial=-math.inf) * (1 + NO_POWER)
     resonances = [
-        resonance._replace(damped=not undamped[resonance.mode - 1])
-        for resonance in _resonances(natural.omegas, parts, harmonics, speeds)
+        Resonance(harmonic.order, mode, speed, part, not undamped[mode - 1])
+        for harmonic in harmonics
+        for mode, (omega, part) in enumerate(
+            zip(natural.omegas.tolist(), parts.tolist(), strict=True), 1
+        )
+        if part > LEAST_PARTICIPATION
+        and low <= (speed := omega / harmonic.order / RAD_PER_RPM) <= high
     ]
     speeds = _with_peaks(speeds, [resonance.speed for resonance in resonances if resonance.damped])
     orders = []
@@ -238,20 +248,6 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
         size = np.abs(system.converter_resistance[:, link]).max()
         resisted += size * natural.omegas * natural.shapes[link] ** 2
     return resisted <= NO_POWER * stored
-
-
-def _resonances(
-    omegas: Floats, parts: Floats, harmonics: Sequence[Harmonic], speeds: Floats
-) -> list[Resonance]:
-    """List resonances of excited modes within the range of speeds."""
-    low, high = speeds.min(initial=math.inf), speeds.max(initial=-math.inf)
-    resonances = [
-        Resonance(harmonic.order, mode, omega / harmonic.order / RAD_PER_RPM, part)
-        for harmonic in harmonics
-        for mode, (omega, part) in enumerate(zip(omegas.tolist(), parts.tolist(), strict=True), 1)
-        if part > LEAST_PARTICIPATION
-    ]
-    return [r for r in resonances if low * (1 - NO_POWER) <= r.speed <= high * (1 + NO_POWER)]
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
@@ -325,14 +321,9 @@ def _torques(
         damper.name: 1j * omegas * damper.damping.viscous * form_values(damper.twist, amplitudes)
         for damper in system.dampers
     }
+    speeds = 1j * omegas * amplitudes
     return torques | {
-        converter.name: _pump_torque_change(converter, 1j * omegas * amplitudes)
+        converter.name: converter.A1 * speeds[converter.pump]
+        + converter.A2 * speeds[converter.turbine]
         for converter in system.converters
     }
-
-
-def _pump_torque_change(converter: WorkingConverter, speeds: Complex) -> Complex:
-    torque: Complex = (
-        converter.A1 * speeds[converter.pump] + converter.A2 * speeds[converter.turbine]
-    )
-    return torque

@@ -82,7 +82,7 @@ def row_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
 def _rows(
     key: str, gear: GearResponse, order: float | str, by_name: Mapping[str, Floats | Complex]
 ) -> Grid:
-    rows: list[Values] = [
+    rows = [
         (gear.name, order, "", speed, name, size)
         for name, values in by_name.items()
         for speed, size in zip(gear.speeds.tolist(), np.abs(values).tolist(), strict=True)

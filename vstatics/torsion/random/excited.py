@@ -108,7 +108,7 @@ class ExcitedGear:
         """
         mass, stiffness, resistance, hysteresis = self._by_basis
         resisted = omega * resistance + np.sign(omega) * hysteresis
-        dynamic: Complex = stiffness - omega**2 * mass + 1j * resisted
+        dynamic = stiffness - omega**2 * mass + 1j * resisted
         right = -dynamic[:-1, -1]
         if not self.by_motion:
             right = right + self._basis[self.at, :-1]
@@ -133,11 +133,8 @@ class ExcitedGear:
         """First-order system, where loss factors act as equivalent viscous damping of each mode."""
         split = coordinates(self.system)
         mass, stiffness, _, _ = self.links
-        viscous = [
-            device._replace(damping=device.damping._replace(loss_factor=0.0))
-            for device in self.system.devices
-        ]
-        rows = resisting_rows(self.system._replace(devices=tuple(viscous)))
+        viscous, _ = self.system.dampings
+        rows = resisting_rows(self.system, viscous)
         slow, quiet = massless_parts(split, rows, weighted_twists(self.system))
         massive = np.hstack([self.natural.shapes, rigid_basis(self.system, split)])
         at_once = self.unit - massive @ (massive.T @ (mass @ self.unit))
@@ -146,11 +143,6 @@ class ExcitedGear:
         if quiet.shape[1]:
             right = quiet.T @ (force - stiffness @ at_once)
             at_once = at_once + quiet @ np.linalg.solve(quiet.T @ stiffness @ quiet, right)
-        return self._first_order(massive, slow, force, at_once)
-
-    def _first_order(
-        self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
-    ) -> FirstOrder:
         omegas, light = self.natural.omegas, slow.shape[1]
         modes, heavy = len(omegas), massive.shape[1]
         matrix, by_input, by_rate = self._rates(massive, slow, force, at_once)

@@ -163,7 +163,13 @@ def _gear_random(
     with np.errstate(all="ignore"):  # undefined values are reported as NaN
         variances = form_variances(excited, spectrum, np.vstack([system.twists, of_links]))
         devices = _devices(system.elastic, variances, case.fatigue)
-        links = _links(system.names, excited, variances, len(devices))
+        undetermined = coordinates(excited.free).undetermined[: excited.free.case_links]
+        parts = np.array(variances[:3])[:, len(devices) :]
+        parts[:, undetermined] = np.nan
+        links = {
+            name: RandomLink(*np.sqrt(part).tolist())
+            for name, part in zip(system.names, parts.T, strict=False)
+        }
         spectra = None if omegas is None else _spectrum(excited, spectrum, omegas)
     by_name = {converter.name: converter for converter in converters}
     widths = _half_widths(excited)
@@ -190,18 +196,6 @@ def _devices(
     return devices
 
 
-def _links(
-    names: Sequence[str], excited: ExcitedGear, variances: FormVariances, first: int
-) -> dict[str, RandomLink]:
-    undetermined = coordinates(excited.free).undetermined[: excited.free.case_links]
-    parts = np.array(variances[:3])[:, first:]
-    parts[:, undetermined] = np.nan
-    return {
-        name: RandomLink(*np.sqrt(part).tolist())
-        for name, part in zip(names, parts.T, strict=False)
-    }
-
-
 def _half_widths(excited: ExcitedGear) -> list[float]:
     system, split = excited.system, coordinates(excited.system)
     if not system.resists and not any(device.damping for device in system.elastic):
@@ -222,7 +216,7 @@ def _squares(excited: ExcitedGear, omega: float) -> Floats:
     """Return ``|H|^2`` of each twist at a frequency; NaN at the frequency of an undamped mode."""
     twists = excited.free.twists
     try:
-        squares: Floats = np.abs(excited.answers(twists, omega)) ** 2
+        squares = np.abs(excited.answers(twists, omega)) ** 2
     except np.linalg.LinAlgError:
         return np.full(len(twists), np.nan)
     return squares

@@ -85,8 +85,9 @@ class Correlation(NamedTuple):
     def problems(self) -> Iterator[Problem]:
         """Yield problems of numbers that are out of range."""
         if not 0 <= self.variance < math.inf:
-            message = f"read {self.variance:g}, expected a variance of 0 or more"
-            yield Problem("E528", message, ("variance",))
+            yield Problem(
+                "E528", f"read {self.variance:g}, expected a variance of 0 or more", ("variance",)
+            )
         if self.speed is not None and not 0 < self.speed < math.inf:
             yield Problem("E529", f"read {self.speed:g}, expected a speed above 0", ("speed",))
         for number, (share, a, b) in enumerate(self.correlation, 1):
@@ -97,12 +98,14 @@ class Correlation(NamedTuple):
             ):
                 if not is_valid:
                     read = (share, a, b)[place - 1]
-                    path = ("correlation", number, place)
-                    yield Problem("E530", f"read {read:g}, expected {expected}", path)
+                    yield Problem(
+                        "E530",
+                        f"read {read:g}, expected {expected}",
+                        ("correlation", number, place),
+                    )
         shares = sum(share for share, _, _ in self.correlation)
         if not abs(shares - 1) <= WHOLE:
-            message = f"the shares add up to {shares:g}, expected 1"
-            yield Problem("E531", message, ("correlation",))
+            yield Problem("E531", f"the shares add up to {shares:g}, expected 1", ("correlation",))
 
 
 class SpectrumPoints(NamedTuple):
@@ -120,7 +123,7 @@ class SpectrumPoints(NamedTuple):
     def at(self, omegas: Floats) -> Floats:
         """Return the spectrum at frequencies [rad/s]."""
         corners, values = np.transpose(self.points)
-        spectrum: Floats = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
+        spectrum = np.interp(np.abs(omegas), corners, values, left=0.0, right=0.0)
         return np.asarray(spectrum)
 
     @property
@@ -138,11 +141,13 @@ class SpectrumPoints(NamedTuple):
                 expected = (
                     "an omega of 0 or more" if previous < 0 else f"an omega above {previous:g}"
                 )
-                message = f"read {omega:g}, expected {expected}"
-                yield Problem("E533", message, ("points", number, 1))
+                yield Problem("E533", f"read {omega:g}, expected {expected}", ("points", number, 1))
             if not 0 <= value < math.inf:
-                message = f"read {value:g}, expected a spectrum of 0 or more at a point"
-                yield Problem("E534", message, ("points", number, 2))
+                yield Problem(
+                    "E534",
+                    f"read {value:g}, expected a spectrum of 0 or more at a point",
+                    ("points", number, 2),
+                )
             previous = omega
 
 

@@ -36,10 +36,6 @@ class Signal(NamedTuple):
     at_once: float = 0.0
     """Coefficient of the input."""
 
-    def plus(self, other: Signal) -> Signal:
-        """Return the sum of two signals."""
-        return Signal(self.row + other.row, self.at_once + other.at_once)
-
 
 class Driven(NamedTuple):
     """System ``x' = A x + b w`` under white noise w of the spectrum 1, split by damping."""
@@ -108,15 +104,15 @@ def driven(matrix: Floats, by_input: Floats) -> Driven:
         split[:count, count:] = linalg.solve_sylvester(damped, -undamped, -schur[:count, count:])
     basis = vectors @ split
     inputs = np.linalg.solve(basis, by_input)
-    settled: Floats = np.zeros((count, count))
+    settled = np.zeros((count, count))
     if count:
         noise = -2 * math.pi * np.outer(inputs[:count], inputs[:count])
         settled = np.asarray(linalg.solve_continuous_lyapunov(damped, noise), np.float64)
     moves = np.abs(inputs[count:]) > UNMOVED * np.linalg.norm(by_input)
-    moved: list[Floats] = [inputs[count:] * moves]
+    moved = [inputs[count:] * moves]
     for _ in range(size - count - 1):
         moved.append(undamped @ moved[-1])
-    columns: Floats = np.column_stack(moved)
+    columns = np.column_stack(moved)
     return Driven(matrix, by_input, settled, basis[:, :count], basis[:, count:], columns)
 
 
@@ -189,7 +185,7 @@ def _of_part(
         drifts = _drifts(system, form)
         rate = noisy.derivative(angle)
         if drifts and rate is not None:
-            rate = rate.plus(drift)
+            rate = Signal(rate.row + drift.row, rate.at_once + drift.at_once)
         is_unbounded = drifts and (bool(drift.at_once) or not _is_at_rest(noisy, drift))
         yield math.nan if is_unbounded else noisy.variance(angle)
         yield noisy.variance(rate)
@@ -248,8 +244,7 @@ def _integrated(
     def density(omega: float) -> Floats:
         squares = np.abs(gear.answers(forms, omega)) ** 2
         twice = 2 * float(spectrum.at(np.array(omega)))
-        densities: Floats = np.where(exists, twice * omega**orders * squares, 0.0)
-        return densities
+        return np.where(exists, twice * omega**orders * squares, 0.0)
 
     values = linalg.eigvals(gear.first_order.matrix)
     peaks = sorted({abs(s.imag) + k * abs(s.real) for s in values for k in (-3, 0, 3)})
@@ -264,7 +259,7 @@ def _integral(density: Callable[[float], Floats], low: float, high: float) -> Fl
     """Integrate all components with equal relative accuracy."""
     rough = _quadrature(density, low, high, ROUGH_ACCURACY)
     least = UNMOVED**2 * rough.max(axis=1, keepdims=True)
-    sizes: Floats = np.where(rough > least, rough, np.where(least > 0, least, 1.0))
+    sizes = np.where(rough > least, rough, np.where(least > 0, least, 1.0))
     return _quadrature(lambda omega: density(omega) / sizes, low, high, ACCURACY) * sizes
 
 

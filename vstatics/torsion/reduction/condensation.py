@@ -16,11 +16,11 @@ from vstatics.core.numerics.tolerances import TIE
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
 
-def tidied(scheme: TorsionScheme) -> TorsionScheme:
+def tidied(scheme: TorsionScheme, most: int = 2) -> TorsionScheme:
     """Return an equivalent scheme with the smallest number of springs.
 
     Springs in parallel or in series are combined, so that masses without inertia remain only where
-    three or more springs meet. The first coefficient of every twist is 1.
+    three or more springs meet (more than `most`). The first coefficient of every twist is 1.
 
     Examples
     --------
@@ -29,20 +29,6 @@ def tidied(scheme: TorsionScheme) -> TorsionScheme:
     >>> short.names, short.springs
     (('a', 'c'), (SchemeSpring(name='s+t', twist={0: 1.0, 1: -1.0}, compliance=2.25, damping=0.0),))
     """
-    return _condensed(scheme, most=2)
-
-
-def without_massless(scheme: TorsionScheme) -> TorsionScheme:
-    """Return an equivalent scheme in which all masses have inertia.
-
-    Springs that replace three or more springs at a mass can act on many masses each; the coupling
-    of their dampings is neglected.
-    """
-    return _condensed(scheme, most=len(scheme.springs))
-
-
-def _condensed(scheme: TorsionScheme, most: int) -> TorsionScheme:
-    """Remove masses without inertia on which at most `most` springs act."""
     light = [mass for mass, inertia in enumerate(scheme.inertias) if inertia == 0]
     springs = _parallel_combined(scheme.springs)
     while True:
@@ -63,10 +49,19 @@ def _condensed(scheme: TorsionScheme, most: int) -> TorsionScheme:
     )
 
 
+def without_massless(scheme: TorsionScheme) -> TorsionScheme:
+    """Return an equivalent scheme in which all masses have inertia.
+
+    Springs that replace three or more springs at a mass can act on many masses each; the coupling
+    of their dampings is neglected.
+    """
+    return tidied(scheme, len(scheme.springs))
+
+
 def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
     """Return equivalent springs that do not act on a mass without inertia."""
     remaining: list[SchemeSpring] = []
-    meeting: SchemeSpring | None = None
+    meeting = None
     for spring in springs:
         if mass not in spring.twist:
             remaining.append(spring)

@@ -79,8 +79,9 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
             return names.index(first), names.index(second)
     wrong = next((name for name in (parts or [(text, text)])[0] if name not in names), text)
     hint = "" if wrong in names else nearest(wrong, names)
-    message = f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
-    raise CaseError("E888", message)
+    raise CaseError(
+        "E888", f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
+    )
 
 
 def _merged(
@@ -89,7 +90,12 @@ def _merged(
     """Merge two masses at the place of the first, and describe the step."""
     stay, gone = min(pair), max(pair)
     names, inertias = list(scheme.names), list(scheme.inertias)
-    system = _system(scheme, pair)
+    first, second = (scheme.inertias[mass] for mass in pair)
+    shape = np.zeros(len(scheme.names))
+    shape[[*pair]] = second, -first
+    energy = float(shape @ stiffness_matrix(scheme) @ shape)
+    frequency = math.sqrt(max(energy, 0.0) / (first * second * (first + second)))
+    system = PartialSystem(pair, tuple(scheme.names[mass] for mass in pair), frequency)
     names[stay] = "+".join(system.names)
     inertias[stay] += inertias.pop(gone)
     del names[gone]
@@ -110,13 +116,3 @@ def _twist(twist: Mapping[int, float], stay: int, gone: int) -> Iterator[tuple[i
     for mass, part in twist.items():
         if mass not in (stay, gone):
             yield mass - (mass > gone), part
-
-
-def _system(scheme: TorsionScheme, pair: tuple[int, int]) -> PartialSystem:
-    """Return the system of two masses that oscillate in opposition, with all other masses held."""
-    first, second = (scheme.inertias[mass] for mass in pair)
-    shape = np.zeros(len(scheme.names))
-    shape[[*pair]] = second, -first
-    energy = float(shape @ stiffness_matrix(scheme) @ shape)
-    frequency = math.sqrt(max(energy, 0.0) / (first * second * (first + second)))
-    return PartialSystem(pair, tuple(scheme.names[mass] for mass in pair), frequency)

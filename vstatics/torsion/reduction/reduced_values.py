@@ -186,16 +186,8 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
         _reaction(system, link, to, at_rest) if link in at_rest else (1 / speed if speed else None)
         for link, speed in enumerate(speeds)
     ]
-    _pass_on(system, by_link, at_rest)
-    return Scales(speeds, by_link)
-
-
-def _pass_on(system: TorsionalSystem, by_link: list[float | None], at_rest: set[int]) -> None:
-    """Scale links behind a link that takes the reaction, such as a frame behind a casing.
-
-    In the scaled twist of a device between two links at rest, both coefficients are then equal in
-    magnitude.
-    """
+    # Links behind a link that takes the reaction, such as a frame behind a casing, are scaled so
+    # that both coefficients of the twist of a device between them are equal in magnitude.
     between = [
         device.twist
         for device in system.devices
@@ -207,6 +199,7 @@ def _pass_on(system: TorsionalSystem, by_link: list[float | None], at_rest: set[
                 scale = by_link[near]
                 if scale and not by_link[far]:
                     by_link[far] = scale * factor
+    return Scales(speeds, by_link)
 
 
 def _multiple(row: Floats, reference: Floats) -> float | None:

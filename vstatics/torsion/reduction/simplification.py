@@ -157,23 +157,19 @@ def _by_masses(
         if step < len(remove):
             system = next(s for s in systems if s.names == (remove[step],))
         else:
-            system = _highest(_removable(scheme, systems))
+            inner = [system for system in systems if acted_on_by_several(scheme, system.masses[0])]
+            if not inner:
+                raise CaseError(
+                    "E508",
+                    "no link is left that a rule removes: one device alone acts on each of "
+                    f"{listed([system.names[0] for system in systems])}; name those to remove",
+                )
+            system = _highest(inner)
         [mass] = system.masses
         if not system.frequency:
             raise CaseError("E507", f"`{system.names[0]}` can't be removed: no device acts on it")
         scheme = without_branch_mass(scheme, mass, rule)
         yield system, scheme
-
-
-def _removable(scheme: TorsionScheme, systems: Sequence[PartialSystem]) -> list[PartialSystem]:
-    inner = [system for system in systems if acted_on_by_several(scheme, system.masses[0])]
-    if not inner:
-        raise CaseError(
-            "E508",
-            "no link is left that a rule removes: one device alone acts on each of "
-            f"{listed([system.names[0] for system in systems])}; name those to remove",
-        )
-    return inner
 
 
 def _highest(systems: Sequence[PartialSystem]) -> PartialSystem:

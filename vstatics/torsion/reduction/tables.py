@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from vstatics.core.tables.grid import Grid, Values, exact, grid_of
-from vstatics.torsion.reduction.reduced_values import Amounts, GearReduction
+from vstatics.torsion.reduction.reduced_values import GearReduction
 from vstatics.torsion.reduction.simplification import Simplification
 
 
@@ -27,7 +27,16 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
         ),
         (f"Ratios w_{to}/w_link", "link", [gear.ratios for gear in gears]),
     ):
-        yield _by_gear(title, heading, gears, by_gear)
+        names = dict.fromkeys(name for amounts in by_gear for name in amounts)
+        rows: list[Values] = [
+            (name, *(exact(amounts.get(name), 4) for amounts in by_gear)) for name in names
+        ]
+        yield grid_of(
+            title,
+            (heading, *(gear.name for gear in gears)),
+            rows,
+            key=title.split(maxsplit=1)[0].lower(),
+        )
     notes = [
         (gear.name, first, f"rigidly joined: {', '.join(others)}")
         for gear in gears
@@ -37,17 +46,6 @@ def reduction_grids(to: str, gears: Sequence[GearReduction]) -> Iterator[Grid]:
     notes += [(gear.name, "", gear.error) for gear in gears if gear.error]
     if notes:
         yield grid_of("Notes", ["gear", "link", "note"], notes, key="notes")
-
-
-def _by_gear(
-    title: str, heading: str, gears: Sequence[GearReduction], by_gear: Sequence[Amounts]
-) -> Grid:
-    names = dict.fromkeys(name for amounts in by_gear for name in amounts)
-    rows: list[Values] = [
-        (name, *(exact(amounts.get(name), 4) for amounts in by_gear)) for name in names
-    ]
-    headings = heading, *(gear.name for gear in gears)
-    return grid_of(title, headings, rows, key=title.split(maxsplit=1)[0].lower())
 
 
 def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
@@ -78,8 +76,7 @@ def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
         (spring.name, _form(spring.twist, scheme.names), exact(spring.compliance, 6))
         for spring in scheme.springs
     )
-    headings = ["spring", "twist", "compliance [rad/(N*m)]"]
-    yield grid_of("Springs", headings, springs, key="springs")
+    yield grid_of("Springs", ["spring", "twist", "compliance [rad/(N*m)]"], springs, key="springs")
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:

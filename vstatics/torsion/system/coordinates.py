@@ -49,8 +49,7 @@ class Coordinates(NamedTuple):
 
         part, *_ = linalg.lstsq(self.free, self.massless)
         _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
-        chosen: Floats = self.free[:, np.sort(order[count:])]
-        return chosen
+        return self.free[:, np.sort(order[count:])]
 
 
 def coordinates(system: TorsionalSystem) -> Coordinates:
@@ -73,22 +72,18 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = [{link: 1.0} for link in _links_that_block(loose)]
+    held: list[Form] = []  # links that block the undetermined motions
+    if loose.shape[1]:
+        from scipy import linalg
+
+        _, _, order = linalg.qr(loose.T, mode="economic", pivoting=True)
+        held = [{int(link): 1.0} for link in order[: loose.shape[1]]]
     return Coordinates(
         free=system.free(*held),
         massless=system.free(*held, *bodies),
         rigid=system.free(*held, *elastic),
         undetermined=np.any(loose != 0, axis=1),
     )
-
-
-def _links_that_block(motions: Floats) -> list[int]:
-    if not motions.shape[1]:
-        return []
-    from scipy import linalg
-
-    _, _, order = linalg.qr(motions.T, mode="economic", pivoting=True)
-    return [int(link) for link in order[: motions.shape[1]]]
 
 
 Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])

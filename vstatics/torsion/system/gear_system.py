@@ -111,6 +111,13 @@ class TorsionalSystem(NamedTuple):
         """Inertias of the bodies, shape (bodies,) [kg*m^2]."""
         return np.array([body.inertia for body in self.bodies], float)
 
+    @property
+    def dampings(self) -> tuple[Floats, Floats]:
+        """Viscous [N*m*s/rad] and hysteretic [N*m/rad] dampings of the elastic devices."""
+        dampings = [device.damping for device in self.elastic]
+        lost = self.rates * np.array([damping.loss_factor for damping in dampings])
+        return np.array([damping.viscous for damping in dampings]), lost
+
     def rows(self, forms: Sequence[Form]) -> Floats:
         """Return forms of the angles of links as rows, shape (forms, links)."""
         return values_of(forms, len(self.names))
@@ -127,8 +134,7 @@ class TorsionalSystem(NamedTuple):
 
         The share of converters is not symmetric.
         """
-        resistance: Floats = self.damper_rows.T @ self.damper_rows + self.converter_resistance
-        return resistance
+        return self.damper_rows.T @ self.damper_rows + self.converter_resistance
 
     @property
     def converter_resistance(self) -> Floats:
@@ -163,11 +169,8 @@ class TorsionalSystem(NamedTuple):
             Speeds of the bodies in the motions.
         motions : ndarray, shape (links, n)
         """
-        dampings = [device.damping for device in self.elastic]
-        viscous = np.array([damping.viscous for damping in dampings])
-        lost = self.rates * np.array([damping.loss_factor for damping in dampings])
         stiffness, resistance, hysteresis = (
-            twists.T @ (by_device[:, None] * twists) for by_device in (self.rates, viscous, lost)
+            twists.T @ (by_device[:, None] * twists) for by_device in (self.rates, *self.dampings)
         )
         resistance = resistance + motions.T @ self.slip_resistance @ motions
         return speeds.T @ (self.inertias[:, None] * speeds), stiffness, resistance, hysteresis

@@ -57,11 +57,12 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
     for number, spring in with_points:
         torque = torques[number - 1]
         if math.isnan(torque):
-            message = (
+            raise CaseError(
+                "E521",
                 f"what {spring.name} carries in gear {gear.name} is not determined, so its slope "
-                "is not known: leave out the load, or give a `stiffness`"
+                "is not known: leave out the load, or give a `stiffness`",
+                ("springs", number, "points"),
             )
-            raise CaseError("E521", message, ("springs", number, "points"))
         yield SpringSlope(number, spring.name, torque, spring.curve.slope_at(torque))
 
 

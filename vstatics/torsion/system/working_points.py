@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Path, listed, plural, spoken
+from vstatics.core.errors import CaseError, listed, plural, spoken
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_mechanisms, with_open_converters
 from vstatics.core.model.parts import RAD_PER_RPM
@@ -111,7 +112,7 @@ class _WorkingPoints:
         self.case = case
         self.opened = opened
         self.gear = opened.gears[gear]
-        self.path: Path = ("gears", gear + 1)
+        self.path = ("gears", gear + 1)
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
         self.closed = [c for c in opened.converters if c.name not in self.joined]
@@ -180,12 +181,20 @@ class _WorkingPoints:
     def _pump_speed(self, converter: Converter, results: Results) -> float:
         relative = float(results.speeds[0, converter.pump - 1])
         if self.load.speed is None:
-            message = f"the speed of the pump of {converter.name} is not known: give `speed` in "
-            raise CaseError("E523", f"{message}the `load`", self.path)
+            raise CaseError(
+                "E523",
+                f"the speed of the pump of {converter.name} is not known: give `speed` in "
+                "the `load`",
+                self.path,
+            )
         speed = relative * self.load.speed * RAD_PER_RPM
         if math.isnan(speed):
-            message = f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
-            raise CaseError("E524", f"{message}`vstatics run` tells of it", self.path)
+            raise CaseError(
+                "E524",
+                f"the pump of {converter.name} has no speed in gear {self.gear.name}, as "
+                "`vstatics run` tells of it",
+                self.path,
+            )
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
@@ -200,9 +209,7 @@ class _WorkingPoints:
             if excess[above] * excess[below] <= 0:
                 from scipy.optimize import brentq  # not imported for most gears
 
-                def excess_at(ratio: float) -> float:
-                    return self._excess(converter, ratios, ratio)
-
+                excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
         why = "at no speed ratio up to 1 it takes the torque of the load at the speed of the load"
         raise self._unknown([converter], why)
@@ -264,9 +271,10 @@ class _WorkingPoints:
 
     def _unknown(self, converters: list[Converter], why: str) -> CaseError:
         names = spoken([converter.name for converter in converters])
-        message = (
+        return CaseError(
+            "E525",
             f"the {plural('speed ratio', len(converters))} of {names} in gear {self.gear.name} "
             f"{'is' if len(converters) == 1 else 'are'} not known: give `speed_ratios` in the "
-            f"gear, or --speed-ratio; {why}"
+            f"gear, or --speed-ratio; {why}",
+            self.path,
         )
-        return CaseError("E525", message, self.path)

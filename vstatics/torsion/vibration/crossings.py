@@ -62,7 +62,10 @@ def separate_motions(
     natural = natural_modes(system, split)
     rigid = split.rigid.shape[1]
     basis = np.hstack([split.rigid, natural.shapes])
-    joined = _coupled_groups(_couplings(system, basis, natural.omegas, devices, bodies))
+    joined: list[_Coupling] = []
+    for coupling in _couplings(system, basis, natural.omegas, devices, bodies):
+        common = [group for group in joined if group.motions & coupling.motions]
+        joined = [*(group for group in joined if group not in common), _united([coupling, *common])]
     if split.massless.shape[1] and len(joined) > 1:  # massless motions can couple any of the groups
         joined = [_united(joined)]
     coupled = [motion for group in joined for motion in group.motions]
@@ -110,15 +113,6 @@ def _couplings(
         *(_Coupling(frozenset([place]), nothing, motions(twists[place])) for place in devices),
         *(_Coupling(nothing, frozenset([place]), motions(moved[place])) for place in bodies),
     ]
-
-
-def _coupled_groups(couplings: Sequence[_Coupling]) -> list[_Coupling]:
-    """Unite couplings that have a motion in common."""
-    joined: list[_Coupling] = []
-    for coupling in couplings:
-        common = [group for group in joined if group.motions & coupling.motions]
-        joined = [*(group for group in joined if group not in common), _united([coupling, *common])]
-    return joined
 
 
 def _united(couplings: Sequence[_Coupling]) -> _Coupling:

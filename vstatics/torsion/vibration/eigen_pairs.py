@@ -80,12 +80,9 @@ class Pencil(NamedTuple):
 
 def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> Pencil:
     """Build the matrices of a system in coordinates of the natural modes."""
-    dampings = [device.damping for device in system.elastic]
-    viscous = np.array([damping.viscous for damping in dampings])
-    lost = np.array([damping.loss_factor for damping in dampings]) * system.rates
+    viscous, lost = system.dampings
     stiff = weighted_twists(system)
-    slipping = system.slip_resistance
-    damped = resisting_rows(system)
+    damped = resisting_rows(system, viscous + lost)
     rigid = rigid_basis(system, split) if system.resists else split.rigid[:, :0]
     basis = np.hstack([modes.shapes, rigid, massless_parts(split, damped, stiff)[0]])
     twists, count = system.twists @ basis, len(modes.omegas)
@@ -94,7 +91,7 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     massive = count + rigid.shape[1]
     stiffness[count:massive] = stiffness[:, count:massive] = 0.0
     resisted, hysteresis = (twists.T @ (sizes[:, None] * twists) for sizes in (viscous, lost))
-    resisted += basis.T @ slipping @ basis
+    resisted += basis.T @ system.slip_resistance @ basis
     return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not system.converters)
 
 
@@ -103,25 +100,18 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     if not split.rigid.size:
         return split.rigid
     _, triangle = linalg.qr(weighted_bodies(system) @ split.rigid, mode="economic")
-    basis: Floats = linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
-    return basis
+    return linalg.solve_triangular(triangle, split.rigid.T, trans="T").T
 
 
-def resisting_rows(system: TorsionalSystem) -> Floats:
+def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
     """Return the resisted motions of links, weighted by the roots of resistances.
 
-    Resistances are those of dampers and converters.
+    Dampers and converters resist in addition to the elastic devices with the given resistances.
     """
-    dampings = [device.damping for device in system.elastic]
-    lost = system.rates * np.array([damping.loss_factor for damping in dampings])
-    resistances = np.array([damping.viscous for damping in dampings]) + lost
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
     slips = np.diag(np.sqrt(links))[links > 0]
-    rows: Floats = np.vstack(
-        [np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips]
-    )
-    return rows
+    return np.vstack([np.sqrt(resistances)[:, None] * system.twists, system.damper_rows, slips])
 
 
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
@@ -133,16 +123,14 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
-    rates = damped @ split.massless
-    _, sizes, directions = linalg.svd(rates, full_matrices=True)
+    _, sizes, directions = linalg.svd(damped @ split.massless, full_matrices=True)
     rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
     damped_motions = split.massless @ directions[:rank].T
     undamped_motions = split.massless @ directions[rank:].T
     if not (undamped_motions.shape[1] and damped_motions.shape[1]):
         return damped_motions, undamped_motions
     following, *_ = linalg.lstsq(stiff @ undamped_motions, stiff @ damped_motions)
-    slow: Floats = damped_motions - undamped_motions @ following
-    return slow, undamped_motions
+    return damped_motions - undamped_motions @ following, undamped_motions
 
 
 class EigenPairs(NamedTuple):
@@ -205,7 +193,12 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     state = _state(pencil, _require_finite(pencil.stiffness), _require_finite(resistance))
     values, vectors = linalg.eig(_require_finite(state))
     values = settled(values) if pencil.symmetric else _real_if_close(values)
-    places = np.argsort(np.abs(values), kind="stable")[_count_unresisted(pencil, resistance) :]
+    unresisted = 0
+    if pencil.rigid:
+        rigid = slice(pencil.modes, pencil.massive)
+        sizes = linalg.svdvals(resistance[rigid, rigid])
+        unresisted = int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
+    places = np.argsort(np.abs(values), kind="stable")[unresisted:]
     places = np.sort(places[values[places].imag >= 0])
     values, vectors = values[places], vectors[:, places].astype(np.complex128)
     first, last = pencil.modes, len(vectors) - pencil.massive
@@ -215,21 +208,14 @@ def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     return EigenPairs(values[order], shapes / pencil.lengths(shapes, values[order]))
 
 
-def _count_unresisted(pencil: Pencil, resistance: Floats) -> int:
-    if not pencil.rigid:
-        return 0
-    rigid = slice(pencil.modes, pencil.massive)
-    sizes = linalg.svdvals(resistance[rigid, rigid])
-    return int(np.sum(sizes <= REAL_EIGENVALUE * sizes.max()))
-
-
 def _require_finite(matrix: Floats) -> Floats:
     if not np.isfinite(matrix).all():
-        message = (
+        raise CaseError(
+            "E520",
             "inertias, stiffnesses and dampings differ by so many powers of ten that the damped "
-            "vibration can't be calculated: expected numbers nearer to each other"
+            "vibration can't be calculated: expected numbers nearer to each other",
+            ("inertias",),
         )
-        raise CaseError("E520", message, ("inertias",))
     return matrix
 
 
@@ -266,11 +252,12 @@ def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
     scale = 1 / np.sqrt(sizes)[:, None]
     scaled = resistance * scale * scale.T
     if not symmetric and np.linalg.cond(scaled) * REAL_EIGENVALUE > 1:
-        message = (
+        raise CaseError(
+            "E526",
             "a pump or turbine has no inertia, and the torque of its converter does not depend on "
-            "its speed: give its link an inertia"
+            "its speed: give its link an inertia",
+            ("inertias",),
         )
-        raise CaseError("E526", message, ("inertias",))
     rates: Floats = scale * linalg.solve(
         scaled, scale * right, assume_a="pos" if symmetric else "gen"
     )

@@ -205,8 +205,11 @@ def modes(
     """
     asked = asked_gears(case, gears)
     if not any(body.inertia for body in torsional_system(case, case.gears[0]).bodies):
-        message = "nothing has an inertia, so nothing vibrates; expected `inertias` of links"
-        raise CaseError("E514", message, ("inertias",))
+        raise CaseError(
+            "E514",
+            "nothing has an inertia, so nothing vibrates; expected `inertias` of links",
+            ("inertias",),
+        )
     case = case.with_coast(coast)
     if count is None and case.own_links > SOME_LINKS:
         count = SOME_MODES

@@ -200,8 +200,9 @@ def _devices_and_mode(
     if of_gear.error:
         raise CaseError("E515", of_gear.error, ("gears", number_of_gear))
     if not of_gear.modes:
-        message = "nothing elastic joins inertias, so there is no mode"
-        raise CaseError("E516", message, ("gears", number_of_gear))
+        raise CaseError(
+            "E516", "nothing elastic joins inertias, so there is no mode", ("gears", number_of_gear)
+        )
     if number > len(of_gear.modes):
         raise ValueError(f"no mode {number} in gear {of_gear.name}; it has {len(of_gear.modes)}")
     system = vibrating(case, case.gears[number_of_gear - 1])

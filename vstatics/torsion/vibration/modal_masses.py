@@ -81,7 +81,7 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
     """
     heavy, twists = split.heavy, system.twists
     every = np.hstack([heavy, split.massless])
-    by_every: Floats = np.asarray(np.linalg.lstsq(every, split.rigid, rcond=None)[0])
+    by_every = np.asarray(np.linalg.lstsq(every, split.rigid, rcond=None)[0])
     parts = Split(
         system.speeds @ heavy,
         twists @ heavy,
@@ -97,7 +97,7 @@ def of_split(split: Split, inertias: Floats) -> NormedTwists:
     Leading axes belong to the forms or to the inertias.
     """
     triangle = _triangle(np.sqrt(inertias)[..., None] * split.bodies)
-    coefficients: Floats = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
+    coefficients = np.broadcast_to(np.eye(triangle.shape[-1]), triangle.shape)
     if rigid := split.rigid.shape[-1]:
         turned, _ = np.linalg.qr(triangle @ split.rigid, mode="complete")
         coefficients = turned[..., rigid:]
@@ -142,7 +142,7 @@ def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
     ndarray, shape (variants, rows, massless motions + modes)
     """
     roots = np.sqrt(stiffnesses)[..., None]
-    heavy: Floats = roots * twists.heavy
+    heavy = roots * twists.heavy
     if not twists.massless.shape[-1]:
         return heavy
     massless = np.broadcast_to(
@@ -150,10 +150,9 @@ def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
     )
     both = np.concatenate([massless, heavy], axis=-1)
     order = np.argsort(-np.abs(both).max(axis=-1), axis=-1)
-    ordered: Floats = np.take_along_axis(both, order[..., None], axis=-2)
+    ordered = np.take_along_axis(both, order[..., None], axis=-2)
     return _triangle(ordered)
 
 
 def _triangle(matrices: Floats) -> Floats:
-    triangle: Floats = np.asarray(np.linalg.qr(matrices, mode="r"))  # one array, not two
-    return triangle
+    return np.asarray(np.linalg.qr(matrices, mode="r"))  # one array, not two

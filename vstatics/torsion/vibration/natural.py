@@ -58,8 +58,7 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
     count = basis.shape[1]
     every = np.zeros(count)
     every[: len(omegas)] = omegas[:count]
-    shapes = basis @ vectors.T
-    return NaturalModes(every[::-1], shapes[:, ::-1])
+    return NaturalModes(every[::-1], (basis @ vectors.T)[:, ::-1])
 
 
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
@@ -95,8 +94,7 @@ def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
     solution, *_ = linalg.lstsq(
         (twists @ split.massless)[order], (twists @ split.heavy)[order], lapack_driver="gelsy"
     )
-    following: Floats = solution
-    return following
+    return solution
 
 
 def weighted_twists(system: TorsionalSystem) -> Floats:

@@ -19,7 +19,7 @@ from vstatics.torsion.system.coordinates import Coordinates, coordinates
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import LOST_PIVOT, NO_ROW, RESIDUE
 from vstatics.torsion.vibration.modal_masses import Split, natural_frequencies, of_split
-from vstatics.torsion.vibration.variants import NUMBERS, Varied, varied_numbers
+from vstatics.torsion.vibration.variants import NUMBERS, Varied, first_variant, varied_numbers
 
 
 class VariedSystem(NamedTuple):
@@ -68,11 +68,7 @@ def frequencies_of_ratios(
     (array([[22.36067977],
            [31.6227766 ]]), array([ True,  True]))
     """
-    system = varied.system
-    bodies = list(system.bodies)
-    for place, numbers in varied.inertias.items():
-        bodies[place] = bodies[place]._replace(inertia=float(numbers[0]))
-    system = system._replace(bodies=tuple(bodies))
+    system = first_variant({}, varied.inertias).of(varied.system)
     split = coordinates(system)
     frequencies = np.full((variants, len(modes)), np.nan)
     safe = np.zeros(variants, np.bool_)
@@ -107,8 +103,11 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     massless = twists @ still.motions
     moving, others = still.others, together.motions[:, still.free]
     by_heavy = together.motions[:, moving] - still.motions[:, moving] @ others
-    safe = free.safe & still.safe & together.safe & _resisted(massless)
-    safe &= (heavy == heavy[0]).all(axis=1)
+    safe = free.safe & still.safe & together.safe & (heavy == heavy[0]).all(axis=1)
+    if massless.shape[2]:  # devices resist all massless motions, as in the first variant
+        sizes = np.linalg.svd(massless, compute_uv=False)
+        shares = sizes[:, -1] / sizes[:, 0]
+        safe &= shares > LOST_PIVOT * shares[0]
 
     parts = Split(bodies[:, :, moving], twists[:, :, moving], massless, by_heavy)
     omegas = np.full((len(variants), split.modes), np.nan)
@@ -116,16 +115,6 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
         normed = of_split(Split(*(part[safe] for part in parts)), inertias[safe])
         omegas[safe] = natural_frequencies(normed, stiffnesses[safe])
     return omegas, safe
-
-
-def _resisted(massless: Floats) -> Booleans:
-    """Return whether devices resist all massless motions, as in the first variant."""
-    if not massless.shape[2]:
-        return np.ones(len(massless), np.bool_)
-    sizes = np.linalg.svd(massless, compute_uv=False)
-    shares = sizes[:, -1] / sizes[:, 0]
-    resisted: Booleans = shares > LOST_PIVOT * shares[0]
-    return resisted
 
 
 class FollowedMotions(NamedTuple):

@@ -46,22 +46,14 @@ class Pencils(NamedTuple):
         """Return the matrices of some of the systems."""
         return self._replace(resistances=self.resistances[systems])
 
-    def damped(self, shapes: Complex) -> Complex:
-        """Return ``D x`` for a shape x of each system."""
-        return _products(self.resistances, shapes)
-
-    def twisted(self, shapes: Complex) -> Complex:
-        """Return ``K x`` for a shape x of each system."""
-        return _products(self.stiffness, shapes)
-
     def roots(self, shapes: Complex) -> tuple[Complex, Complex]:
         """Return both roots s of ``x^T T(s) x = 0`` for a shape x of each system.
 
         The root with the smaller modulus is the first.
         """
         mass = (self.masses * shapes**2).sum(axis=1)
-        square = (self.twisted(shapes) * shapes).sum(axis=1) / mass
-        half = (self.damped(shapes) * shapes).sum(axis=1) / (2 * mass)
+        square = (_products(self.stiffness, shapes) * shapes).sum(axis=1) / mass
+        half = (_products(self.resistances, shapes) * shapes).sum(axis=1) / (2 * mass)
         root = np.sqrt(half**2 - square)
         larger = -half - np.where((half.conjugate() * root).real < 0, -root, root)
         return square / larger, larger
@@ -125,7 +117,7 @@ def _products(matrices: Floats, shapes: Complex) -> Complex:
 def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
     """Return the eigenvalues and the shapes of length 1 after a Newton step."""
     s, size, every = values[:, None], shapes.shape[1], np.arange(shapes.shape[1])
-    massive, resisted = pencils.masses * shapes, pencils.damped(shapes)
+    massive, resisted = pencils.masses * shapes, _products(pencils.resistances, shapes)
     bordered = np.zeros((len(values), size + 1, size + 1), np.complex128)
     of_shapes = bordered[:, :size, :size]
     np.multiply(pencils.resistances, s[:, :, None], out=of_shapes)
@@ -134,7 +126,7 @@ def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, 
     bordered[:, :size, size] = 2 * s * massive + resisted
     bordered[:, size, :size] = shapes.conjugate()
     right = np.zeros((len(values), size + 1, 1), np.complex128)
-    right[:, :size, 0] = -(s**2 * massive + s * resisted + pencils.twisted(shapes))
+    right[:, :size, 0] = -(s**2 * massive + s * resisted + _products(pencils.stiffness, shapes))
     try:
         steps = np.linalg.solve(bordered, right)[:, :, 0]
     except np.linalg.LinAlgError:  # a matrix of the stack is singular

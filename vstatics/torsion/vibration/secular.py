@@ -79,8 +79,7 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
             distances = _between(below, above, compliances, pole)
         else:
             distances = _beyond(below, compliances, pole)
-    squares: Floats = pole + distances
-    return squares
+    return pole + distances
 
 
 _Terms = tuple[Floats, Floats]
@@ -113,9 +112,10 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
     """
     gap = float(above[0][0])
     middle = np.array([gap / 2])
-    of_other_poles = _value(below[0][:-1], below[1][:-1], middle)
-    of_other_poles = of_other_poles - _value(above[0][1:], above[1][1:], -middle)
-    x = _of_two_poles(of_other_poles - compliances, below[1][-1], above[1][0], gap)
+    of_lower_poles, _ = _sums((below[0][:-1], below[1][:-1]), middle)
+    of_higher_poles, _ = _sums((above[0][1:], above[1][1:]), -middle)
+    level = of_lower_poles - of_higher_poles - compliances
+    x = _of_two_poles(level, below[1][-1], above[1][0], gap)
     low, high = np.full_like(x, gap * AT_POLE), np.full_like(x, gap)
     x = np.clip(x, gap * AT_POLE, gap * (1 - AT_NEXT_POLE))
     for _ in range(MOST_ITERATIONS):
@@ -146,10 +146,6 @@ def _sums(terms: _Terms, x: Floats) -> tuple[Floats, Floats]:
     return value, slope
 
 
-def _value(distances: Floats, weights: Floats, x: Floats) -> Floats:
-    return _sums((distances, weights), x)[0]
-
-
 def _of_two_poles(
     level: Floats, first: Floats | float, second: Floats | float, gap: float
 ) -> Floats:
@@ -157,5 +153,5 @@ def _of_two_poles(
     of_gap = level * gap
     b = of_gap - first - second
     root = np.sqrt((of_gap + first - second) ** 2 + 4 * first * second)
-    small: Floats = 2 * first * gap / (root - b)
+    small = 2 * first * gap / (root - b)
     return np.where(b < 0, small, (b + root) / (2 * level))

@@ -31,7 +31,14 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     ['Gear 1: amplitudes of links', ..., 'Gear 1: shares of elastic energy']
     """
     yield from overview_grids(gears)
-    yield from _damped(gears)
+    eigenvalues = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
+    if eigenvalues:
+        yield grid_of(
+            "Eigenvalues of damped vibration",
+            ("gear", "real [1/s]", "imaginary [rad/s]"),
+            eigenvalues,
+            key="damped",
+        )
     for gear in gears:
         if gear.modes:
             yield _by_mode(gear, "link", "amplitudes of links", lambda mode: mode.shape, _part)
@@ -43,51 +50,34 @@ def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
 
 def overview_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
     """Yield tables of the frequencies of all gears, and of the largest energy shares."""
-    yield _rigid(gears)
-    if any(gear.modes for gear in gears):
-        yield _frequencies(gears)
-        yield _most(gears)
-
-
-def _damped(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """Yield a table of the eigenvalues of damped gears."""
-    rows = [(gear.name, s.real, s.imag) for gear in gears for s in gear.damped]
-    if rows:
-        headings = "gear", "real [1/s]", "imaginary [rad/s]"
-        yield grid_of("Eigenvalues of damped vibration", headings, rows, key="damped")
-
-
-def _rigid(gears: Sequence[GearModes]) -> Grid:
-    """Build a table of the numbers of rigid modes, or of reasons why a gear has no modes."""
-    rows = (
+    rigid = (
         (gear.name, whole(math.nan if gear.error else gear.rigid_modes), gear.error)
         for gear in gears
     )
-    headings = "gear", "rigid modes", "note"
-    return grid_of("Rigid modes", headings, rows, key="rigid", optional=["note"])
+    yield grid_of(
+        "Rigid modes", ("gear", "rigid modes", "note"), rigid, key="rigid", optional=["note"]
+    )
+    if any(gear.modes for gear in gears):
+        frequencies = []
+        for gear in gears:
+            for number, mode in enumerate(gear.modes, 1):
+                numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
+                frequencies.append((gear.name, number, *numbers, mode.nodes))
+        yield grid_of("Natural frequencies", ["gear", *_HEADINGS], frequencies, key="frequencies")
+        energies = (
+            (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
+            for gear in gears
+            for number, mode in enumerate(gear.modes, 1)
+        )
+        yield grid_of(
+            "Where most of the energy is",
+            ("gear", "mode", "device", "share", "link", "share"),
+            energies,
+            key="energy",
+        )
 
 
 _HEADINGS = ("mode", "omega [rad/s]", "frequency [Hz]", "damping [-]", "damped [Hz]", "nodes")
-
-
-def _frequencies(gears: Sequence[GearModes]) -> Grid:
-    rows = []
-    for gear in gears:
-        for number, mode in enumerate(gear.modes, 1):
-            numbers = mode.omega, mode.frequency, mode.damping_ratio, mode.damped_frequency
-            rows.append((gear.name, number, *numbers, mode.nodes))
-    return grid_of("Natural frequencies", ["gear", *_HEADINGS], rows, key="frequencies")
-
-
-def _most(gears: Sequence[GearModes]) -> Grid:
-    """Build a table of the device and the link with the largest energy shares in each mode."""
-    rows = (
-        (gear.name, number, *_largest(mode.elastic), *_largest(mode.kinetic))
-        for gear in gears
-        for number, mode in enumerate(gear.modes, 1)
-    )
-    headings = "gear", "mode", "device", "share", "link", "share"
-    return grid_of("Where most of the energy is", headings, rows, key="energy")
 
 
 def _largest(shares: Mapping[str, float]) -> tuple[str, float | None]:
@@ -149,8 +139,12 @@ def decay_grid(vibration: Decay) -> Grid:
         vibration.amplitudes,
         strict=True,
     )
-    title = f"Recorded {vibration.omega:.5g} rad/s, decrement {vibration.decrement:.5g}"
-    return grid_of(title, headings, rows, key="record")
+    return grid_of(
+        f"Recorded {vibration.omega:.5g} rad/s, decrement {vibration.decrement:.5g}",
+        headings,
+        rows,
+        key="record",
+    )
 
 
 def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Grid]:
@@ -168,7 +162,11 @@ def damped_grids(decrements: Mapping[str, float], damped: Damped) -> Iterator[Gr
         for name, value in decrements.items()
     ]
     rows.append(("mode", damped.decrement, "", ""))
-    headings = ["device", "decrement", "share of elastic energy", _DAMPING]
-    yield grid_of(f"Dampings at {damped.omega:.5g} rad/s", headings, rows, key="dampings")
+    yield grid_of(
+        f"Dampings at {damped.omega:.5g} rad/s",
+        ["device", "decrement", "share of elastic energy", _DAMPING],
+        rows,
+        key="dampings",
+    )
     if damped.notes:
         yield grid_of("Messages", [""], ([note] for note in damped.notes), key="messages")

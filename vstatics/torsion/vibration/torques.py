@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -101,7 +101,7 @@ def with_rigid(
             unbalanced[link] -= part * elastic[device.name]
     by_device = dict(elastic)
     if system.rigid:
-        solved: Any = np.linalg.pinv(balance.columns) @ unbalanced
+        solved = np.linalg.pinv(balance.columns) @ unbalanced
         solved[~balance.determined] = np.nan
         by_device |= dict(zip((device.name for device in system.rigid), solved, strict=True))
     return {device.name: by_device[device.name] for device in system.devices}
@@ -137,7 +137,10 @@ def own_torques(
         if case.mechanisms[device.mechanisms[0]].kind == "converter":
             named[device.name] = by_device.get(device.name, nothing)
             continue
-        shares = _planet_inertias_of(system, device.name)
+        shares: dict[int, float] = {}
+        for owner, of_planet in system.planet_shares:
+            for link, share in of_planet.items() if owner == device.name else ():
+                shares[link] = shares.get(link, 0.0) + share
         for member in device.members:
             share = shares.pop(member.link - 1, 0.0) if member.link else 0.0
             parts = [
@@ -149,11 +152,3 @@ def own_torques(
             known = np.where(np.abs(total) <= NO_POWER * size, 0.0, total)
             named[f"{device.name}.{member.name}"] = known
     return named | springs
-
-
-def _planet_inertias_of(system: TorsionalSystem, name: str) -> dict[int, float]:
-    total: dict[int, float] = {}
-    for owner, shares in system.planet_shares:
-        for link, share in shares.items() if owner == name else ():
-            total[link] = total.get(link, 0.0) + share
-    return total

@@ -93,9 +93,14 @@ def variant_frequencies(  # noqa: PLR0913
     for rows in _alike(inertias, variants):
         of_bodies = {place: numbers[rows] for place, numbers in inertias.items()}
         of_devices = {place: numbers[rows] for place, numbers in stiffnesses.items()}
-        frequencies[rows] = _of_one_structure(
-            system, modes, of_devices, of_bodies, len(rows), first
-        )
+        stiff = _VariedNumbers(system.rates, of_devices)
+        heavy = _VariedNumbers(system.inertias, of_bodies)
+        alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
+        for part, modes_of_part in alike.parts(first, modes):
+            places = [index for index, mode in enumerate(modes) if mode in modes_of_part]
+            if places:
+                asked = [modes_of_part.index(modes[index]) for index in places]
+                frequencies[rows[:, None], places] = part.frequencies(asked, len(rows))
     return frequencies
 
 
@@ -143,29 +148,9 @@ def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
         yield every[kinds.reshape(-1) == kind]
 
 
-def _of_one_structure(  # noqa: PLR0913 PLR0917
-    system: TorsionalSystem,
-    modes: Sequence[int],
-    stiffnesses: Varied,
-    inertias: Varied,
-    variants: int,
-    first: FirstVariant,
-) -> Floats:
-    stiff = _VariedNumbers(system.rates, stiffnesses)
-    heavy = _VariedNumbers(system.inertias, inertias)
-    alike = _Alike(_with_numbers(system, stiff.first, heavy.first), stiff, heavy)
-    frequencies = np.full((variants, len(modes)), np.nan)
-    for part, modes_of_part in alike.parts(first, modes):
-        places = [index for index, mode in enumerate(modes) if mode in modes_of_part]
-        if places:
-            asked = [modes_of_part.index(modes[index]) for index in places]
-            frequencies[:, places] = part.frequencies(asked, variants)
-    return frequencies
-
-
 def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:
     """Return the numbers of some variants, shape (variants, ...)."""
-    numbers_of_variants: Floats = np.repeat(constants[None], len(variants), axis=0)
+    numbers_of_variants = np.repeat(constants[None], len(variants), axis=0)
     for place, numbers in varied.items():
         numbers_of_variants[:, place] = numbers[variants]
     return numbers_of_variants
@@ -251,8 +236,7 @@ class _Alike:
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
         system = _with_numbers(self.system, *numbers)
-        omegas: Floats = lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
-        return omegas
+        return lowest_modes(system, self.split, max(modes) + 1).omegas[modes]
 
     def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
         system, split, heavy = self.system, self.split, self.heavy

@@ -117,7 +117,19 @@ def frequencies(
             if isinstance(system, str):
                 (conflict if system.startswith(CONFLICT.english) else tied_up)[rows] = True
             else:
-                of_gear = _of_gear(case, system, targets, values[rows], modes, first)
+                alike = values[rows]
+                stiffnesses, inertias = _elastic_and_heavy(case, system, targets, alike)
+                start = _elastic_and_heavy(
+                    case, system, targets, alike[:1] if first is None else first
+                )
+                of_gear = variant_frequencies(
+                    system,
+                    modes,
+                    stiffnesses=stiffnesses,
+                    inertias=inertias,
+                    variants=len(alike),
+                    first=first_variant(*start),
+                )
                 omegas[rows[:, np.newaxis], gear, modes] = of_gear
     return VariedFrequencies(omegas, tied_up, conflict)
 
@@ -201,28 +213,7 @@ def _by_ratios(
             place = [device.name for device in system.devices].index(mechanism.name)
             twists[place] = rows
     others = _elastic_and_heavy(case, system, targets, values)
-    varied = VariedSystem(system, twists, *others)
-    return frequencies_of_ratios(varied, modes, len(values))
-
-
-def _of_gear(  # noqa: PLR0913 PLR0917
-    case: Transmission,
-    system: TorsionalSystem,
-    targets: Sequence[VariedQuantity],
-    values: Floats,
-    modes: Sequence[int],
-    first: Floats | None,
-) -> Floats:
-    stiffnesses, inertias = _elastic_and_heavy(case, system, targets, values)
-    start = _elastic_and_heavy(case, system, targets, values[:1] if first is None else first)
-    return variant_frequencies(
-        system,
-        modes,
-        stiffnesses=stiffnesses,
-        inertias=inertias,
-        variants=len(values),
-        first=first_variant(*start),
-    )
+    return frequencies_of_ratios(VariedSystem(system, twists, *others), modes, len(values))
 
 
 def _elastic_and_heavy(

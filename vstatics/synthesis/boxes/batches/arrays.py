@@ -8,7 +8,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, BoxSearch
-from vstatics.synthesis.boxes.search.engaged import combinations_table
+from vstatics.synthesis.boxes.search.engaged import combinations_table, integers
 from vstatics.synthesis.boxes.search.joining import set_room
 from vstatics.synthesis.boxes.search.kernel import Room
 from vstatics.synthesis.boxes.search.ranges import lines
@@ -48,13 +48,13 @@ def room_of(search: BoxSearch, most: int, thread: int) -> Room:  # noqa: ARG001
         sets=set_room(table, targets, most),
         cells=cell_room(table, asked, sets, single_shifts(search)),
         sequences=sequence_room(table, asked, wanted, sets),
-        lengths=np.zeros(most, np.int64),
-        gears=np.zeros((most, targets + wanted.most), np.int64),
+        lengths=integers(most),
+        gears=integers(most, targets + wanted.most),
         logs=np.zeros((most, sets)),
         errors=np.zeros(most),
         lines=lines(sets),
         ratios=np.zeros((speeds, 2, 2**sets)),
         within=np.zeros(speeds),
-        kinds=np.zeros(speeds, np.int64),
+        kinds=integers(speeds),
         parts=np.zeros((len(table.places), 2, 2**sets)),
     )

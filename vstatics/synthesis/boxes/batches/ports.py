@@ -7,7 +7,6 @@ from threading import get_ident
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Integers
 from vstatics.synthesis.boxes.batches.arrays import asked_arrays, room_of, single_shifts
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import set_ratios
@@ -42,7 +41,14 @@ class PortSearch:
         every = range(search.elements + 1)
         self.brakes = sum(1 << number for number in (every if counts is None else counts))
         self.shifts = single_shifts(search)
-        self.shafts = _at_shafts(search, self.table)
+        shafts = range(search.moving - search.shafts, search.moving)
+        masks = [
+            sum(
+                1 << number for number, ends in enumerate(self.table.ends.tolist()) if shaft in ends
+            )
+            for shaft in shafts
+        ]
+        self.shafts = np.array(masks, np.int64)
         self.kept = _kept(search, self.bases, self.table)
         self.searched = self.given_up = 0
 
@@ -112,17 +118,8 @@ class PortSearch:
         if self.search.sequence is None:
             return box
         ratios = set_ratios(box, box.gears).tolist()
-        errors = map(deviation, ratios, self.search.targets)
-        return box._replace(error=max(errors, default=0.0))
-
-
-def _at_shafts(search: BoxSearch, table: Combinations) -> Integers:
-    shafts = range(search.moving - search.shafts, search.moving)
-    masks = [
-        sum(1 << number for number, ends in enumerate(table.ends.tolist()) if shaft in ends)
-        for shaft in shafts
-    ]
-    return np.array(masks, np.int64)
+        error = max(map(deviation, ratios, self.search.targets), default=0.0)
+        return box._replace(error=error)
 
 
 def _kept(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[int]:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import build
 from vstatics.core.jobs.finished_pieces import FinishedPieces
-from vstatics.core.jobs.piece_file import Account, piece_bytes, read_segments, write_piece
+from vstatics.core.jobs.piece_file import piece_bytes, read_segments, write_piece
 from vstatics.synthesis.boxes.batches.found import FoundPiece, found_in
 from vstatics.synthesis.boxes.box import BoxSearch, FoundBox
 from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measured
@@ -97,7 +97,7 @@ class SearchedPieces:
         """Take over the pieces of an open store."""
         self.count = count
         self._store = store
-        self._accounts: dict[int, Account] = {} if store is None else dict(store.accounts)
+        self._accounts = {} if store is None else dict(store.accounts)
         self._lines: dict[int, bytes] = {}
 
     @property
@@ -165,8 +165,11 @@ def check_most(count: int, most: int) -> None:
     CaseError
     """
     if count > most:
-        message = f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
-        raise CaseError("E808", f"{message}, or less choice by --brakes and --clutches")
+        raise CaseError(
+            "E808",
+            f"more than {most} boxes are found: expected a smaller --tolerance, more --ratios"
+            ", or less choice by --brakes and --clutches",
+        )
 
 
 def box_lines(boxes: Iterable[FoundBox]) -> bytes:

@@ -15,6 +15,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.compiled import compiled, put
+from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
@@ -59,8 +60,8 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
     return RatioCells(
         low=np.zeros((deep, sets)),
         high=np.zeros((deep, sets)),
-        reach=np.zeros((deep, ratios), np.int64),
-        stages=np.zeros(deep, np.int64),
+        reach=integers(deep, ratios),
+        stages=integers(deep),
         known=np.zeros(deep, np.bool_),
         parts=np.zeros((ratios, 2, 2**sets)),
         shares=np.zeros((sets, 2)),

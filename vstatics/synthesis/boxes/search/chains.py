@@ -12,7 +12,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Integers
 from vstatics.core.numerics.compiled import compiled
-from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 
 
 class ChainRoom(NamedTuple):
@@ -56,10 +56,10 @@ def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom
         order=np.array([*order, *alone], np.int64),
         is_shift=np.array([*is_shift, *[False] * len(alone), False], np.bool_),
         is_near=shared >= places.shape[1] - 1,
-        met=np.zeros(shape, np.int64),
-        came=np.zeros(shape, np.int64),
-        searches=np.zeros(1, np.int64),
-        gears=np.zeros(targets, np.int64),
+        met=integers(*shape),
+        came=integers(*shape),
+        searches=integers(1),
+        gears=integers(targets),
     )
 
 

@@ -98,8 +98,7 @@ def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, 
             continue
         if members < size:
             depth += 1
-            held = _held(table, port, room, members)
-            choose(table, room, depth, held, port.elements)
+            choose(table, room, depth, _held(table, port, room, members), port.elements)
             continue
         ratios = find_ratios(table, port, room)
         if (

@@ -63,6 +63,11 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
     return Combinations(*arrays)
 
 
+def integers(*shape: int) -> Integers:
+    """Return zeros of type int64."""
+    return np.zeros(shape, np.int64)
+
+
 def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
     """Return all choices of `size` numbers, ordered by the last, then the second last."""
     return sorted(combinations(range(number), size), key=lambda choice: choice[::-1])

@@ -13,7 +13,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
 from vstatics.core.numerics.compiled import compiled
-from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
@@ -78,31 +78,28 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
     size, of_set = len(table.starts) - 1, len(table.places)
     rests = int(table.rests.max()) + 1
 
-    def zeros(*shape: int) -> Integers:
-        return np.zeros(shape, np.int64)
-
     return SetRoom(
-        lists=zeros(targets, len(table.members)),
-        lengths=zeros(targets),
-        rows=zeros(rests, targets),
-        often=zeros(len(table.members)),
-        seldom=zeros(rests),
-        levels=zeros(targets + 1),
-        able=zeros(targets),
-        sets=zeros(size + 1),
-        branches=zeros(size + 1),
-        tried=zeros(size + 1),
-        lacking=zeros(1),
-        chosen=zeros(size),
-        held=zeros(2),
-        commonest=zeros(1),
-        ratios=zeros(of_set),
-        reach=zeros(of_set),
-        targets=zeros(of_set),
-        seen=zeros(len(table.members)),
+        lists=integers(targets, len(table.members)),
+        lengths=integers(targets),
+        rows=integers(rests, targets),
+        often=integers(len(table.members)),
+        seldom=integers(rests),
+        levels=integers(targets + 1),
+        able=integers(targets),
+        sets=integers(size + 1),
+        branches=integers(size + 1),
+        tried=integers(size + 1),
+        lacking=integers(1),
+        chosen=integers(size),
+        held=integers(2),
+        commonest=integers(1),
+        ratios=integers(of_set),
+        reach=integers(of_set),
+        targets=integers(of_set),
+        seen=integers(len(table.members)),
         match=match_room(targets),
         steps=np.array([0, NO_END]),
-        listed=zeros(most, size),
+        listed=integers(most, size),
     )
 
 

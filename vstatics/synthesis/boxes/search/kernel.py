@@ -130,7 +130,19 @@ def find_gears(
 ) -> None:
     """Find the ratios with a choice of ports, and the combinations that have a ratio."""
     _find_ratios_of_ports(gears.speeds, port, asked, room)
-    _find_useful(table, gears, port, room.kinds)
+    way = gears.way
+    useful = 0
+    for which in range(len(way)):
+        there = table.masks[which] & ~port.elements == 0
+        port.ratio_of[which] = room.kinds[way[which]] if there else -1
+        if port.ratio_of[which] >= 0:
+            port.useful[useful] = which
+            useful += 1
+            port.loaded[which] = table.masks[which]
+            if len(port.shafts):
+                port.loaded[which] = _loaded(table, gears, port, which)
+    if useful < len(way):
+        port.useful[useful] = -1
 
 
 @compiled
@@ -158,24 +170,6 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: R
             room.within[count] = ratio
             count += 1
         room.kinds[which] = same
-
-
-@compiled
-def _find_useful(table: Combinations, gears: GearSpeeds, port: PortGears, kinds: Integers) -> None:
-    """Assign a ratio to each available combination of elements; list combinations with a ratio."""
-    way = gears.way
-    count = 0
-    for which in range(len(way)):
-        there = table.masks[which] & ~port.elements == 0
-        port.ratio_of[which] = kinds[way[which]] if there else -1
-        if port.ratio_of[which] >= 0:
-            port.useful[count] = which
-            count += 1
-            port.loaded[which] = table.masks[which]
-            if len(port.shafts):
-                port.loaded[which] = _loaded(table, gears, port, which)
-    if count < len(way):
-        port.useful[count] = -1
 
 
 @compiled

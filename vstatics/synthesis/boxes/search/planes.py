@@ -14,6 +14,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.compiled import compiled
+from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 
@@ -41,7 +42,7 @@ class PlaneRoom(NamedTuple):
 def plane_room(targets: int, sets: int) -> PlaneRoom:
     """Return work arrays for a number of targets and gear sets."""
     return PlaneRoom(
-        only_ratios=np.zeros(targets, np.int64),
+        only_ratios=integers(targets),
         values=np.zeros(2**sets),
         planes=np.zeros((targets, sets + 1)),
         system=np.zeros((sets, 2 * sets)),

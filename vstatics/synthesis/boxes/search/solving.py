@@ -24,7 +24,7 @@ from vstatics.synthesis.boxes.search.cells import (
     spread_in,
 )
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room, chained
-from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
@@ -78,14 +78,14 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
         cells=cells_room(ratios, asked, sets),
         match=match_room(targets),
         chains=chain_room(table, targets, shifts),
-        ratio_of=np.zeros(ratios, np.int64),
+        ratio_of=integers(ratios),
         least=np.zeros(targets),
         most=np.zeros(targets),
         steps=np.array([0, NO_END]),
         given_up=np.zeros(1, np.bool_),
         fit=fit_room(targets, sets),
         best_logs=np.zeros(sets),
-        best_gears=np.zeros(targets, np.int64),
+        best_gears=integers(targets),
         best=np.zeros(2),
     )
 
@@ -127,7 +127,11 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
         number = longest(cells, top)
         spread = 0.0 if number < 0 else spread_in(cells, top)
         if target == EACH:
-            is_due = _is_due(spread, cells, top)
+            stage = before = cells.stages[top]
+            while stage < len(SPREADS) and spread <= SPREADS[stage]:
+                stage += 1
+            cells.stages[top] = stage
+            is_due = bool(stage > before)
             is_met = is_due and _fit(parts, asked, room, top)
             fits += is_due and room.best[0] < math.inf
             if is_met or number < 0 or cells.stages[top] == len(SPREADS):
@@ -202,16 +206,6 @@ def _has_elements(room: CellRoom, top: int) -> bool:
             return False
         room.cells.known[top] = True
     return True
-
-
-@compiled
-def _is_due(spread: float, cells: RatioCells, top: int) -> bool:
-    """Return whether a fit is due in a cell, and record the stage."""
-    stage = before = cells.stages[top]
-    while stage < len(SPREADS) and spread <= SPREADS[stage]:
-        stage += 1
-    cells.stages[top] = stage
-    return bool(stage > before)
 
 
 @compiled

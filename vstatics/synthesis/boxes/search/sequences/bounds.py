@@ -73,13 +73,6 @@ def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: 
         room.ends[ratio, 0] = low
         room.ends[ratio, 1] = high
         forward += low <= high
-    _find_steps(cell, count, room, sums)
-    return forward
-
-
-@compiled
-def _find_steps(cell: Floats, count: int, room: ChoiceRoom, sums: Floats) -> None:
-    """Calculate the range of each step in a cell, if both gears can be forward."""
     for upper in range(count):
         for lower in range(upper + 1, count):
             low, high = -math.inf, math.inf
@@ -94,6 +87,7 @@ def _find_steps(cell: Floats, count: int, room: ChoiceRoom, sums: Floats) -> Non
             room.steps[upper, lower, 1] = high
             room.steps[lower, upper, 0] = -high
             room.steps[lower, upper, 1] = -low
+    return forward
 
 
 @compiled

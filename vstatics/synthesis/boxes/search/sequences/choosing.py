@@ -90,11 +90,6 @@ def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRo
         return bool((room.reach[ratio] >> depth) & 1)
     if depth == goal.targets:
         return bool(room.ends[ratio, 0] <= room.ends[ratio, 1])
-    return _follows(wanted, goal, depth, ratio, room)
-
-
-@compiled
-def _follows(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRoom) -> bool:
     first, last = room.chosen[goal.targets], room.chosen[depth - 1]
     low, high = room.steps[last, ratio, 0], room.steps[last, ratio, 1]
     largest = wanted.steps[1]

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
-from vstatics.synthesis.boxes.search.engaged import Combinations
+from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
@@ -138,7 +138,7 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
     rows = targets + 2 * wanted.most  # targets, steps, spread, falls
     return SequenceRoom(
         wanted=wanted,
-        ratio_of=np.zeros(ratios, np.int64),
+        ratio_of=integers(ratios),
         chains=chain_room(table, gears, np.array([[0, 1]][: wanted.most], np.int64).reshape(-1, 2)),
         match=match_room(targets),
         steps=np.array([0, NO_END]),
@@ -152,23 +152,23 @@ def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int
         fit=fit_room(rows, sets),
         rows=np.zeros((rows, 5)),
         gear_logs=np.zeros(gears),
-        best=np.zeros(2, np.int64),
+        best=integers(2),
         is_single_left=np.zeros(1, np.bool_),
         squares=np.zeros(1),
-        best_chosen=np.zeros(gears, np.int64),
-        best_gears=np.zeros(gears, np.int64),
+        best_chosen=integers(gears),
+        best_gears=integers(gears),
         best_logs=np.zeros(sets),
     )
 
 
 def _choice_room(ratios: int, gears: int) -> ChoiceRoom:
     return ChoiceRoom(
-        reach=np.zeros(ratios, np.int64),
+        reach=integers(ratios),
         ends=np.zeros((ratios, 2)),
         steps=np.zeros((ratios, ratios, 2)),
         order=np.arange(ratios),
-        places=np.zeros(gears + 1, np.int64),
-        chosen=np.zeros(gears, np.int64),
+        places=integers(gears + 1),
+        chosen=integers(gears),
         free=np.zeros(ratios, np.bool_),
-        looks=np.zeros(1, np.int64),
+        looks=integers(1),
     )
