@@ -46,11 +46,15 @@ class PublishedEquations:
             torques[end] += _torque(law, time, state[end], state[2 + end])
         return torques[0], -torques[1]
 
+    def w_f(self, state: Floats) -> float:
+        """Return w_f by (13) [rad/s]."""
+        return float(state[0] - self.masses.ratio * state[1])
+
     def friction(self, time: float, state: Floats) -> float:
         """Return M_f, the capacity of the clutch reduced to the input [N*m]."""
         if self.contact is None:
             return 0.0
-        slip = self.masses.slip * (state[0] - self.masses.ratio * state[1])
+        slip = self.masses.slip * self.w_f(state)
         return min(
             abs(self.masses.slip) * capacity_at(self.contact, min(time, self.last), slip), 1e300
         )
@@ -72,13 +76,13 @@ class PublishedEquations:
         dw_in, dw_out = self.accelerations(time, state)
         heat = 0.0
         if self.contact is not None and not self.phase.locked:
-            heat = self.friction(time, state) * abs(state[0] - self.masses.ratio * state[1])
+            heat = self.friction(time, state) * abs(self.w_f(state))
         work = m_in * state[0] - m_out * state[1]
         return [dw_in, dw_out, state[0], state[1], work, heat]
 
     def slip(self, _time: float, state: Floats) -> float:
-        """Return w_f by (13), positive in the direction of slip [rad/s]."""
-        return float(self.phase.direction * (state[0] - self.masses.ratio * state[1]))
+        """Return w_f, positive in the direction of slip [rad/s]."""
+        return self.phase.direction * self.w_f(state)
 
     def passed(self, time: float, state: Floats) -> float:
         """Return the torque transmitted by a locked clutch, reduced to the input [N*m]."""

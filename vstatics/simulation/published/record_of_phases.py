@@ -20,13 +20,12 @@ class TarasikRecord:
 
     def __init__(self, system: MotionSystem, speeds: Floats) -> None:
         self.system, self.first = system, speeds
-        self.elements = [
-            (index, contact.element)
+        self.column = {
+            index: contact.element
             for index, contact in enumerate(system.contacts)
             if contact.element is not None
-        ]
+        }
         count = len(system.case.shift_elements)
-        self.column = dict(self.elements)
         self.times: list[float] = []
         self.speeds: list[Floats] = []
         self.torques: list[Floats] = []
@@ -41,7 +40,7 @@ class TarasikRecord:
     ) -> None:
         """Add an instant; a repeated time is kept only if a torque jumps."""
         torques = np.full(len(self.heat), np.nan)
-        for index, column in self.elements:
+        for index, column in self.column.items():
             if capacity_at(self.system.contacts[index], time) == 0:
                 torques[column] = 0.0
         heat = self.heat.copy()
@@ -69,7 +68,7 @@ class TarasikRecord:
         devices = (*names, *(mechanism.name for mechanism in case.mechanisms))
         speeds = np.array(self.speeds).reshape(len(self.times), case.links)
         rows = np.zeros((len(names), case.links))
-        for index, column in self.elements:
+        for index, column in self.column.items():
             rows[column] = self.system.contacts[index].row
         unknown = np.full((len(self.times), len(devices) - len(names)), np.nan)
         torques = np.array(self.torques).reshape(len(self.times), len(names))

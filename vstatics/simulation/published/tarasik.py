@@ -234,7 +234,7 @@ class _Run:
         assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
-        drift = self.state[0] - phase.masses.ratio * self.state[1]
+        drift = equations.w_f(self.state)
         if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # with losses (12) drifts
             return phase._replace(locked=False, direction=math.copysign(1.0, drift))
         self.state[0] = phase.masses.ratio * self.state[1]

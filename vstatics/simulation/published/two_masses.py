@@ -103,7 +103,6 @@ def two_masses(
 
 
 def _efficiency(system: MotionSystem, ends: tuple[int, int], engaged: Sequence[int]) -> float:
-    """Return the efficiency of the gear in which some contacts are engaged."""
     if all(mesh.lossless for mesh in system.meshes):
         return 1.0
     from vstatics.core.statics.solve import solve

@@ -22,7 +22,7 @@ Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
 """Columns by table and row."""
 
 
-def beside(motion: PieceMotion, times: Floats, states: Floats) -> Tables:
+def picture_tables(motion: PieceMotion, times: Floats, states: Floats) -> Tables:
     """Return the tables for pictures and the report, at some times of a piece.
 
     The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and

@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, first_largest
 from vstatics.simulation.events.time_steps import TimeStep
-from vstatics.simulation.record.beside import Tables, beside, chosen, joined
+from vstatics.simulation.record.beside import Tables, chosen, joined, picture_tables
 from vstatics.simulation.record.curves import (
     CurveRanges,
     Curves,
@@ -99,7 +99,7 @@ class DrawnRun:
             order = np.argsort(times, kind="stable")
             all_times.append(times[order])
             all_columns.append(self.table.at(piece, times[order], states[:, order]))
-            all_tables.append(beside(piece.motion, times[order], states[:, order]))
+            all_tables.append(picture_tables(piece.motion, times[order], states[:, order]))
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
         self.picture_tables = joined(all_tables)
         if len(self.times) > most:

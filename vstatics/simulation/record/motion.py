@@ -124,7 +124,7 @@ class Motion(NamedTuple):
     damage : mapping of str to DeviceDamage
         Damage of components with a fatigue strength.
     beside : mapping of str to mapping of str to ndarray, shape (instants,)
-        Tables for pictures, see `record.beside`; empty for the method `tarasik`.
+        Tables for pictures and the report; empty for the method `tarasik`.
     case : Transmission
         Case of the scenario.
 
