@@ -231,7 +231,6 @@ class Finder:
         return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
-        """Return the zero of a margin between two times."""
         from scipy.optimize import brentq
 
         times = first + (last - first) * _NODES

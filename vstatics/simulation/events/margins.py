@@ -17,6 +17,7 @@ from vstatics.simulation.system.curves import curve_along, programme_along, prog
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.sight import Compared
+from vstatics.simulation.system.structure import Multiplier
 from vstatics.simulation.tolerances import (
     EQUAL_SIDES,
     EXACT_SIDES,
@@ -131,10 +132,6 @@ class Margins:
         layout, structure = equations.layout, equations.structure
         self.watches: list[Watch] = []
         self.is_torque: list[bool] = []
-        place = {
-            (multiplier.kind, multiplier.of): row
-            for row, multiplier in enumerate(structure.multipliers)
-        }
         self.slipping: list[tuple[int, float]] = []
         self.holding: list[tuple[Contact, int, int]] = []
         """Contact, row of its multiplier, and side: +1 upper limit, -1 lower limit."""
@@ -149,9 +146,9 @@ class Margins:
                 first = contact.switch.jump.side if contact.switch else "+"
                 for side in (1, -1) if first == "+" else (-1, 1):
                     if (side == 1 and contact.one_way) or _is_limited(contact, equations.time):
-                        self.holding.append((contact, place["contact", index], side))
+                        self.holding.append((contact, structure.contact_rows[index], side))
                         self._watch("hold", index, side)
-        self._meshes(place)
+        self._meshes()
         self._springs()
         self._pieces()
         self.held_rows = np.array([row for _, row, _ in self.holding], dtype=int)
@@ -199,7 +196,7 @@ class Margins:
         self.watches.append(Watch(kind, index, side))
         self.is_torque.append(torque)
 
-    def _meshes(self, place: dict[tuple[str, int], int]) -> None:
+    def _meshes(self) -> None:
         system, states = self.equations.system, self.equations.states
         self.moving: list[tuple[int, float, float]] = []
         self.cones: list[tuple[int, int, float, float]] = []
@@ -211,8 +208,9 @@ class Margins:
                 self._watch("flow", index)
         for index, (mesh, state) in enumerate(zip(system.meshes, states.meshes, strict=True)):
             if state == "stick":
-                rows = place["mesh", index], place["friction", index]
-                self.cones.append((*rows, 1 - mesh.efficiency, 1 / mesh.back - 1))
+                multiplier = Multiplier("friction", index)
+                friction = self.equations.structure.multipliers.index(multiplier)
+                self.cones.append((index, friction, 1 - mesh.efficiency, 1 / mesh.back - 1))
                 self._watch("cone", index, 1)
                 self._watch("cone", index, -1)
 
@@ -546,7 +544,6 @@ class Margins:
 
 
 def _is_limited(device: Contact | Elastic, time: float) -> bool:
-    """Return whether a device has a finite torque limit."""
     programme = device.programme
     return programme.look is not None or math.isfinite(programme_at(programme, time))
 

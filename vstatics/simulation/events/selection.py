@@ -372,7 +372,6 @@ class SelectionAhead(ModeSelection):
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
-        """Return the watches with negative margins a little later."""
         ahead, then, least = self._ahead(margins, time, state)
         sizes = then / margins.units(scales)[: margins.deciding]
         return _failed(margins, time + self.within, ahead, np.where(then < -least, sizes, np.inf))

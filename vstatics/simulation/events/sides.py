@@ -137,7 +137,6 @@ class Judge:
         return self._sizes[look]
 
     def _large(self, place: int, value: float) -> float:
-        """Return a large value of the kind of a seen quantity."""
         layout = self.equations.layout
         if place < layout.ports:
             large = self._scales.speed

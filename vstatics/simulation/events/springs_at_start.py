@@ -132,7 +132,7 @@ def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> 
     columns = (vector[:, None] for vector in (selected.state, rates, torques))
     held = selected.margins.split(np.zeros(1), *columns)[:, 0]
     return {
-        bent[multiplier.of - len(others)]: float(torque)
-        for multiplier, torque in zip(equations.structure.multipliers, held.tolist(), strict=True)
-        if multiplier.kind == "contact" and multiplier.of >= len(others)
+        bent[index - len(others)]: float(held[row])
+        for index, row in equations.structure.contact_rows.items()
+        if index >= len(others)
     }

@@ -287,7 +287,6 @@ def _left_open(system: MotionSystem, motions: Floats, hint: str) -> CaseError:
 def _contradicting_speed(
     system: MotionSystem, matrix: Floats, wanted: Floats, given: dict[int, float]
 ) -> Problem:
-    """Return a problem for the first given speed that contradicts earlier speeds."""
     contradiction = _contradiction(matrix, wanted, len(wanted) - len(given))
     if contradiction is None:
         return Problem("E615", "the speeds contradict each other", ("start",))

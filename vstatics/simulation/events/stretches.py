@@ -292,8 +292,8 @@ class Closed:
         self.is_given = ports.is_affine and not rates
         looks = {*rates, *equations.seeing}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
-        self.kept: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Orders kept in each polynomial; a law that is linear in all its inputs leaves a line."""
+        self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
+        """Orders used in each polynomial; a law that is linear in all its inputs leaves a line."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques at the end of the last stretch."""
         self.size = equations.works.start
@@ -418,7 +418,7 @@ class Closed:
         if known is not None:
             return known
         size, change, ports = self.size, self.affine.change, self.equations.ports
-        matrix = np.zeros((size + 2 + int(self.kept.sum()),) * 2)
+        matrix = np.zeros((size + 2 + int(self.is_used.sum()),) * 2)
         factors = self.balance * length
         matrix[:size, :size] = self.matrix * length
         count = len(ports.c0)
@@ -428,7 +428,7 @@ class Closed:
         matrix[:size, size + 1] = factors * constant
         matrix[size, size + 1] = length
         first = size + 2
-        for port, orders in zip(self.bending, self.kept.sum(axis=1).tolist(), strict=True):
+        for port, orders in zip(self.bending, self.is_used.sum(axis=1).tolist(), strict=True):
             matrix[:size, first] = factors * change.by_given[:, port]
             matrix[:size, first + 1] = self.balance * change.by_slope[:, port]
             rows = np.arange(first, first + orders - 1)
@@ -458,12 +458,12 @@ class Closed:
                 return None
             given = now @ to_series
             limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
-            bends = (np.abs(given) * ~self.kept > limit).any(axis=1)
+            bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
             if bends.any():  # torques that bend from now on keep all orders
-                self.kept[bends] = True
+                self.is_used[bends] = True
                 self.exponentials.clear()
                 before = None
-            given[~self.kept] = 0.0
+            given[~self.is_used] = 0.0
             if before is not None and largest(now - before) <= limit:
                 self.latest = now[:, -1]
                 if largest(given @ to_values - now) > 4 * limit:
@@ -485,7 +485,7 @@ class Closed:
         first[:size] = self.balance * state[:size]
         first[size] = parts.begin
         first[size + 1] = 1.0
-        first[size + 2 :] = (given @ to_powers)[self.kept]
+        first[size + 2 :] = (given @ to_powers)[self.is_used]
         first[size:] *= unit
         return TimeStretch(parts, exponential, exponential.repeated(first, parts.number))
 
@@ -533,7 +533,6 @@ class Closed:
     def _among(
         self, stretch: TimeStretch, befores: Floats, powers: Floats, times: Floats
     ) -> Floats:
-        """Return the states at any times of a stretch."""
         parts, first = stretch.parts, self.equations.works.start
         passed = (times - parts.begin) / parts.length
         at = np.clip(passed.astype(int), 0, parts.number - 1)

@@ -131,7 +131,6 @@ def with_programmes(system: MotionSystem, capacities: list[Programme]) -> Motion
 
 
 def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[RigidMechanism]:
-    """Return the rigid mechanisms, except moving variators."""
     meshes = []
     planets = _taken_by_planets(case)
     for number, mechanism in enumerate(case.mechanisms, 1):
@@ -224,7 +223,6 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats)
 
 
 def _spring_friction(case: Transmission, rows: Floats) -> list[Contact]:
-    """Return contacts of the dry friction in parallel with springs."""
     first = len(case.devices) - len(case.springs)
     return [
         Contact(spring.name, rows[n], Programme(constant(spring.friction)), is_drag=True, beside=n)
@@ -395,22 +393,19 @@ def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
             )
         elif torque:
             torques.append(DragTorque(is_element, number, torque))
-    problems += _efficiency_laws(case)
+    problems += [
+        Problem(
+            "E695",
+            f"the efficiency of {mechanism.name} depends on speed or torque, expected "
+            "a number in a scenario",
+            ("case", "mechanisms", number, "efficiency"),
+        )
+        for number, mechanism in enumerate(case.mechanisms, 1)
+        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law)
+    ]
     if problems:
         raise CaseError(problems)
     yield from torques
-
-
-def _efficiency_laws(case: Transmission) -> Iterator[Problem]:
-    """Yield a problem for each efficiency that depends on speed or torque."""
-    for number, mechanism in enumerate(case.mechanisms, 1):
-        if isinstance(mechanism.efficiency, Law) or isinstance(mechanism.back_efficiency, Law):
-            yield Problem(
-                "E695",
-                f"the efficiency of {mechanism.name} depends on speed or torque, expected "
-                "a number in a scenario",
-                ("case", "mechanisms", number, "efficiency"),
-            )
 
 
 def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_element: bool) -> Path:  # noqa: FBT001

@@ -97,9 +97,9 @@ class Equations:
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
         """Ports with feedback torques that enter by value, not by slope."""
         self.driving = [
-            (layout.contacts + multiplier.of, row)
-            for row, multiplier in enumerate(structure.multipliers)
-            if multiplier.kind == "contact" and system.contacts[multiplier.of].drives
+            (layout.contacts + index, row)
+            for index, row in structure.contact_rows.items()
+            if system.contacts[index].drives
         ]
         """Contacts that stick at a speed other than 0: port, multiplier."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])

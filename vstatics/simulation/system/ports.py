@@ -328,7 +328,6 @@ class Ports:
             self._slipping(port, contact, state, piece, time)
 
     def _slipping(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
-        """Set up a slipping contact with a slip-dependent friction coefficient."""
         assert contact.friction is not None  # noqa: S101 - corners exist
         value, slope = friction_points(contact.friction).piece(piece)
         if contact.programme.look is not None:

@@ -193,7 +193,6 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
 
 
 def _vanishing_limits(system: MotionSystem) -> Iterator[Corner]:
-    """Yield corners of following limits, which are cut at 0."""
     names = [spring.name for spring in system.springs]
     for spring in system.springs:
         follows, look = spring.programme.follows, spring.programme.look

@@ -8,7 +8,7 @@ along them balance, ``L0' F = 0``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -69,6 +69,9 @@ class MotionStructure:
     balances : ndarray, shape (massless motions, ports)
         Sums of torques that must be 0, by the torques of ports.
     multipliers : sequence of Multiplier
+        Meshes first, in the order of the system.
+    contact_rows : dict of int to int
+        Index of each sticking contact -> row of its multiplier.
     torques : ndarray, shape (multipliers, ports)
         Constraint torques by the torques of ports; redundant torques have least norm.
     redundant : ndarray, shape (multipliers, directions)
@@ -79,6 +82,11 @@ class MotionStructure:
 
     def __init__(self, system: MotionSystem, held: Held, meshes: MeshStates) -> None:
         rows, columns, self.multipliers = _constraints(system, held, meshes)
+        self.contact_rows = {
+            multiplier.of: row
+            for row, multiplier in enumerate(self.multipliers)
+            if multiplier.kind == "contact"
+        }
         mass, ports = system.mass, system.port_rows
         signs = np.full(len(ports), -1.0)
         signs[: len(system.outside)] = 1.0
@@ -98,7 +106,7 @@ class MotionStructure:
         self.balances = left_light.T @ forces
         reduced = left.T @ mass @ self.free
         self.accelerations = np.linalg.solve(reduced, left.T @ forces)
-        self.drivers, driven = _driven(system, self.multipliers, rows)
+        self.drivers, driven = _driven(system, self.contact_rows, rows)
         if self.drivers:
             at = [system.layout.contacts + index for index in self.drivers]
             self.accelerations[:, at] = -np.linalg.solve(reduced, left.T @ mass @ driven)
@@ -129,26 +137,25 @@ class MotionStructure:
 
 
 def _driven(
-    system: MotionSystem, multipliers: Sequence[Multiplier], rows: Floats
+    system: MotionSystem, contact_rows: Mapping[int, int], rows: Floats
 ) -> tuple[tuple[int, ...], Floats]:
     """Return contacts that stick at speeds other than 0, and the resulting speeds of links.
 
     Contacts at one place count once.
     """
     places: dict[Switch | int, list[int]] = {}
-    for row, multiplier in enumerate(multipliers):
-        if multiplier.kind != "contact" or not system.contacts[multiplier.of].drives:
-            continue
-        switch = system.contacts[multiplier.of].switch
-        place = switch._replace(jump=switch.jump._replace(side="")) if switch else multiplier.of
-        places.setdefault(place, []).append(row)
-    wanted = np.zeros((len(multipliers), len(places)))
+    for index in contact_rows:
+        if system.contacts[index].drives:
+            switch = system.contacts[index].switch
+            place = switch._replace(jump=switch.jump._replace(side="")) if switch else index
+            places.setdefault(place, []).append(index)
+    wanted = np.zeros((rows.shape[1], len(places)))
     for column, sticking in enumerate(places.values()):
-        wanted[sticking, column] = 1.0
+        wanted[[contact_rows[index] for index in sticking], column] = 1.0
     speeds = solved(rows.T, wanted)
     if largest(rows.T @ speeds - wanted) > STANDING:
         raise np.linalg.LinAlgError("speeds at which contacts stick contradict each other")
-    return tuple(multipliers[sticking[0]].of for sticking in places.values()), speeds
+    return tuple(sticking[0] for sticking in places.values()), speeds
 
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:

@@ -50,7 +50,7 @@ class ValueChanges:
             assert store is not None  # noqa: S101 - hot elements have a heat store
             assert store.heat_capacity is not None  # noqa: S101
             over = state[equations.values][place] - store.ambient
-            power = _heat(equations, index, change)
+            power = _friction_power(equations, index, change)
             value_rates[place] = (power - store.cooling * over) / store.heat_capacity
         return value_rates
 
@@ -134,8 +134,7 @@ def _side(state: ControlState, value: float, near: float) -> int:
     return 0
 
 
-def _heat(equations: KnownMotion, element: int, change: Floats) -> float:
-    """Return the friction power of a shift element [W]."""
+def _friction_power(equations: KnownMotion, element: int, change: Floats) -> float:
     first = equations.works.start + equations.layout.contacts
     contacts = enumerate(equations.system.contacts, first)
     springs = enumerate(equations.system.springs, equations.slipped.start)
@@ -173,23 +172,16 @@ def outside_torques(equations: KnownMotion) -> Floats:
     Loads, torques at jumps and torques of links with given speeds are included.
     """
     system, structure = equations.system, equations.structure
-    by_link, by_ports = (
-        np.zeros((len(system.names), system.layout.ports)),
-        np.eye(system.layout.ports),
-    )
+    by_link = np.zeros((len(system.names), system.layout.ports))
     for port, load in enumerate(system.outside):
         by_link[load.link, port] = 1.0
-    row_of = {
-        multiplier.of: n
-        for n, multiplier in enumerate(structure.multipliers)
-        if multiplier.kind == "contact"
-    }
     for index, contact in enumerate(system.contacts):
         if contact.device is None and not contact.is_drag and not contact.is_variator:
-            row = row_of.get(index)
-            port = system.layout.contacts + index
-            taken = by_ports[port] if row is None else structure.torques[row]
-            by_link -= np.outer(contact.row, taken)
+            row = structure.contact_rows.get(index)
+            if row is None:
+                by_link[:, system.layout.contacts + index] -= contact.row
+            else:
+                by_link -= np.outer(contact.row, structure.torques[row])
     return by_link
 
 
@@ -211,7 +203,6 @@ def _acceleration(equations: KnownMotion, link: int) -> Derived:
 
 
 def _ports_of(equations: KnownMotion, name: str) -> list[int]:
-    """Return the ports of a device: contacts, springs and pumps."""
     system, layout = equations.system, equations.layout
     devices = system.case.devices
     device = devices.index(name) if name in devices else None
@@ -230,11 +221,11 @@ def _torque(equations: KnownMotion, name: str) -> Derived:
     ports = _ports_of(equations, name)
     by_ports = np.zeros(layout.ports)
     by_ports[ports] = 1.0
-    for row, multiplier in enumerate(structure.multipliers):
-        if multiplier.kind == "contact" and layout.contacts + multiplier.of in ports:
+    for row, mesh in enumerate(system.meshes):
+        if mesh.name == name:
             by_ports += structure.torques[row]
-        elif multiplier.kind == "mesh" and system.meshes[multiplier.of].name == name:
-            planets = system.meshes[multiplier.of].planets
+            by_ports += mesh.planets @ structure.free @ structure.accelerations
+    for index, row in structure.contact_rows.items():
+        if layout.contacts + index in ports:
             by_ports += structure.torques[row]
-            by_ports += planets @ structure.free @ structure.accelerations
     return lambda _time, _state, _rates, torques: float(by_ports @ torques)

@@ -39,11 +39,7 @@ class VariatorTorques:
         system, layout, structure = equations.system, equations.layout, equations.structure
         self.variators = system.variators
         contacts = [variator.contact for variator in self.variators]
-        held = [
-            multiplier.of if multiplier.kind == "contact" else -1
-            for multiplier in structure.multipliers
-        ]
-        self.rows = [held.index(index) for index in contacts]
+        self.rows = [structure.contact_rows[index] for index in contacts]
         """Rows of the multipliers of variators."""
         self.changes = [layout.contacts + index for index in contacts]
         self.extras = [layout.variators + number for number in range(len(contacts))]
