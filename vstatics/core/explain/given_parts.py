@@ -62,7 +62,7 @@ def in_words(name: str) -> str:
 def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
     """Return the table of drawn gear sets with teeth and further data."""
     drawing = drawing_of(case)
-    rows: list[Values] = []
+    rows = []
     for element in drawing.elements if drawing else ():
         links = [
             f"{in_words(name)} {link_text(case, link)}" for name, link in element.members.items()
@@ -157,7 +157,7 @@ def _points(mechanism: Mechanism) -> str:
 
 def losses(case: Transmission) -> Grid:
     """Return the table of efficiencies of all mechanisms in the solution, defaults included."""
-    rows: list[Values] = []
+    rows = []
     for part in parts_of(case):
         for mechanism, members in part.lowered:
             if mechanism.kind == "converter":  # the loss of a converter follows from its points

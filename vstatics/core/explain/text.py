@@ -265,7 +265,7 @@ def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:
     if explanation.balance is None:
         return
     column = max(len(share.link) for share in explanation.balance.shares)
-    parts: list[str] = []
+    parts = []
     for share in explanation.balance.shares:
         power, efficiency, given = (short(each, digits) for each in share[1:])
         sign = "x" if share.power_kW > 0 else "/"

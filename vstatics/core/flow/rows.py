@@ -43,7 +43,7 @@ def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
     """Merge the tables of all gears; sections, nodes and parts become columns."""
     columns = {column.heading: column for _, grid in by_gear for column in grid.columns[1:]}
-    rows: list[Row] = []
+    rows = []
     for gear, grid in by_gear:
         headings = [column.heading for column in grid.columns[1:]]
         section, node = Cell(""), Cell("")

@@ -508,7 +508,7 @@ def _dragging(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Prob
 def _engaged(
     elements: Sequence[ShiftElement], engaged: Sequence[int], path: Path
 ) -> Iterator[Problem]:
-    seen: set[int] = set()
+    seen = set()
     for position, element in enumerate(engaged, 1):
         if not is_number(element, len(elements), 1):
             expected = f"the number of a shift element, from 1 to {len(elements)}"

@@ -78,7 +78,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     """
     source = decode(data, file, "a record").source
     rows = numbered_rows(without_titles(source.lines, lambda cell: _wanted(cell, wanted) in wanted))
-    problems: list[Problem] = []
+    problems = []
     lines = array("q")
     try:
         head, first = next(rows, (1, []))
@@ -109,7 +109,7 @@ def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
     """Return the index of each wanted column, and the size of the unit in SI."""
-    places: dict[str, tuple[int, float]] = {}
+    places = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
         if name in places:

@@ -177,7 +177,7 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
     """Read a listing, in which a new report begins at each `KJG=` after a table."""
-    reports: list[WrittenResult] = []
+    reports = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
     first, table, report_file, next_file = 0, "", "", ""

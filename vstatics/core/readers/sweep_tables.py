@@ -128,7 +128,7 @@ def _csv(text: str, file: str) -> dict[str, Column]:
     lines = csv.reader(io.StringIO(text))
     names = [unguarded(head) for head in next(lines)]
     _expect_different(names)
-    rows: list[list[str]] = []
+    rows = []
     for line in lines:
         if line and len(line) != len(names):
             error = ValueError(f"read {len(line)} cells, expected {len(names)}, as in the heading")

@@ -223,7 +223,7 @@ def _add(result: Scan, new: Field) -> None:
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
     """Find all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
-    heads: list[tuple[str, int, int]] = []
+    heads = []
     before = 0
     for equals in re.finditer("=", line):
         words = list(WORD.finditer(line, before, equals.start()))[-5:]

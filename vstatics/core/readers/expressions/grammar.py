@@ -156,7 +156,7 @@ class _Parser:
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
-            signs: list[tuple[str, int]] = []
+            signs = []
             while (sign := self.operator()) in _LEVELS[level]:
                 signs.append((sign, self.at))
                 self.take(sign, self.at + len(sign))

@@ -48,7 +48,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
     A mistyped key is read as the suggested key, so that one mistake causes one message.
     """
     known = {key.name: key for key in keys}
-    given: dict[str, Node] = {}
+    given = {}
     meant: dict[str, Node] = {}
     for key, value in entries(spots, spot):
         if key.text not in known:

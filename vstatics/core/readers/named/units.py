@@ -103,7 +103,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
     (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
     """
     text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
-    kinds: list[str] = []
+    kinds = []
     above: float = 1
     below: float = 1
     at = 0

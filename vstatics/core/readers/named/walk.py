@@ -107,7 +107,7 @@ class Walk:
 
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:
         node = spot.node
-        given: dict[str, Node] = {}
+        given = {}
         if isinstance(node, Mapping):
             given = known_entries(self.spots, spot, shape.keys)
         elif not is_null(node) or shape.required:
@@ -213,7 +213,7 @@ class Walk:
             refer, unknown = self.references.element, NO_ELEMENT
         elif shape.by != "link":
             refer, unknown = partial(self.references.other, shape.by), NO_ELEMENT
-        values: dict[int, float] = {}
+        values = {}
         for key, value in entries(self.spots, spot):
             if self._is_behind_comma(spot, key, value):
                 continue
@@ -244,7 +244,7 @@ class Walk:
         """Read shares by the names of gears, which are not checked here."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
-        shares: dict[str, float] = {}
+        shares = {}
         for key, value in spot.node.entries:
             if self._is_behind_comma(spot, key, value):
                 continue

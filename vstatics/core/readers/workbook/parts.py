@@ -125,7 +125,7 @@ class PackedParts:
 
     def _relations(self, of: str) -> dict[str, tuple[str, str]]:
         folder, name = posixpath.split(of)
-        relations: dict[str, tuple[str, str]] = {}
+        relations = {}
 
         def start(name: str, attributes: Mapping[str, str]) -> None:
             if name == "Relationship" and attributes.get("TargetMode") != "External":
@@ -153,9 +153,9 @@ class PackedParts:
     @cached_property
     def texts(self) -> list[str]:
         """Texts shared by cells, without phonetic hints."""
-        texts: list[str] = []
+        texts = []
         parts: list[str] = []
-        inside: list[str] = []
+        inside = []
 
         def start(name: str, _: Mapping[str, str]) -> None:
             inside.append(name)
@@ -178,8 +178,8 @@ class PackedParts:
     @cached_property
     def dates(self) -> frozenset[int]:
         """Numbers of the cell formats for dates or times."""
-        codes: dict[str, str] = {}
-        formats: list[str] = []
+        codes = {}
+        formats = []
         section = ""
 
         def start(name: str, attributes: Mapping[str, str]) -> None:

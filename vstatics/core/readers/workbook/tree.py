@@ -167,7 +167,7 @@ class TreeOfSheets:
         """Return the paths and the shift elements in the headings, by columns."""
         paths, engaged = dict[int, tuple[Part, ...]](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
-        given: set[str] = set()
+        given = set()
         for cell in rows[0][1:] if rows else ():
             if cell.text in given:
                 self._refuse(cell, f"the heading {quoted(cell.text)} is there twice")
