@@ -14,7 +14,7 @@ from vstatics.core.elements.kinds import Planetary
 from vstatics.core.model.parts import HOUSING, Law, Mechanism, ShiftElement
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, Values, grid_of, word
+from vstatics.core.tables.grid import NOTHING, Cell, Grid, Value, grid_of, word
 from vstatics.core.texts import heading, tr
 
 UNREAD = frozenset(
@@ -69,7 +69,8 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
         ]
         links += [
             f"{wheel.member} {link_text(case, wheel.link)}"
-            for wheel in _wheels_without_member(element)
+            for wheel in element.wheels
+            if wheel.member not in element.members
         ]
         more = "; ".join(
             f"{in_words(key)}: {data_text(value)}"
@@ -93,10 +94,6 @@ def fills_a_gap(element: Element) -> bool:
     return len(teeth_by_rim) > 1 and any(
         teeth and rim not in element.teeth for rim, teeth in teeth_by_rim.items()
     )
-
-
-def _wheels_without_member(element: Element) -> Sequence[Any]:
-    return [wheel for wheel in element.wheels if wheel.member not in element.members]
 
 
 def _teeth(element: Element) -> Iterator[str]:

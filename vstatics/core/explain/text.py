@@ -251,8 +251,9 @@ def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
     )
     product = f"{torque} x {f'({motion})' if sign.motion < 0 else motion} = {power}: "
     known = not (math.isnan(sign.torque) or math.isnan(sign.motion))
-    text = f"{label}{product * known}{sign.told}"
-    yield from wrap(text, EQUATION_WIDTH, subsequent_indent=INDENT * 3)
+    yield from wrap(
+        f"{label}{product * known}{sign.told}", EQUATION_WIDTH, subsequent_indent=INDENT * 3
+    )
     if math.isnan(sign.lossy_ratio):
         return
     ratio, efficiency = short(sign.ratio, digits), short(sign.efficiency, digits)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from vstatics.core.flow.power_flow import GearFlow
 from vstatics.core.flow.tables import around, doubt, power_grid
-from vstatics.core.tables.grid import Cell, Grid, Row, grid_of, text
+from vstatics.core.tables.grid import Cell, Grid, grid_of, text
 from vstatics.core.tables.numbers import fixed
 from vstatics.core.tables.ports import ports_grid
 from vstatics.core.texts import tr

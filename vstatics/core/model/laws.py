@@ -60,8 +60,9 @@ class PointLaw(Law):
 def of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
     """Check that points ascend from 0 on, with values from `low` to `high`."""
     if len(law.points) > MOST_LAW_POINTS:
-        message = f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most"
-        yield Problem("E266", message, path)
+        yield Problem(
+            "E266", f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most", path
+        )
         return
     if not law.points:
         yield Problem("E266", "there is no point, expected one at least", path)

@@ -39,8 +39,9 @@ class RecordedColumns(NamedTuple):
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
         there = f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}"
-        message = f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
-        return self.problem(identity, message)
+        return self.problem(
+            identity, f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
+        )
 
     def problem(self, identity: str, message: str) -> Problem:
         """Return a problem with the headings of the file."""
@@ -113,8 +114,9 @@ def _places(
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
         if name in places:
-            message = f"{name}: read two columns of this name, expected one"
-            raise ReadError("E121", message, place=head)
+            raise ReadError(
+                "E121", f"{name}: read two columns of this name, expected one", place=head
+            )
         if name in wanted:
             measure, size = wanted[name], 1.0
             if measure is not None and heading != name:

@@ -166,8 +166,9 @@ class Walk:
         if not isinstance(node, Listing) or not shape.least <= len(node.items) <= 2:
             alternative = " or one: [first]" if shape.least == 1 else ""
             self.spots.unreadable += [(*spot.path[:-1], end) for end in _ENDS]
-            expected = f"expected two links: [first, second]{alternative}"
-            return self.refuse(spot, shape, expected, length(node))
+            return self.refuse(
+                spot, shape, f"expected two links: [first, second]{alternative}", length(node)
+            )
         inner = [
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
@@ -266,8 +267,9 @@ class Walk:
     def _pair(self, spot: Spot, shape: Pair) -> Any:
         node = spot.node
         if not isinstance(node, Listing) or len(node.items) != 2:
-            expected = f"expected two: [{shape.kind}, {shape.kind}]"
-            return self.refuse(spot, shape, expected, length(node))
+            return self.refuse(
+                spot, shape, f"expected two: [{shape.kind}, {shape.kind}]", length(node)
+            )
         return self.items(spot, node.items, TEXT)
 
     def _by_kind(self, spot: Spot, shape: ByKind) -> Any:

@@ -195,8 +195,9 @@ class PackedParts:
             member = self._packed.getinfo(path)
             if member.file_size > MOST_STYLE_BYTES:
                 most = MOST_STYLE_BYTES / 1e6
-                message = f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
-                raise ValueError(message)
+                raise ValueError(
+                    f"formats of {member.file_size / 1e6:.0f} MB, expected at most {most:.0f}"
+                )
             with self._packed.open(member) as part:
                 parse(part, start)
         return frozenset(n for n, key in enumerate(formats) if _is_date(key, codes.get(key)))

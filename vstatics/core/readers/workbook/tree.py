@@ -211,8 +211,9 @@ class TreeOfSheets:
             order = int(number) if is_number else 0
             is_engaged = bool(order) if is_number else MARKS.get(cell.text.casefold())
             if is_engaged is None:
-                message = f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
-                self._refuse(cell, message)
+                self._refuse(
+                    cell, f"read {quoted(cell.text)}, expected `{ENGAGED}` or 1, nothing or 0"
+                )
             elif is_engaged:
                 name = Scalar(engaged[cell.column], *self._at(cell), plain=False)
                 engagements.append((order, name))
