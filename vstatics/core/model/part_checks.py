@@ -213,7 +213,9 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     yield from of_efficiency(mechanism.efficiency, (*path, "efficiency"))
     yield from of_back_efficiency(mechanism.back_efficiency, (*path, "back_efficiency"))
     if (planet := mechanism.planet_ratio) is not None:
-        yield from not_0(planet, "a finite ratio", (*path, "planet_ratio"))
+        right = planet != 0 and math.isfinite(planet)
+        what = "a finite ratio other than 0"
+        yield from expect(planet, what, (*path, "planet_ratio"), right=right)
 
 
 def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
@@ -325,12 +327,6 @@ def of_missing_ratios(case: TransmissionFields, *, open_too: bool) -> Iterator[P
             for place, gear in enumerate(case.gears, 1):
                 if number not in gear.speed_ratios and not _is_bypassed(case, gear, number):
                     yield Problem("E277", message, ("gears", place))
-
-
-def not_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """Check that a number is finite and not 0."""
-    right = number != 0 and math.isfinite(number)
-    return expect(number, f"{what} other than 0", path, right=right)
 
 
 def of_efficiency(value: float, path: Path) -> Iterator[Problem]:

@@ -63,11 +63,6 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
     return meant | given
 
 
-def is_behind_comma(key: Scalar, value: Node) -> bool:
-    """Check for a key cut off by a decimal comma, as in `{a: 0,2 kg*m^2, b: 5}`."""
-    return is_null(value) and key.text.partition(" ")[0].isdigit()
-
-
 def is_merge(key: Scalar) -> bool:
     """Check whether a key is `<<`, by which YAML merges mappings."""
     return key.plain and key.text == "<<"

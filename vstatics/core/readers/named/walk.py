@@ -40,7 +40,6 @@ from vstatics.core.readers.named.compounds import (
     NO_COMMA,
     NO_MERGE,
     entries,
-    is_behind_comma,
     is_merge,
     known_entries,
 )
@@ -235,8 +234,8 @@ class Walk:
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Report a key that is the end of a number with a decimal comma."""
-        if not is_behind_comma(key, value):
+        """Report a key that is the end of a decimal number, as in `{a: 0,2 kg*m^2, b: 5}`."""
+        if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
         self.spots.complain(spot, f"read {what(key)} without a value; in a number, {NO_COMMA}", key)
         return True
