@@ -98,9 +98,8 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
             yield Problem("E269", message, (*path, "battery"))
         ends = gear.input or case.input, gear.output or case.main_output
         if not gear.open_links(ends):
-            message = "read no link without speed and torque"
             expected = "expected at least one, neither input nor output"
-            yield Problem("E269", f"{message}, {expected}", path)
+            yield Problem("E269", f"read no link without speed and torque, {expected}", path)
 
 
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:

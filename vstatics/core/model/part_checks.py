@@ -455,12 +455,12 @@ def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Probl
 
 def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
     """Check an operating point."""
-    if not isinstance(load or Load(), Load):
+    load = load or Load()
+    if not isinstance(load, Load):
         yield Problem(
             "E238", f"read {type_and_value(load)}, expected a Load, in rpm and N*m", (*path, "load")
         )
         return
-    load = load or Load()
     for quantity, value in load._asdict().items():
         if isinstance(value, str):
             message = f"read {value!r}, expected a number, in rpm and N*m"

@@ -38,9 +38,10 @@ class RecordedColumns(NamedTuple):
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
-        there = f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}"
         return self.problem(
-            identity, f"there is no column {quoted(heading)}{nearest(heading, known)}; {there}"
+            identity,
+            f"there is no column {quoted(heading)}{nearest(heading, known)}; "
+            f"columns {f'of {kind} ' * bool(alike)}are {listed(known)}",
         )
 
     def problem(self, identity: str, message: str) -> Problem:

@@ -128,8 +128,9 @@ def expect_size(cells: int, size: int = 0) -> None:
     if cells > MOST_TABLE_CELLS:
         raise ValueError(f"it has {cells:,} cells, expected at most {MOST_TABLE_CELLS:,}")
     if size > TABLE_BYTES:
-        most = f"{TABLE_BYTES / 1e6:g} MB"
-        raise ValueError(f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {most}")
+        raise ValueError(
+            f"it has {size / 1e6:,.0f} MB when unpacked, expected at most {TABLE_BYTES / 1e6:g} MB"
+        )
 
 
 def _csv(text: str, file: str) -> dict[str, Column]:

@@ -273,9 +273,10 @@ class _Parser:
             self.take(name, end)
             return self.operation(name, self.bracketed(depth + 1, call=True), at)
         if name in language.functions:
-            example = f"{name}({language.example})"
             raise self.source.error(
-                f"`{name}` is a function, expected `(` behind it, such as {example}", behind
+                f"`{name}` is a function, expected `(` behind it, such as "
+                f"{name}({language.example})",
+                behind,
             )
         if call:
             words = (*language.functions, *language.of_names)

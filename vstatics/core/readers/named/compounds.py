@@ -34,9 +34,8 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
             spots.complain(spot, "an empty key, expected a name", key)
         elif key.text in seen:
             first = seen[key.text]
-            message = f"key `{shown(key.text)}` is given twice"
             other = f"the first is on line {first.line}, column {first.column}"
-            spots.complain(spot, f"{message}, {other}", key, "E192")
+            spots.complain(spot, f"key `{shown(key.text)}` is given twice, {other}", key, "E192")
         else:
             seen[key.text] = key
             yield key, value

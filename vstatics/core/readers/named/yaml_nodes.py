@@ -43,9 +43,9 @@ def yaml_tree(document: DocumentText) -> Node:
     """
     unprintable = _UNPRINTABLE.search(document.text)
     if unprintable:
-        code = f"U+{ord(unprintable[0]):04X}"
         document.stop(
-            f"{code}, a character that YAML has not", *document.place(unprintable.start())
+            f"U+{ord(unprintable[0]):04X}, a character that YAML has not",
+            *document.place(unprintable.start()),
         )
     return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
 
